@@ -1,6 +1,6 @@
-"""Benchmarks: speed against accuracy, and where methods fail. They run from a source checkout; no
-wheel contains them.
+"""Benchmark speed against accuracy, and find out where methods fail.
 
-`charts` measures and draws (`sonify chart`), `cases` states the problems, `methods` holds simpler
-methods and `peers` other programs, `references` the data from which the errors are computed. The
+The benchmarks run from a source checkout and are not part of wheels. `charts` measures
+and draws (`sonify chart`), `cases` defines the problems, `methods` contains simpler
+methods, `peers` other programs, and `references` the data for the error measures. The
 scripts in `speed` only print timings."""

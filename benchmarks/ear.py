@@ -1,13 +1,18 @@
-"""Misses and false alarms of the detector of settling disks, by kind of sound: python
-benchmarks/ear.py FOLDER
+"""Count misses and false alarms of the detector of settling disks: python
+benchmarks/ear.py FOLDER | --coverage
 
 Every sound file below FOLDER counts by the class at the end of its name
-("1-17150-A-010-Fire_crackling.flac"), or by its folder; simulated takes and imitations of
-`settling_sounds` are added. The interval of each share is the 95 % one of Clopper and Pearson.
+("1-17150-A-010-Fire_crackling.flac"), or by its folder; simulated takes and imitations
+of `settling_sounds` are added. The interval of each share is the 95 % one of Clopper
+and Pearson.
 
-The rate of false alarms is that of surrogates of the files without a disk (those with a class):
-blocks of 0.1 s in random order, and random phases of the spectrum. The thresholds were fixed on
-surrogates, not on the files themselves."""
+With --coverage instead of a folder, it counts how often the intervals of exponent, end
+and rate contain the truth of simulated takes, on the half that calibrated them and on
+the other half.
+
+The rate of false alarms is that of surrogates of the files without a disk (those with a
+class): blocks of 0.1 s in random order, and random phases of the spectrum. The
+thresholds were fixed on surrogates, not on the files themselves."""
 
 import sys
 from collections import defaultdict
@@ -24,24 +29,25 @@ import settling_sounds
 from sonify.hearing.audio_source import source_of
 from sonify.hearing.settling.detector import settling_runs
 
-SUFFIXES = {".flac", ".wav", ".ogg", ".aiff"}
-SEEDS = range(200, 213)
+SOUND_FILE_SUFFIXES = {".flac", ".wav", ".ogg", ".aiff"}
+TAKE_SEEDS = range(200, 213)
 
 
 def is_classed(path):
-    """Return True if the name of a sound file ends in the class of its sound."""
-    return path.suffix.lower() in SUFFIXES and path.stem.count("-") > 2
+    """Return True if the name of a sound file ends with the class of its sound."""
+    return path.suffix.lower() in SOUND_FILE_SUFFIXES and path.stem.count("-") > 2
 
 
 def share(count, of):
-    """Return a count, and the 95 % interval of its share [%], as words."""
+    """Return a text with a count and the 95 % interval of its percentage."""
     low = beta.ppf(0.025, count, of - count + 1) if count else 0.0
     high = beta.ppf(0.975, count + 1, of - count) if count < of else 1.0
     return f"{count:4d} of {of:3d}  {100 * low:5.1f} to {100 * high:5.1f} %"
 
 
 def simulated(sample, folder):
-    """Return the number of runs heard in samples, by way of a file in a folder."""
+    """Return the number of runs detected in samples that are written to a file in a
+    folder."""
     path = Path(folder) / "sound.wav"
     soundfile.write(path, np.asarray(sample), settling_sounds.RATE, "FLOAT")
     return len(settling_runs(source_of(path)))
@@ -55,18 +61,24 @@ def block_shuffled(samples, rate, rng):
 
 
 def phase_randomised(samples, rate, rng):
-    """Return samples (n,) of the same spectrum with random phases, under the same envelope."""
+    """Return samples (n,) of the same spectrum with random phases, under the same
+    envelope."""
     spectrum = rfft(samples)
-    noise = irfft(np.abs(spectrum) * np.exp(2j * np.pi * rng.random(len(spectrum))), len(samples))
+    noise = irfft(
+        np.abs(spectrum) * np.exp(2j * np.pi * rng.random(len(spectrum))), len(samples)
+    )
     window = np.hanning(int(0.05 * rate))
     power = [np.convolve(np.square(x), window, "same") for x in (samples, noise)]
     return noise * np.sqrt(power[0] / np.maximum(power[1], 1e-12))
 
 
 def false_alarms(paths, scratch, count=4):
-    """Print the false alarms per hour in surrogates of files, with the 95 % interval of Poisson."""
+    """Print the false alarms per hour in surrogates of files, with the 95 % Poisson
+    interval."""
     path = Path(scratch) / "surrogate.wav"
-    surrogates = {"shuffled": block_shuffled, "random phases": phase_randomised} if paths else {}
+    surrogates = (
+        {"shuffled": block_shuffled, "random phases": phase_randomised} if paths else {}
+    )
     for name, surrogate in surrogates.items():
         scores = []
         hours = 0.0
@@ -87,19 +99,41 @@ def false_alarms(paths, scratch, count=4):
         )
 
 
+def coverage(scratch):
+    """Print how often the intervals of 400 simulated takes contain the truth."""
+    path = Path(scratch) / "take.wav"
+    for name, seeds in {"calibrating": range(200), "other": range(200, 400)}.items():
+        inside = []
+        for seed in seeds:
+            take = settling_sounds.simulated_take(seed)
+            soundfile.write(path, take.samples, settling_sounds.RATE, "FLOAT")
+            runs = settling_runs(source_of(path))
+            best = max(runs, key=lambda run: run.score, default=None)
+            inside += [settling_sounds.intervals_hold(take, best)] if best else []
+        print(f"{name} half: {len(inside)} of {len(seeds)} heard")
+        for quantity, count in zip(
+            ("n", "end", "rate"), np.sum(inside, axis=0), strict=True
+        ):
+            print(f"  {quantity:5s} {share(int(count), len(inside))}")
+
+
 def main(folder, scratch):
     """Print the table of a folder of recordings."""
     counts = defaultdict(list)
     for path in sorted(Path(folder).rglob("*")):
-        if path.suffix.lower() in SUFFIXES:
+        if path.suffix.lower() in SOUND_FILE_SUFFIXES:
             kind = path.stem.split("-")[-1] if is_classed(path) else path.parent.name
             counts[kind].append(len(settling_runs(source_of(path))))
     for name, imitation in settling_sounds.IMITATIONS.items():
-        counts[f"imitation: {name}"] = [simulated(imitation(seed), scratch) for seed in SEEDS]
+        counts[f"imitation: {name}"] = [
+            simulated(imitation(seed), scratch) for seed in TAKE_SEEDS
+        ]
     for seed in range(400, 440):
         take = settling_sounds.simulated_take(seed)
         counts[f"simulated: {take.kind}"].append(simulated(take.samples, scratch))
-    false_alarms([path for path in sorted(Path(folder).rglob("*")) if is_classed(path)], scratch)
+    false_alarms(
+        [path for path in sorted(Path(folder).rglob("*")) if is_classed(path)], scratch
+    )
     print(f"{'kind':30s} runs  sounds with a run, 95 %")
     for kind, runs in sorted(counts.items()):
         heard = int(np.count_nonzero(runs))
@@ -110,4 +144,7 @@ if __name__ == "__main__":
     import tempfile
 
     with tempfile.TemporaryDirectory() as scratch:
-        main(sys.argv[1], scratch)
+        if sys.argv[1] == "--coverage":
+            coverage(scratch)
+        else:
+            main(sys.argv[1], scratch)

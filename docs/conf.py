@@ -17,7 +17,14 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "sphinx-mathjax-offline",
 ]
-EXECUTED_EXAMPLES = ("one_motion", "mode_table", "many_scenes", "own_dissipation", "own_mesh")
+EXECUTED_EXAMPLES = (
+    "one_motion",
+    "mode_table",
+    "many_scenes",
+    "own_dissipation",
+    "own_mesh",
+)
+"""Examples that are run when the site is built."""
 sphinx_gallery_conf = {
     "examples_dirs": [str(Path(__file__).parents[1] / "sonify" / "examples")],
     "gallery_dirs": ["examples"],
@@ -30,7 +37,7 @@ sphinx_gallery_conf = {
     "min_reported_time": 1e9,
 }
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
-exclude_patterns = ["build", "templates"]
+exclude_patterns = ["article/text", "build", "templates"]
 templates_path = ["templates"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
@@ -45,7 +52,16 @@ html_theme = "pydata_sphinx_theme"
 html_sidebars = {
     page: []
     for page in (
-        *("getting_started", "how_to", "examples/index", "results", "parameter_studies"),
+        *(
+            "getting_started",
+            "classroom",
+            "how_to",
+            "examples/index",
+            "results",
+            "theory",
+            "gallery",
+        ),
+        *("detector", "parameter_studies", "verdict", "comparison", "references"),
         *("file_formats", "contributing", "changes"),
     )
 }
@@ -54,7 +70,9 @@ html_show_sourcelink = False
 html_theme_options = {"show_prev_next": False, "secondary_sidebar_items": ["page-toc"]}
 
 
-def escape_bars(app, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+def escape_bars(
+    app, what: str, name: str, obj: object, options: object, lines: list[str]
+) -> None:
     """Escape the bars of absolute values, which reStructuredText takes for substitutions."""
     lines[:] = [line.replace("|", r"\|") for line in lines]
 

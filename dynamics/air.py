@@ -1,4 +1,4 @@
-"""The section `air` of a scene: the air film under the disk, and the air that carries the sound."""
+"""The section `air` of a scene: properties of the air and of the film under the disk."""
 
 from dataclasses import dataclass
 from math import exp, log, pi, sqrt
@@ -16,15 +16,15 @@ STANDARD_SOUND_SPEED = 343.2
 """Speed of sound in dry air at standard temperature [m/s]."""
 AIR_GAS_CONSTANT = 287.05
 """Specific gas constant of dry air [J/(kg K)]."""
-HEAT_RATIO = 1.4
+HEAT_CAPACITY_RATIO = 1.4
 """Ratio of the specific heats of air."""
-PRANDTL = 0.71
+PRANDTL_NUMBER = 0.71
 """Prandtl number of air: ratio of kinematic viscosity to thermal diffusivity."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Air:
-    """Air around the disk, which carries its sound, and air film under it, which slows it.
+    """The air that transmits the sound, and the air film under the disk.
 
     Raises
     ------
@@ -39,7 +39,8 @@ class Air:
     """
 
     film: Literal["auto", "none", "acts"] = "auto"
-    """Air film under the disk: none, acts, or auto: it acts if it ever takes 1 % of the power."""
+    """Air film under the disk: none, acts (included), or auto (included if it is
+    predicted to dissipate at least 1 % of the power)."""
     viscosity: Annotated[float, Gt(0), Le(1e3)] = 1.82e-5
     """Viscosity [Pa s]."""
     density: Annotated[float, Ge(0), Le(1e3)] = None  # type: ignore[assignment]
@@ -49,11 +50,13 @@ class Air:
     temperature: Annotated[float, Ge(50), Le(3000)] = STANDARD_TEMPERATURE
     """Temperature [K]; it determines the speed of sound."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.film == "acts" and not self.pressure:
-            raise ValueError("film = 'acts': a vacuum, pressure = 0, has no film")
+            raise ValueError("film = 'acts': requires air, but pressure = 0 (vacuum)")
         if self.density is None:
-            object.__setattr__(self, "density", dry_air_density(self.pressure, self.temperature))
+            object.__setattr__(
+                self, "density", dry_air_density(self.pressure, self.temperature)
+            )
 
     @property
     def sound_speed(self) -> float:
@@ -62,16 +65,21 @@ class Air:
 
     @property
     def mean_free_path(self) -> float:
-        """Mean free path of the molecules [m], mu/p sqrt(pi R T/2).
+        """Mean free path of the air molecules [m], mu/p sqrt(pi R T/2).
 
-        The air in a thinner film is not a continuum.
+        In a film thinner than this length, the air does not behave as a continuum.
         """
-        return self.viscosity / self.pressure * sqrt(pi * AIR_GAS_CONSTANT * self.temperature / 2)
+        return (
+            self.viscosity
+            / self.pressure
+            * sqrt(pi * AIR_GAS_CONSTANT * self.temperature / 2)
+        )
 
     def absorption(self, frequency: float, humidity: float = 0.5) -> float:
         """Return the absorption of sound by the air.
 
-        It is accurate to 10 % from -20 to 50 degrees Celsius and 0.05 to 2 atmospheres.
+        The accuracy is 10 % for temperatures from -20 to 50 degrees Celsius and
+        pressures from 0.05 to 2 atmospheres.
 
         Parameters
         ----------
@@ -91,18 +99,35 @@ class Air:
         """
         p = self.pressure / STANDARD_PRESSURE
         t = self.temperature / STANDARD_TEMPERATURE
-        vapour = 100 * humidity / p * 10 ** (4.6151 - 6.8346 * (273.16 / self.temperature) ** 1.261)
+        vapour = (
+            100
+            * humidity
+            / p
+            * 10 ** (4.6151 - 6.8346 * (273.16 / self.temperature) ** 1.261)
+        )
         oxygen = p * (24 + 4.04e4 * vapour * (0.02 + vapour) / (0.391 + vapour))
         nitrogen = p / sqrt(t) * (9 + 280 * vapour * exp(-4.17 * (t ** (-1 / 3) - 1)))
-        relaxing = 0.01275 * exp(-2239.1 / self.temperature) / (oxygen + frequency**2 / oxygen)
-        relaxing += 0.1068 * exp(-3352.0 / self.temperature) / (nitrogen + frequency**2 / nitrogen)
-        return 20 / log(10) * frequency**2 * (1.84e-11 / p * sqrt(t) + t**-2.5 * relaxing)
+        relaxing = (
+            0.01275 * exp(-2239.1 / self.temperature) / (oxygen + frequency**2 / oxygen)
+        )
+        relaxing += (
+            0.1068
+            * exp(-3352.0 / self.temperature)
+            / (nitrogen + frequency**2 / nitrogen)
+        )
+        return (
+            20 / log(10) * frequency**2 * (1.84e-11 / p * sqrt(t) + t**-2.5 * relaxing)
+        )
 
 
 def dry_air_density(pressure: float, temperature: float) -> float:
-    """Return the density [kg/m^3] of dry air at pressure [Pa] and temperature [K], an ideal gas."""
-    return STANDARD_DENSITY * (pressure / STANDARD_PRESSURE) * (STANDARD_TEMPERATURE / temperature)
+    """Return the density [kg/m^3] of dry air at pressure [Pa] and temperature [K]."""
+    return (
+        STANDARD_DENSITY
+        * (pressure / STANDARD_PRESSURE)
+        * (STANDARD_TEMPERATURE / temperature)
+    )
 
 
 STANDARD_AIR = Air()
-"""Dry air at 20 degrees Celsius and 101325 Pa."""
+"""Air at 20 degrees Celsius and 101325 Pa."""

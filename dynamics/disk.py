@@ -1,4 +1,4 @@
-"""The sections `disk`, `friction` and `release` of a scene; [ ] holds the unit of each key."""
+"""The sections `disk`, `friction` and `release` of a scene."""
 
 from dataclasses import dataclass
 from math import inf, pi
@@ -7,7 +7,8 @@ from typing import Annotated, Literal
 from annotated_types import Ge, Gt, Le, Lt
 
 GRAVITY = 9.81
-"""Acceleration of gravity [m/s^2]; it gives the time unit of the paper, 0.0691712 s (7.2)."""
+"""Gravitational acceleration [m/s^2]; the time unit of the paper, 0.0691712 s (7.2),
+implies it."""
 MIN_DISK_LENGTH = 1e-9
 """Smallest dimension of a disk [m]; the moments of inertia of a smaller disk would underflow."""
 MAX_FINITE_FRICTION = 1e6
@@ -17,12 +18,13 @@ AngularRate = Annotated[float, Ge(-1e6), Le(1e6)]
 
 @dataclass(frozen=True, kw_only=True)
 class Disk:
-    """A circular cylinder, given by its mass or its density.
+    """A circular cylinder, specified by its mass or its density.
 
     Raises
     ------
     ValueError
-        If not exactly one of mass and density is given, or if a dimension is impossible.
+        Unless exactly one of mass and density is given, or if a dimension is
+        impossible.
 
     Examples
     --------
@@ -41,21 +43,27 @@ class Disk:
     density: Annotated[float, Ge(1e-3), Le(1e6)] | None = None
     """Density [kg/m^3], as an alternative to the mass."""
     shape: Literal["solid", "shell"] = "solid"
-    """Solid cylinder, or a shell (tube) that is open along its axis."""
+    """Shape: a solid cylinder, or a shell (a tube with open ends)."""
     wall: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)] | None = None
     """Wall thickness of a shell [m]; by default negligible."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.radius < MIN_DISK_LENGTH:
-            raise ValueError(f"radius = {self.radius:g}: must not be below {MIN_DISK_LENGTH:g}")
+            raise ValueError(
+                f"radius = {self.radius:g}: must not be below {MIN_DISK_LENGTH:g}"
+            )
         if (self.mass is None) == (self.density is None):
             raise ValueError("give either mass or density")
         if self.wall is not None and self.shape != "shell":
-            raise ValueError(f"wall = {self.wall:g}: only a disk of shape = 'shell' has a wall")
+            raise ValueError(f"wall = {self.wall:g}: only allowed if shape = 'shell'")
         if self.wall is not None and not self.wall < self.radius:
-            raise ValueError(f"wall = {self.wall:g}: must be less than radius = {self.radius:g}")
+            raise ValueError(
+                f"wall = {self.wall:g}: must be less than radius = {self.radius:g}"
+            )
         if self.mass is None and not self.volume:
-            raise ValueError("a shell of negligible wall has no volume: give its mass, or its wall")
+            raise ValueError(
+                "a shell of negligible wall has no volume: give its mass, or its wall"
+            )
         if self.mass is None:
             object.__setattr__(self, "mass", self.density * self.volume)
 
@@ -73,7 +81,7 @@ class Disk:
 
     @property
     def gyration(self) -> float:
-        """k^2 of (2.4): 1 + (inner/outer radius)^2, from 1 (solid cylinder) to 2 (thin shell)."""
+        """Constant k^2 of (2.4), 1 + (inner/outer radius)^2: 1 if solid, 2 if thin."""
         return 1.0 + (self.inner_radius / self.radius) ** 2
 
     @property
@@ -116,22 +124,25 @@ class Friction:
     """Arm k_1 of the moment that resists nutation [m], at most the radius of the disk."""
     arm_rolling: Annotated[float, Ge(0), Le(100)] = 0.0
     """Arm k_2 of the moment that resists rolling [m], at most the radius of the disk."""
-    arm_pivoting: Annotated[float, Ge(0), Le(100)] = 0.0
-    """Arm k_3 of the moment that resists pivoting [m], at most the radius of the disk."""
+    arm_pivoting: Annotated[float, Ge(0), Le(100)] | Literal["contact"] = 0.0
+    """Arm k_3 of the moment that resists pivoting [m], at most the radius of the disk; "contact"
+    computes it from slip and creep in the ellipse of the contact."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         for key, mu in (("mu_static", self.mu_static), ("mu_dynamic", self.mu_dynamic)):
             if MAX_FINITE_FRICTION < mu < inf:
                 allowed = f"less than or equal to {MAX_FINITE_FRICTION:g}, or inf"
                 raise ValueError(f"{key} = {mu:g}: must be {allowed}")
         if self.mu_dynamic > self.mu_static:
             dynamic = f"mu_dynamic = {self.mu_dynamic:g}"
-            raise ValueError(f"{dynamic} must not exceed mu_static = {self.mu_static:g}")
+            raise ValueError(
+                f"{dynamic} must not exceed mu_static = {self.mu_static:g}"
+            )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Release:
-    """Initial state (7.4) of a disk whose contact does not slip.
+    """Initial state (7.4) of the disk; its contact does not slip.
 
     Examples
     --------

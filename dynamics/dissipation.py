@@ -1,8 +1,8 @@
-"""Laws of dissipation in addition to friction: power laws, viscous moment and viscous force.
+"""Dissipation apart from friction: power laws, viscous moment and viscous force.
 
-The power law P = -c |Omega|^b is applied as the moment -c |Omega|^(b-1) sign(Omega) sec(a) e_3.
-This moment has the power P in every motion. In quasi-steady motion the energy then falls as
-(t0 - t)^(2/(b + 2)).
+The power law P = -c |Omega|^b is implemented as the moment -c |Omega|^(b-1) sign(Omega)
+sec(a) e_3, which dissipates the power c |Omega|^b in every motion. In quasi-steady
+motion the energy then decreases as (t0 - t)^(2/(b + 2)).
 """
 
 from collections.abc import Iterable
@@ -11,20 +11,20 @@ from functools import reduce
 from itertools import chain, repeat
 from math import pi
 from operator import add
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from annotated_types import Ge, Le
 
 from dynamics.disk import GRAVITY, Disk
 from dynamics.equations import DiskConstants, Loads
-from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
+from dynamics.kinematics import centre_velocity, contact_place, precession_rate
 
 
 @dataclass(frozen=True, kw_only=True)
 class Dissipation:
-    """Resistance in addition to friction: the section `dissipation` of a scene.
+    """Dissipation in addition to friction: the section `dissipation` of a scene.
 
-    The laws add up. A coefficient of zero disables its law.
+    The loads of all laws are added. A coefficient of zero disables its law.
 
     References
     ----------
@@ -47,34 +47,43 @@ class Dissipation:
     air_viscosity: Annotated[float, Ge(0), Le(1e6)] = 0.0
     """Viscosity of the air film under the disk [Pa s]; b = 4, Moffatt (2000)."""
     boundary_layer_viscosity: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Kinematic viscosity of the boundary layer of the air [m^2/s]; b = 5/2, Bildsten (2002)."""
+    """Kinematic viscosity of the air in its boundary layer [m^2/s]; b = 5/2, Bildsten
+    (2002)."""
     air_density: Annotated[float, Ge(0), Le(1e6)] = 1.2
     """Density of the air in that boundary layer [kg/m^3]."""
     contour_moment: Annotated[float, Ge(0), Le(1e6)] = 0.0
     """Moment of contour friction [N m]; b = 1, Leine (2009)."""
     viscous_moment: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Viscous moment per unit of angular velocity [N m s], Compere."""
+    """Viscous moment divided by the angular velocity [N m s] (Compere)."""
     viscous_force: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Viscous force per unit of velocity of the centre [N s/m], Compere."""
+    """Viscous force divided by the velocity of the centre [N s/m] (Compere)."""
 
 
 def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]]:
-    """Return (coefficient [W s^b], exponent b) of every power law with a positive coefficient.
+    """Return (coefficient [W s^b] > 0, exponent b) of every power law.
 
-    With beta = 4 g / (a Omega^2), Moffatt's pi mu g a^2 / beta^2 is pi mu a^4 Omega^4 / (16 g), and
-    Bildsten's 4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) is
-    sqrt(mu rho) a^4 Omega^(5/2) / sqrt(2). Both are estimates. The solved air film (film/wedge.py)
-    dissipates 1.63 times the first estimate if it is thin, and 1/4.9 of the second if it is thick.
+    With beta = 4 g / (a Omega^2), Moffatt's pi mu g a^2 / beta^2 is pi mu a^4 Omega^4 /
+    (16 g), and Bildsten's 4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) is sqrt(mu rho)
+    a^4 Omega^(5/2) / sqrt(2). Both are estimates. The air film of film/wedge.py
+    dissipates 1.63 times Moffatt's estimate if it is thin, and 1/4.9 of Bildsten's if
+    it is thick.
     """
     a = disk.radius
-    layer = dissipation.air_density * dissipation.boundary_layer_viscosity**0.5 * a**4 / 2**0.5
+    layer = (
+        dissipation.air_density
+        * dissipation.boundary_layer_viscosity**0.5
+        * a**4
+        / 2**0.5
+    )
     laws = [
         (dissipation.power_coefficient, dissipation.power_exponent),
         (pi * dissipation.air_viscosity * a**4 / (16 * GRAVITY), 4.0),
         (layer, 2.5),
         (dissipation.contour_moment, 1.0),
     ]
-    return [(coefficient, exponent) for coefficient, exponent in laws if coefficient > 0]
+    return [
+        (coefficient, exponent) for coefficient, exponent in laws if coefficient > 0
+    ]
 
 
 class Resistance(NamedTuple):
@@ -85,26 +94,35 @@ class Resistance(NamedTuple):
     powers : tuple of (float, float)
         Coefficient c and (b - 2)/2 of each power law with exponent b.
     viscous_moment, viscous_force : float
-        Moment per angular velocity and force per velocity.
-    is_singular : bool
+        Moment divided by angular velocity, and force divided by velocity.
+    nonsmooth_at_zero_precession : bool
         True if a law is not smooth where the precession stops.
     """
 
-    powers: tuple[tuple[float, float], ...]
-    viscous_moment: float
-    viscous_force: float
-    is_singular: bool
-    carries = False
+    powers: tuple[tuple[Any, Any], ...]
+    viscous_moment: Any
+    viscous_force: Any
+    nonsmooth_at_zero_precession: bool
 
-    def __call__(self, beta, omega, slip, law: DiskConstants, flow) -> Loads:
-        """Return the loads at inclination beta, angular velocity omega and slip velocity.
+    @property
+    def keeps_disk_off_table(self) -> bool:
+        """False, because these laws do not keep a falling disk off the table."""
+        return False
 
-        All arguments are dimensionless scalars of a type that the functions of `flow` accept.
+    def __call__(
+        self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
+    ) -> Loads:
+        """Return the loads at inclination beta, angular velocity omega and `slip`.
+
+        All arguments are dimensionless scalars of any type that the functions of `flow`
+        accept.
         """
         sin_a = flow.cos(beta)
         cos_a = flow.sin(beta)
         rate = precession_rate(omega[2], cos_a)
-        v1, v2 = centre_velocity(slip, omega, contact_arms(sin_a, cos_a, law.h)[0], law.h)
+        v1, v2 = centre_velocity(
+            slip, omega, contact_place(sin_a, cos_a, law.h, law.fillet)
+        )
         M1, M2, M3 = (-self.viscous_moment * w for w in omega)
         # |Omega|^(b-1) sign(Omega), written so that it is a polynomial for b = 2, 4, ...
         for c, half in self.powers:
@@ -113,44 +131,51 @@ class Resistance(NamedTuple):
 
     @property
     def compiled_form(self) -> "Resistance":
-        """The law as compiled into a flow, with None in place of each run-time parameter.
+        """The law with None as a placeholder for each run-time parameter.
 
-        Zero coefficients and integer exponents b are compiled into the flow.
+        Zero coefficients and integer exponents b are kept, because they are compiled
+        into the flow.
         """
-        powers = tuple((None, half if (2 * half).is_integer() else None) for _, half in self.powers)
-        viscous = (None if number else 0.0 for number in (self.viscous_moment, self.viscous_force))
-        return Resistance(powers, *viscous, self.is_singular)
+        powers = tuple(
+            (None, half if (2 * half).is_integer() else None) for _, half in self.powers
+        )
+        moment = None if self.viscous_moment else 0.0
+        force = None if self.viscous_force else 0.0
+        return self._replace(powers=powers, viscous_moment=moment, viscous_force=force)
 
     @property
     def runtime_parameters(self) -> tuple[float, ...]:
-        """The run-time parameters (n,), in the order of the None of `compiled_form`."""
-        pairs = zip(self._flat(), self.compiled_form._flat(), strict=True)
+        """The run-time parameters (n,), in the order of the placeholders."""
+        pairs = zip(self._numbers(), self.compiled_form._numbers(), strict=True)
         return tuple(number for number, compiled in pairs if compiled is None)
 
-    def with_parameters(self, parameters: Iterable) -> "Resistance":
-        """Return the law with `parameters` (n,), scalars of any type, in place of None."""
+    def with_parameters(self, parameters: Iterable[Any]) -> "Resistance":
+        """Return a copy with scalars of any type (n,) in place of the placeholders."""
         remaining = iter(parameters)
-        values = [next(remaining) if value is None else value for value in self._flat()]
+        values = [
+            next(remaining) if value is None else value for value in self._numbers()
+        ]
         *powers, moment, force = values
         pairs = tuple(zip(powers[::2], powers[1::2], strict=True))
-        return Resistance(pairs, moment, force, self.is_singular)
+        return Resistance(pairs, moment, force, self.nonsmooth_at_zero_precession)
 
-    def _flat(self):
-        """Return all numbers of the law in one tuple."""
+    def _numbers(self) -> tuple[Any, ...]:
+        """Return all coefficients and exponents of the law in one tuple."""
         return *chain(*self.powers), self.viscous_moment, self.viscous_force
 
 
 class OwnLaw:
     """Base class of a user-defined law of dissipation.
 
-    Derive a frozen dataclass and define `__call__`, as in `sonify/examples/own_dissipation.py`. The
-    compiler replaces the float fields by symbols, so `__call__` must not branch on their values.
+    Derive a frozen dataclass and define `__call__`, as in
+    `sonify/examples/own_dissipation.py`. During compilation symbols replace the float
+    fields, so `__call__` must not branch on their values.
 
     Attributes
     ----------
-    is_singular : bool
+    nonsmooth_at_zero_precession : bool
         True if the law is not smooth where the precession stops.
-    carries : bool
+    keeps_disk_off_table : bool
         True if the law keeps a falling disk off the table.
 
     Examples
@@ -167,10 +192,12 @@ class OwnLaw:
     (0.01,)
     """
 
-    is_singular = False
-    carries = False
+    nonsmooth_at_zero_precession = False
+    keeps_disk_off_table = False
 
-    def __call__(self, beta, omega, slip, law: DiskConstants, flow) -> Loads:
+    def __call__(
+        self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
+    ) -> Loads:
         """Return the dimensionless loads on the disk.
 
         Parameters
@@ -178,9 +205,9 @@ class OwnLaw:
         beta : scalar
             Inclination [rad].
         omega : tuple of three scalars
-            Angular velocity along e_1, e_2, e_3, in 1/chi.
+            Angular velocity along e_1, e_2, e_3, in units of 1/chi.
         slip : tuple of two scalars
-            Slip velocity along a_1, a_2, in R/chi.
+            Slip velocity along a_1, a_2, in units of R/chi.
         law : DiskConstants
             Dimensionless constants of disk and friction.
         flow : Flow
@@ -195,27 +222,27 @@ class OwnLaw:
 
     @property
     def compiled_form(self) -> "OwnLaw":
-        """The law as compiled into a flow, with None in place of every float."""
+        """The law with None as a placeholder for every float."""
         return self.with_parameters(repeat(None))
 
     @property
     def runtime_parameters(self) -> tuple[float, ...]:
-        """The run-time parameters (n,), in the order of the None of `compiled_form`."""
+        """The run-time parameters (n,), in the order of the placeholders."""
         return tuple(value for value in vars(self).values() if isinstance(value, float))
 
-    def with_parameters(self, parameters: Iterable) -> "OwnLaw":
-        """Return the law with other parameters.
+    def with_parameters(self, parameters: Iterable[Any]) -> "OwnLaw":
+        """Return a copy of the law with other parameters.
 
         Parameters
         ----------
         parameters : iterable of scalars
-            One value of any scalar type for each float or None of the law, in order. Surplus
-            values are ignored.
+            One scalar of any type for each float or placeholder (None) of the law, in
+            order. Surplus values are ignored.
 
         Returns
         -------
         OwnLaw
-            A new law. `__post_init__` is skipped, because it may accept floats only.
+            The copy. Its `__post_init__` is skipped, because it may accept only floats.
         """
         remaining = iter(parameters)
         law = object.__new__(type(self))
@@ -228,41 +255,41 @@ class OwnLaw:
 class CombinedLoads(NamedTuple):
     """Sum of several laws."""
 
-    laws: tuple
+    laws: tuple[Any, ...]
 
-    def __call__(self, *state) -> Loads:
+    def __call__(self, *state: Any) -> Loads:
         """Return the sum of the loads of the laws."""
         loads = [law(*state) for law in self.laws]
         return reduce(lambda one, other: Loads._make(map(add, one, other)), loads)
 
     @property
-    def is_singular(self) -> bool:
-        """True if one of the laws is not smooth where the precession stops."""
-        return any(law.is_singular for law in self.laws)
+    def nonsmooth_at_zero_precession(self) -> bool:
+        """True if at least one of the laws is not smooth where the precession stops."""
+        return any(law.nonsmooth_at_zero_precession for law in self.laws)
 
     @property
-    def carries(self) -> bool:
-        """True if one of the laws keeps a falling disk off the table."""
-        return any(law.carries for law in self.laws)
+    def keeps_disk_off_table(self) -> bool:
+        """True if at least one of the laws keeps a falling disk off the table."""
+        return any(law.keeps_disk_off_table for law in self.laws)
 
     @property
     def compiled_form(self) -> "CombinedLoads":
-        """The compiled forms of the laws."""
+        """The laws with None as a placeholder for each run-time parameter."""
         return CombinedLoads(tuple(law.compiled_form for law in self.laws))
 
     @property
     def runtime_parameters(self) -> tuple[float, ...]:
-        """The run-time parameters (n,), in the order of the None of `compiled_form`."""
+        """The run-time parameters (n,), in the order of the placeholders."""
         return tuple(chain(*(law.runtime_parameters for law in self.laws)))
 
-    def with_parameters(self, parameters: Iterable) -> "CombinedLoads":
-        """Return the laws with `parameters` (n,), scalars of any type, in place of None."""
+    def with_parameters(self, parameters: Iterable[Any]) -> "CombinedLoads":
+        """Return a copy with scalars of any type (n,) in place of the placeholders."""
         remaining = iter(parameters)
         return CombinedLoads(tuple(law.with_parameters(remaining) for law in self.laws))
 
 
-def combined_loads(*laws):
-    """Combine the laws that are not None into one law; return None if there is no such law."""
+def combined_loads(*laws: Any) -> Any:
+    """Combine all laws other than None into one law; return None if there are none."""
     acting = tuple(law for law in laws if law)
     if len(acting) > 1:
         return CombinedLoads(acting)
@@ -270,7 +297,7 @@ def combined_loads(*laws):
 
 
 def resistance_of(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
-    """Return the dimensionless loads of a `Dissipation`, or None if all its laws are zero."""
+    """Return the dimensionless loads of a `Dissipation`, or None if there are none."""
     if dissipation is None:
         return None
     chi = disk.time_unit
@@ -281,4 +308,6 @@ def resistance_of(dissipation: Dissipation | None, disk: Disk) -> Resistance | N
     force = dissipation.viscous_force * chi / disk.mass
     if not (powers or moment or force):
         return None
-    return Resistance(powers, moment, force, is_singular=any(b < 2 for _, b in laws))
+    return Resistance(
+        powers, moment, force, nonsmooth_at_zero_precession=any(b < 2 for _, b in laws)
+    )

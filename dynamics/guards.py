@@ -1,35 +1,38 @@
-"""Guards: functions of the state, positive while a regime is valid and zero where it ends."""
+"""Guards: functions of the state that fall through zero where a regime ends."""
 
 from collections.abc import Callable
 from enum import Enum
 from typing import Any, NamedTuple
 
 AXES = ("nutation", "rolling", "pivoting")
-"""Names of the rotations about a_1, a_2, a_3, which the moments (3.3) resist."""
-STOP_SPEED = 1e-9
-"""Slip speed divided by r at which one step along the tangent ends a slide (second-order error)."""
+"""Names of the rotations about a_1, a_2, a_3, which are resisted by the moments (3.3)."""
+STOP_SLIP_SPEED = 1e-9
+"""Slip speed divided by r at which one linear step ends a slide, with a second-order
+error."""
 MAX_FALL_RATE = 10.0
 """Value of omega_1/sqrt(inclination) above which the disk falls flat with energy left.
 
-The ratio is at most one for a disk that comes to rest. An air film would stop the fall.
-"""
+The ratio is at most one for a disk that comes to rest. The guard is omitted if an air
+film cushions the fall."""
 
 
 class GuardKind(Enum):
-    """Consequence of a guard that has crossed zero."""
+    """What happens when a guard crosses zero."""
 
     END = "the motion ends"
     JAM = "no normal force solves the balance laws"
     GRIP = "a slide comes to rest"
-    SLIP = "friction holds the contact no longer"
-    REVERSES = "a turning comes to rest"
-    UNSTICKS = "a moment holds a turning no longer"
+    SLIP = "friction no longer holds the contact"
+    REVERSES = "a rotation comes to rest"
+    UNSTICKS = "a moment no longer holds a rotation"
 
 
 class GuardArguments(NamedTuple):
-    """Arguments of the guards: r, omega_1/r, omega_3/r, slip, omega.a_i/r, contact and constants.
+    """Arguments of the guards.
 
-    `root` and `cos` are the square root and the cosine for the scalar type of the flow.
+    They are r, omega_1/r, omega_3/r, the value of GRIP (`slip`), omega.a_i/r (`turns`),
+    the contact loads, the signs of omega.a_i, the constants of the disk, the final r,
+    and the square root and cosine for the scalar type of the flow.
     """
 
     r: Any
@@ -46,54 +49,61 @@ class GuardArguments(NamedTuple):
 
 
 class Guard(str):
-    """A guard, identified by its name: its kind, its rotation, its equation, and its branches.
+    """A guard, identified by its name.
 
-    `value(where)` evaluates the equation at `GuardArguments`; `acts(branch)` is True if the branch has the
-    guard."""
+    `kind` is its consequence, and `axis` is the index of its rotation, if any.
+    `value(where)` evaluates it at `GuardArguments`. `applies_to(branch)` is True if a
+    branch requires it.
+    """
 
     kind: GuardKind
-    axis: int | None
+    axis: Any
     value: Callable[[GuardArguments], Any]
-    acts: Callable[[Any], bool]
+    applies_to: Callable[[Any], bool]
 
     def __new__(
-        cls, name: str, kind: GuardKind, value, acts=lambda branch: True, axis: int | None = None
+        cls,
+        name: str,
+        kind: GuardKind,
+        value,
+        applies_to=lambda branch: True,
+        axis: int | None = None,
     ):
         """Create the guard `name`."""
         guard = super().__new__(cls, name)
         guard.kind = kind
         guard.value = value
-        guard.acts = acts
+        guard.applies_to = applies_to
         guard.axis = axis
         return guard
 
     def __reduce__(self):
-        """Pickle the guard by its name."""
+        """Pickle the guard as its name."""
         return guard_named, (str(self),)
 
 
-def _moment_reserve(i: int, where: GuardArguments):
-    """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
+def _moment_margin(i: int, where: GuardArguments):
+    """Return (arm^2 Phi^2 - moment^2)/arm^2; (3.3) can hold rotation i while positive."""
     arm = where.law[4 + i]
     moment = where.contact[8 + i]
     limit = arm * where.contact.Phi
     return (limit * limit - moment * moment) / (arm * arm)
 
 
-def _friction_cone_reserve(where: GuardArguments):
-    """Return the squared limit of static friction minus the squared friction force (3.2)."""
+def _friction_cone_margin(where: GuardArguments):
+    """Return the squared static friction limit minus the squared friction; see (3.2)."""
     cone = where.law.mu_static * where.contact.Phi
     contact = where.contact
     return cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
 
 
 def _rotation_guards(i: int) -> tuple[Guard, Guard]:
-    """Return the two guards of rotation i: one while it sticks, one while it turns."""
+    """Return the guards of rotation i, first that of sticking, then that of turning."""
     return (
         Guard(
             f"{AXES[i]} unsticks",
             GuardKind.UNSTICKS,
-            lambda at: _moment_reserve(i, at),
+            lambda at: _moment_margin(i, at),
             lambda b: b.stuck[i],
             i,
         ),
@@ -108,17 +118,19 @@ def _rotation_guards(i: int) -> tuple[Guard, Guard]:
 
 
 FLAT = Guard("flat", GuardKind.END, lambda at: at.r - at.r_end)
-UPRIGHT = Guard("upright", GuardKind.END, lambda at: MAX_FALL_RATE * at.cos(at.r * at.r))
-"""Guard of an upright disk.
+UPRIGHT = Guard(
+    "upright", GuardKind.END, lambda at: MAX_FALL_RATE * at.cos(at.r * at.r)
+)
+"""Guard that ends the motion of an upright disk.
 
-The factor MAX_FALL_RATE gives it the same magnitude as FALLS_FLAT. The Taylor integrator measures
-its error relative to the guards, so the steps have equal lengths in air and in a vacuum.
-"""
+The factor MAX_FALL_RATE gives it the same magnitude as FALLS_FLAT. Since the Taylor
+integrator measures its error relative to the guards, the step lengths in air and in a
+vacuum are then equal."""
 FALLS_FLAT = Guard(
     "falls",
     GuardKind.END,
     lambda at: MAX_FALL_RATE - at.w1,
-    lambda b: not (b.loads and b.loads.carries),
+    lambda b: not (b.loads and b.loads.keeps_disk_off_table),
 )
 LIFT_OFF = Guard("lift-off", GuardKind.END, lambda at: at.contact.Phi)
 CONTACT_JAMS = Guard(
@@ -130,11 +142,18 @@ CONTACT_JAMS = Guard(
 PRECESSION_STOPS = Guard(
     "precession stops",
     GuardKind.END,
-    lambda at: at.root(at.w3 * at.w3) - STOP_SPEED,  # its Taylor series continues through zero
-    lambda b: b.loads and b.loads.is_singular,
+    lambda at: at.root(at.w3 * at.w3) - STOP_SLIP_SPEED,  # has a Taylor series at zero
+    lambda b: b.loads and b.loads.nonsmooth_at_zero_precession,
 )
-GRIP = Guard("grip", GuardKind.GRIP, lambda at: at.slip, lambda b: b.sliding and b.can_grip)
-SLIP = Guard("slip", GuardKind.SLIP, _friction_cone_reserve, lambda b: not b.sliding and b.can_slip)
+GRIP = Guard(
+    "grip", GuardKind.GRIP, lambda at: at.slip, lambda b: b.sliding and b.can_grip
+)
+SLIP = Guard(
+    "slip",
+    GuardKind.SLIP,
+    _friction_cone_margin,
+    lambda b: not b.sliding and b.can_slip,
+)
 ALL_GUARDS = (
     FLAT,
     UPRIGHT,

@@ -1,9 +1,9 @@
-"""Event-driven integration of hybrid systems, which switch between regimes; without mechanics.
+"""Event-driven integration of hybrid systems, which switch between regimes.
 
 Examples
 --------
-A ball falls from height 1 under gravity 1 and keeps half of its speed at each impact. Its impacts
-are at sqrt(2) (1, 2, 2.5, ...).
+A ball falls from height 1 under gravity 1 and retains half of its speed at each impact.
+The impacts occur at sqrt(2) (1, 2, 2.5, ...).
 
 >>> import math
 >>> import numpy as np
@@ -33,7 +33,6 @@ True
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import repeat
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -44,47 +43,44 @@ class StalledError(ArithmeticError):
 
 
 class Arc(NamedTuple):
-    """The flow within one regime, as a piecewise polynomial.
+    """A solution between two events, as a piecewise polynomial.
 
     Parameters
     ----------
     times : ndarray, (n,)
-        Ends of the n pieces, from the start of the arc.
+        End times of the n pieces, measured from the start of the arc.
     coefficients : ndarray, (n, order + 1, k)
         Taylor coefficients of the state (k,) in each piece, lowest power first.
-    end : list, (k,)
+    end : list[Any], (k,)
         State at the end.
     guard : str or None
         The guard that ended the arc, if one did.
-    passed : tuple of (int, str, regime)
-        Changes of regime that the integrator decided itself: the number of pieces before each, the
-        guard, and the regime after it.
-    origin : list, (k,), or None
-        Constant to be added to the coefficients, but not to `end`.
+    regime_changes : tuple of (int, str, regime)
+        Regime changes within the arc, which the integrator handled itself: the number
+        of pieces before each, its guard, and the regime after it.
     """
 
     times: np.ndarray
     coefficients: np.ndarray
-    end: list
+    end: list[Any]
     guard: str | None
-    passed: tuple[tuple[int, str, Any], ...] = ()
-    origin: list | None = None
+    regime_changes: tuple[tuple[int, str, Any], ...] = ()
 
     def until(self, span: float) -> "Arc":
-        """Return the part of the arc before `span`."""
+        """Return the part of the arc up to time `span` from its start."""
         if self.times[-1] <= span:
             return self
         n = int(np.searchsorted(self.times, span))
         begin = self.times[n - 1] if n else 0.0
         last = Step(None, span - begin, self.coefficients[n])
-        end = [a + b for a, b in zip(last.end, self.origin or repeat(0.0), strict=False)]
         return Arc(
             times=np.append(self.times[:n], span),
             coefficients=self.coefficients[: n + 1],
-            end=end,
+            end=last.end,
             guard=None,
-            passed=tuple(change for change in self.passed if change[0] <= n),
-            origin=self.origin,
+            regime_changes=tuple(
+                change for change in self.regime_changes if change[0] <= n
+            ),
         )
 
 
@@ -96,11 +92,11 @@ class Step(NamedTuple):
     coefficients: np.ndarray
 
     @property
-    def end(self) -> list:
+    def end(self) -> list[Any]:
         """The state (k,) at the end of the step."""
         return self.at(self.duration)
 
-    def at(self, t: float) -> list:
+    def at(self, t: float) -> list[Any]:
         """Return the state (k,) at time t from the start of the step."""
         return (t ** np.arange(len(self.coefficients)) @ self.coefficients).tolist()
 
@@ -116,32 +112,32 @@ class Switch(NamedTuple):
         Closed-form steps from the event to that state.
     ended : str or None
         The guard that ends the motion, if one does.
-    ahead : Arc or None
-        The flow after the event, where it was integrated to decide the regime.
+    next_arc : Arc or None
+        The arc after the event, if it was already integrated to determine the regime.
     """
 
     regime: Any
-    state: list
+    state: list[Any]
     steps: tuple[Step, ...] = ()
     ended: str | None = None
-    ahead: Arc | None = None
+    next_arc: Arc | None = None
 
 
 class System(Protocol):
-    """A hybrid system, as `run_events` integrates it; states are lists (k,)."""
+    """Interface of a hybrid system for `run_events`; states are lists (k,)."""
 
-    def begin(self, y: list) -> Switch:
+    def begin(self, y: list[Any]) -> Switch:
         """Return the regime at the start."""
 
-    def advance(self, y: list, regime: Any, span: float) -> Arc:
-        """Integrate until a guard falls through zero, or for at most `span`."""
+    def advance(self, y: list[Any], regime: Any, span: float) -> Arc:
+        """Integrate until a guard falls through zero, for at most `span`."""
 
-    def switch(self, y: list, regime: Any, guard: str) -> Switch:
-        """Return the regime that follows when `guard` has fallen through zero."""
+    def switch(self, y: list[Any], regime: Any, guard: str) -> Switch:
+        """Return the regime that follows after `guard` has fallen through zero."""
 
 
 class Crossing(NamedTuple):
-    """A change of regime: time, regimes before and after, and the guard that fell to zero."""
+    """A change of regime: its time, the regimes before and after it, and the guard."""
 
     t: float
     before: Any
@@ -151,41 +147,49 @@ class Crossing(NamedTuple):
 
 @dataclass
 class Path:
-    """The solution up to time t: a piecewise polynomial, its regimes and the changes of regime.
+    """The solution up to time t: a piecewise polynomial and its sequence of regimes.
 
     Parameters
     ----------
     t : float
         End of the last piece.
-    times, coefficients : list of ndarray
-        Breakpoints (n,) and Taylor coefficients (n, order + 1, k) of the pieces, by arc.
-    regimes : list of (regime, int)
-        Consecutive regimes with their numbers of pieces.
-    crossings : list of Crossing
+    times, coefficients : list[Any] of ndarray
+        Breakpoints (n,) and Taylor coefficients (n, order + 1, k) of the pieces of each
+        arc.
+    regimes : list[Any] of (regime, int)
+        Consecutive regimes, each with its number of pieces.
+    crossings : list[Any] of Crossing
         The changes of regime, in order of time.
     """
 
     t: float = 0.0
-    times: list = field(default_factory=lambda: [np.zeros(1)])
-    coefficients: list = field(default_factory=list)
-    regimes: list = field(default_factory=list)
-    crossings: list = field(default_factory=list)
+    times: list[Any] = field(default_factory=lambda: [np.zeros(1)])
+    coefficients: list[Any] = field(default_factory=list)
+    regimes: list[Any] = field(default_factory=list)
+    crossings: list[Any] = field(default_factory=list)
 
-    def extend(self, times, coefficients, regime, passed=(), origin=None) -> Any:
-        """Append pieces that end at `times` (n,) after the current end; return the last regime.
+    def extend(
+        self,
+        times: np.ndarray,
+        coefficients: np.ndarray,
+        regime: Any,
+        regime_changes: tuple[tuple[int, str, Any], ...] = (),
+    ) -> Any:
+        """Append pieces and return the last regime.
 
-        `passed` and `origin` are those of an `Arc`.
+        `times` (n,) are the ends of the pieces, measured from the current end of the
+        path; `regime_changes` is that of an `Arc`.
         """
         times = self.t + times
         pieces_before = 0
-        for pieces, guard, after in passed:
+        for pieces, guard, after in regime_changes:
             self.regimes.append((regime, pieces - pieces_before))
-            self.crossings.append(Crossing(float(times[pieces - 1]), regime, after, guard))
+            self.crossings.append(
+                Crossing(float(times[pieces - 1]), regime, after, guard)
+            )
             regime = after
             pieces_before = pieces
         self.times.append(times)
-        if origin:
-            coefficients[:, 0] += origin
         self.coefficients.append(coefficients)
         self.regimes.append((regime, len(times) - pieces_before))
         self.t = float(times[-1])
@@ -193,16 +197,16 @@ class Path:
 
 
 EVENT_CASCADE = "cascade"
-"""End of a motion whose regime changes without end at one instant."""
+"""End of a path with an unlimited number of regime changes at one instant."""
 STALLED = "stalled"
-"""End of a motion that becomes too stiff to integrate."""
+"""End of a path that becomes too stiff to integrate."""
 
 
 def run_events(
     system: System,
-    y: list,
+    y: list[Any],
     span: float,
-    watch: Callable[[float, list], None] = lambda t, y: None,
+    watch: Callable[[float, list[Any]], None] = lambda t, y: None,
     max_switches_at_once: int = 100,
 ) -> tuple[Path, str | None]:
     """Integrate a hybrid system.
@@ -211,22 +215,23 @@ def run_events(
     ----------
     system : System
         The system.
-    y : list, (k,)
+    y : list[Any], (k,)
         State at time 0.
     span : float
-        Longest duration.
+        Maximum duration.
     watch : callable
         Progress callback `watch(t, state)`, called after every arc.
     max_switches_at_once : int
-        Changes of regime that may follow each other without time passing.
+        Largest number of regime changes at one instant.
 
     Returns
     -------
     path : Path
         The solution.
     guard : str or None
-        The guard that ended it: EVENT_CASCADE after too many switches at one instant, STALLED after a
-        `StalledError` that is not raised at time 0, None at the end of `span`.
+        The guard that ended it; EVENT_CASCADE after more than `max_switches_at_once`
+        regime changes at one instant, STALLED after a `StalledError` (which is
+        re-raised at time 0), None at the end of `span`.
     """
     path = Path()
     start = system.begin(y)
@@ -239,23 +244,36 @@ def run_events(
         return path, STALLED
 
 
-def _integrate(system: System, path, switch, span, watch, max_switches_at_once) -> str | None:
+def _integrate(
+    system: System,
+    path: Path,
+    switch: Switch,
+    span: float,
+    watch: Callable[[float, list[Any]], None],
+    max_switches_at_once: int,
+) -> str | None:
     """Extend a path from a switch to its end; return the guard that ended it."""
     switches_at_once = 0
     while path.t < span:
         start = path.t
         regime = switch.regime
         remaining = span - start
-        ahead = switch.ahead
-        arc = ahead.until(remaining) if ahead else system.advance(switch.state, regime, remaining)
-        regime = path.extend(arc.times, arc.coefficients, regime, arc.passed, arc.origin)
+        ahead = switch.next_arc
+        arc = (
+            ahead.until(remaining)
+            if ahead
+            else system.advance(switch.state, regime, remaining)
+        )
+        regime = path.extend(arc.times, arc.coefficients, regime, arc.regime_changes)
         y = arc.end
         watch(path.t, y)
         if arc.guard is None:
             switch = Switch(regime, y)
             continue
         switch = system.switch(y, regime, arc.guard)
-        t = path.t + sum(step.duration for step in switch.steps if step.regime == regime)
+        t = path.t + sum(
+            step.duration for step in switch.steps if step.regime == regime
+        )
         _append_steps(path, switch)
         if switch.ended:
             return switch.ended
@@ -266,7 +284,7 @@ def _integrate(system: System, path, switch, span, watch, max_switches_at_once) 
     return None
 
 
-def _append_steps(path, switch) -> None:
-    """Append the closed-form steps of a switch to a path."""
+def _append_steps(path: Path, switch: Switch) -> None:
+    """Append the closed-form steps contained in a switch to a path."""
     for step in switch.steps:
         path.extend(np.array([step.duration]), step.coefficients[None], step.regime)

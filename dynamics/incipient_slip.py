@@ -1,8 +1,8 @@
-"""Closed-form directions in which a contact begins or ends to slide.
+"""Closed-form slip directions at the start and at the end of a slide.
 
-By (4.6) and (5.3), the normal force under friction along (c, s) is P/(a + b s), and the slip
-acceleration is linear in this force and in the friction. Written as complex numbers, with z = c + i
-s, it is du = (k + p z + q/z)/(a + b s).
+By (4.6) and (5.3), the normal force during slip along (c, s) is P/(a + b s), and the
+slip acceleration is linear in this force and in the friction. In complex notation, with
+z = c + i s, the slip acceleration is du = (k + p z + q/z)/(a + b s).
 """
 
 import cmath
@@ -11,13 +11,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.equations import NO_LOADS
 from dynamics.kinematics import contact_arms
 from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W2, W3, R
 
 
-class SlipPush(NamedTuple):
-    """Slip acceleration at a state for every slip direction: the constants of the formula above."""
+class SlipAcceleration(NamedTuple):
+    """Slip acceleration at one state as a function of the slip direction.
+
+    The fields are the constants of the formula in the module docstring.
+    """
 
     a: float
     b: float
@@ -25,38 +27,43 @@ class SlipPush(NamedTuple):
     p: complex
     q: complex
 
-    def with_added_rate(self, rate: complex) -> "SlipPush":
-        """Return the slip acceleration plus a constant `rate`."""
+    def with_added_rate(self, rate: complex) -> "SlipAcceleration":
+        """Return the slip acceleration with the constant `rate` added."""
         turn = 0.5j * self.b * rate
-        return SlipPush(self.a, self.b, self.k + self.a * rate, self.p - turn, self.q + turn)
+        return SlipAcceleration(
+            self.a, self.b, self.k + self.a * rate, self.p - turn, self.q + turn
+        )
 
     @property
     def is_solvable(self) -> bool:
-        """True if the balance laws have a normal force for every slip direction."""
+        """True if the balance laws determine a normal force for every slip direction."""
         return self.a > abs(self.b)
 
     def acceleration_along(self, angle: float, axis: float) -> float:
-        """Return the acceleration component along `axis` [rad] for slip direction `angle` [rad]."""
+        """Return the acceleration along `axis` [rad] for slip along `angle` [rad]."""
         z = cmath.rect(1.0, angle)
         return ((self.k + self.p * z + self.q / z) * cmath.rect(1.0, -axis)).real / (
             self.a + self.b * z.imag
         )
 
     def aligned_direction_near(self, angle: float) -> float | None:
-        """Return the direction within 1 rad of `angle` parallel to its own acceleration, or
-        None."""
-        found = self._newton(angle)
+        """Return one of `aligned_directions` within 1 rad of `angle` [rad], or None."""
+        found = self._aligned_direction_from(angle)
         if found is None or abs(found - angle) > 1:
             found = min(
                 self.aligned_directions(),
-                key=lambda other: abs(_unit_direction(other - angle)),
+                key=lambda other: abs(_wrapped_angle(other - angle)),
                 default=None,
             )
-            return None if found is None or abs(_unit_direction(found - angle)) > 1 else found
+            return (
+                None
+                if found is None or abs(_wrapped_angle(found - angle)) > 1
+                else found
+            )
         return found
 
     def aligned_directions(self) -> list[float]:
-        """Return the slip directions [rad] that are parallel to their own acceleration."""
+        """Return the slip directions [rad] that are parallel to their acceleration."""
         k = self.k
         p = self.p
         q = self.q
@@ -64,13 +71,15 @@ class SlipPush(NamedTuple):
         powers = np.array([-q.conjugate(), -k.conjugate(), p - p.conjugate(), k, q])
         roots = np.roots(powers)
         angles = map(
-            self._newton, np.angle(roots[np.abs(np.abs(roots) - 1) < circle_tolerance]).tolist()
+            self._aligned_direction_from,
+            np.angle(roots[np.abs(np.abs(roots) - 1) < circle_tolerance]).tolist(),
         )
-        return [nu for nu in angles if nu is not None and self.a + self.b * math.sin(nu) > 0]
+        return [
+            nu for nu in angles if nu is not None and self.a + self.b * math.sin(nu) > 0
+        ]
 
-    def _newton(self, angle, max_iterations=12, tolerance=4e-15):
-        """Return the root of Im(k/z + p + q/z^2) to which Newton's method converges from `angle`,
-        or None."""
+    def _aligned_direction_from(self, angle, max_iterations=12, tolerance=4e-15):
+        """Return the aligned direction found by Newton's method, or None."""
         for _ in range(max_iterations):
             back = cmath.rect(1.0, -angle)
             once = self.k * back
@@ -85,7 +94,7 @@ class SlipPush(NamedTuple):
         return None
 
     def directions_parallel_to(self, axis: float) -> list[float]:
-        """Return the slip directions [rad] whose acceleration is parallel to `axis` [rad]."""
+        """Return the slip directions [rad] that accelerate parallel to `axis` [rad]."""
         back = cmath.rect(1.0, -axis)
         turning = self.p * back - (self.q * back).conjugate()
         size, phase = cmath.polar(turning)
@@ -94,26 +103,25 @@ class SlipPush(NamedTuple):
             return []
         turn = math.asin(share / size)
         angles = (
-            _unit_direction(-phase - turn - axis) + axis,
-            _unit_direction(-phase + turn + math.pi - axis) + axis,
+            _wrapped_angle(-phase - turn - axis) + axis,
+            _wrapped_angle(-phase + turn + math.pi - axis) + axis,
         )
         return [nu for nu in angles if self.a + self.b * math.sin(nu) > 0]
 
 
-def _unit_direction(angle):
+def _wrapped_angle(angle):
     """Return an angle reduced to [-pi, pi]."""
     return math.remainder(angle, 2 * math.pi)
 
 
-def slip_push(y, branch, senses, law) -> SlipPush:
-    """Return the slip acceleration at state y of a sliding branch for all slip directions."""
+def slip_acceleration(y, branch, senses, law) -> SlipAcceleration:
+    """Return the slip acceleration of a sliding branch at state y."""
     r = y[R]
     omega = (r * y[W1], r * y[W2], r * y[W3])
     slip = (r * y[V1], r * y[V2])
-    loads = branch.loads(r * r, omega, slip, law, FLOAT_FORMULAS) if branch.loads else NO_LOADS
-    side = math.copysign(
-        1.0, contact_arms(math.cos(r * r), math.sin(r * r), law.h)[1]
-    )  # where the inertia is not zero
+    loads, law = FLOAT_FORMULAS.loads_and_arms(y, slip, branch, law)
+    lever = contact_arms(math.cos(r * r), math.sin(r * r), law.h, law.fillet)[1]
+    side = math.copysign(1.0, lever)  # the sign for which the inertia is positive
 
     def pushed(c, s):
         contact = FLOAT_FORMULAS.solve(
@@ -126,6 +134,6 @@ def slip_push(y, branch, senses, law) -> SlipPush:
     (inertia, along) = pushed(0.0, side)
     across = across - k
     along = side * (along - k)
-    return SlipPush(
+    return SlipAcceleration(
         a, side * (inertia - a), k, (across - 1j * along) / 2, (across + 1j * along) / 2
     )

@@ -1,32 +1,77 @@
-"""Kinematics of a disk in contact with the plane, dimensionless; for scalars and arrays."""
+"""Dimensionless kinematics of a disk on a plane, for scalars and arrays."""
+
+from typing import Any, NamedTuple
 
 import numpy as np
 
 
-def precession_rate(w3, cos_a):
+def precession_rate(w3: Any, cos_a: Any) -> Any:
     """Return the precession rate d theta/dt from the angular velocity along e_3 (2.3)."""
     return w3 / cos_a
 
 
-def contact_arms(sin_a, cos_a, h):
-    """Return e and f of (4.9): vertical and horizontal distance of centre and contact, over R."""
-    return h * sin_a + cos_a, h * cos_a - sin_a
+def contact_arms(sin_a: Any, cos_a: Any, h: Any, fillet: Any = 0.0) -> tuple[Any, Any]:
+    """Return the vertical and horizontal distances e, f (4.9) of centre and contact."""
+    if fillet == 0:
+        return h * sin_a + cos_a, h * cos_a - sin_a
+    core = h - fillet
+    rim = 1 - fillet
+    return core * sin_a + rim * cos_a + fillet, core * cos_a - rim * sin_a
 
 
-def centre_velocity(slip, omega, e, h):
+class ContactPlace(NamedTuple):
+    """Position of the contact on the disk, divided by R.
+
+    Attributes
+    ----------
+    radius, depth
+        Distance from the axis and from the middle plane.
+    e, f
+        Vertical and horizontal distances from the centre (4.9).
+    """
+
+    radius: Any
+    depth: Any
+    e: Any
+    f: Any
+
+
+def contact_place(sin_a: Any, cos_a: Any, h: Any, fillet: Any = 0.0) -> ContactPlace:
+    """Return the position of the contact on an edge with the radius `fillet`.
+
+    With R = 1, its distance is 1 - fillet (1 - sin beta) from the axis and h - fillet
+    (1 - cos beta) from the middle plane.
+    """
+    arms = contact_arms(sin_a, cos_a, h, fillet)
+    if fillet == 0:
+        return ContactPlace(1.0, h, *arms)
+    return ContactPlace(1 - fillet * (1 - cos_a), h - fillet * (1 - sin_a), *arms)
+
+
+def centre_velocity(slip: Any, omega: Any, place: ContactPlace) -> tuple[Any, Any]:
     """Return the velocity of the centre along a_1, a_2 from the slip velocity (2.5)."""
     w1, w2, w3 = omega
-    return slip[0] + w2 - h * w3, slip[1] - e * w1
+    return slip[0] + place.radius * w2 - place.depth * w3, slip[1] - place.e * w1
 
 
-def energy(beta, omega, slip, law):
-    """Return the dimensionless energy (6.1) with its two misprints corrected; zero at rest."""
+def energy(
+    beta: Any, omega: Any, slip: Any, law: Any, position: Any = (0.0, 0.0)
+) -> Any:
+    """Return the dimensionless energy (6.1) with its two misprints corrected.
+
+    It is zero for a disk at rest in the middle of its table. `position` is the
+    horizontal position of the centre.
+    """
     sin_a = np.cos(beta)
     cos_a = np.sin(beta)
-    e, f = contact_arms(sin_a, cos_a, law.h)
-    v1, v2 = centre_velocity(slip, omega, e, law.h)
+    place = contact_place(sin_a, cos_a, law.h, law.fillet)
+    v1, v2 = centre_velocity(slip, omega, place)
     w1, w2, w3 = omega
-    v3 = f * w1
+    v3 = place.f * w1
     rotation = (law.K / 4 + law.h**2 / 3) * (w1 * w1 + w3 * w3) + law.K / 2 * w2 * w2
-    height = cos_a - 2 * law.h * np.sin(beta / 2) ** 2  # e - h, without cancellation
+    # e - h, without cancellation
+    height = (1 - law.fillet) * cos_a - 2 * (law.h - law.fillet) * np.sin(beta / 2) ** 2
+    if law.bowl:
+        x, y = position
+        height = height + law.bowl / 2 * ((x + law.bowl_x) ** 2 + (y + law.bowl_y) ** 2)
     return (v1 * v1 + v2 * v2 + v3 * v3 + rotation) / 2 + (law.K + 4) / 4 * height

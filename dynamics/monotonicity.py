@@ -3,12 +3,13 @@
 import numpy as np
 
 
-def largest_fall(c, x) -> float:
+def largest_decrease(c: np.ndarray, x: np.ndarray) -> float:
     """Return the maximum of p(s) - p(t) over s < t for a piecewise polynomial p.
 
-    Its coefficients are c (order + 1, n), highest power first, and its breakpoints x (n + 1,). A
-    piece with positive Bernstein coefficients of the slope rises (Farouki 2012, section 5.1); in
-    the other pieces the roots of the slope are found.
+    Its coefficients are c (order + 1, n), highest power first, and its breakpoints x (n
+    + 1,). A piece increases if the Bernstein coefficients of its derivative are
+    positive (Farouki 2012, section 5.1); in the other pieces the roots of the
+    derivative are computed.
     """
     from scipy.special import comb  # loads slowly
 
@@ -28,8 +29,8 @@ def largest_fall(c, x) -> float:
     return float(np.max(np.maximum.accumulate(in_order) - in_order))
 
 
-def _inner_roots(powers):
-    """Return the real roots in (0, 1) of a polynomial from its powers, lowest first."""
+def _inner_roots(powers: np.ndarray) -> np.ndarray:
+    """Return the real roots in (0, 1) of a polynomial, given from its lowest power."""
     roots = np.polynomial.polynomial.polyroots(np.trim_zeros(powers, "b"))
     real = roots.real[np.abs(roots.imag) < 1e-6]
     return real[(real > 0) & (real < 1)]

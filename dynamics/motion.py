@@ -1,9 +1,9 @@
-"""Interface of a solved motion, and the types of its outcome, transitions and jumps."""
+"""Interface of solved motions, and the types of their outcomes and transitions."""
 
 from collections.abc import Sequence
 from enum import Enum
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, NamedTuple, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,15 +31,16 @@ COLUMNS = (
 )
 """Names of the columns of `Motion.state`.
 
-They are precession, inclination and spin [rad], x and y of the centre [m], the angular velocity
-[rad/s] and the slip velocity [m/s] in the precessing frame, and the dissipated energy [J].
+They contain the angles of precession, inclination and spin [rad], the position of the
+centre [m], the angular velocity [rad/s] and the slip velocity [m/s] in the precessing
+frame, and the dissipated energy [J].
 """
 FORCE_COLUMNS = ("friction_1", "friction_2", "normal_force")
 """Names of the columns of `Motion.force` [N]: friction along a_1 and a_2, and the normal force."""
 
 
 class Outcome(Enum):
-    """The way a motion ended; each value is a sentence for the reader.
+    """How a motion ended; each value describes it in a sentence.
 
     Examples
     --------
@@ -51,17 +52,21 @@ class Outcome(Enum):
     SETTLED = "the disk settled: its inclination reached the final value"
     TIME_LIMIT = "the time limit was reached before the disk came to rest"
     LIFTED_OFF = "the disk lifted off: the normal force fell to zero"
-    AIRBORNE = "the disk became airborne: the lift of the air film reached the contact force"
+    AIRBORNE = (
+        "the disk became airborne: the lift of the air film reached the contact force"
+    )
     LEFT_TABLE = "the contact reached the edge of the table: the disk falls off"
     UPRIGHT = "the disk stood upright on its lateral surface: the contact moves to the other rim"
     FELL = "the disk fell flat while it was still rotating"
-    PRECESSION_STOPPED = "the precession stopped, where the dissipation law is not defined"
+    PRECESSION_STOPPED = (
+        "the precession stopped, where the dissipation law is undefined"
+    )
     CASCADE = "the contact regime changed without end at one instant"
     STALLED = "the motion became too stiff to integrate, even with the shortest steps"
 
     @property
     def sentence(self) -> str:
-        """The outcome in words."""
+        """The sentence that describes the outcome."""
         return self.value
 
 
@@ -75,7 +80,13 @@ class Transition(NamedTuple):
     before, after : str
         Names of the two regimes, such as 'roll', 'slide' or 'roll, nutation sticks'.
     guard : str
-        Name of the guard that fell to zero, such as 'slip'.
+        Name of the guard that crossed zero, such as 'slip'.
+
+    Examples
+    --------
+    >>> from dynamics import Transition
+    >>> Transition(t=1.5, before="roll", after="slide", guard="slip").after
+    'slide'
     """
 
     t: float
@@ -84,7 +95,7 @@ class Transition(NamedTuple):
     guard: str
 
 
-class Jumps(NamedTuple):
+class ForceJumps(NamedTuple):
     """Discontinuities of the contact force.
 
     Parameters
@@ -110,7 +121,7 @@ the disk.
 
 
 class MotionPart(NamedTuple):
-    """Part of a motion that one model solved.
+    """Part of a motion that was solved with one model.
 
     Parameters
     ----------
@@ -126,15 +137,15 @@ class MotionPart(NamedTuple):
 
 @runtime_checkable
 class Motion(Protocol):
-    """A solved motion in SI units, as `simulate` returns it.
+    """A solved motion in SI units, as returned by `simulate`.
 
-    Methods evaluate the solution at any times within [0, t[-1]] and raise ValueError for others.
-    The angular velocity is given in the frame that precesses with the contact, and the
-    inclination is pi/2 - alpha with the angle alpha of the paper.
+    The methods accept times within [0, t[-1]] and raise ValueError for others. Angular
+    velocities are components in the frame that precesses with the contact. The
+    inclination is pi/2 - alpha, where alpha is the angle of the paper.
 
     See Also
     --------
-    RigidMotion : the motion of a rigid disk on a rigid contact.
+    RigidMotion : The motion of a rigid disk on a rigid contact.
 
     Examples
     --------
@@ -158,8 +169,8 @@ class Motion(Protocol):
         """Changes of regime, in order of time."""
 
     @property
-    def contact_losses(self) -> Sequence:
-        """Losses of contact: t [s], duration [s] and height [m] of each; empty if rigid."""
+    def contact_losses(self) -> Sequence[Any]:
+        """Losses of contact, each with t [s], duration [s] and height [m]."""
 
     @property
     def outcome(self) -> Outcome:
@@ -171,7 +182,7 @@ class Motion(Protocol):
 
     @property
     def parts(self) -> tuple[MotionPart, ...]:
-        """The parts of the motion that different models solved, in order of time."""
+        """Parts that were solved with different models, in order of time."""
 
     @property
     def film(self) -> "Film | None":
@@ -179,7 +190,7 @@ class Motion(Protocol):
 
     @property
     def solves_contact(self) -> bool:
-        """True if the vibration of an elastic contact is part of the whole motion."""
+        """True if the whole motion includes the vibration of an elastic contact."""
 
     @property
     def moves_table(self) -> bool:
@@ -187,18 +198,18 @@ class Motion(Protocol):
 
     @property
     def t(self) -> np.ndarray:
-        """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
+        """Breakpoints (n,) [s] of the solution, from 0 to the end of the motion."""
 
     @property
     def t_end(self) -> float:
-        """The time [s] at which a settled disk would lie flat; the end of any other motion."""
+        """Time [s] at which a settled disk would be flat; the end of any other motion."""
 
     @property
     def state(self) -> np.ndarray:
         """The state at `t`, (n, 11), with the columns COLUMNS."""
 
     @property
-    def jumps(self) -> Jumps:
+    def jumps(self) -> ForceJumps:
         """The discontinuities of the contact force, with the one-sided limits of the force."""
 
     def at(self, t: ArrayLike) -> np.ndarray:
@@ -212,9 +223,9 @@ class Motion(Protocol):
         Returns
         -------
         ndarray, (k, 11)
-            The columns COLUMNS: precession, inclination and spin [rad], x and y of the centre [m],
-            angular velocity [rad/s] and slip velocity [m/s] in the precessing frame, and
-            dissipated energy [J].
+            The columns COLUMNS: precession, inclination and spin [rad], position x, y
+            of the centre [m], angular velocity [rad/s] and slip velocity [m/s] in the
+            precessing frame, and dissipated energy [J].
 
         Raises
         ------
@@ -233,7 +244,8 @@ class Motion(Protocol):
         Returns
         -------
         ndarray, (k, 3)
-            Friction along a_1 and a_2, and the normal force [N]; at a jump, the force after it.
+            Friction along a_1 and a_2, and normal force [N]. At a jump, it is the limit
+            from the right.
 
         Raises
         ------
@@ -252,9 +264,9 @@ class Motion(Protocol):
         Returns
         -------
         state : ndarray, (k, 11)
-            As `at` returns it.
+            As returned by `at`.
         force : ndarray, (k, 3)
-            As `force` returns it.
+            As returned by `force`.
 
         Raises
         ------
@@ -263,13 +275,46 @@ class Motion(Protocol):
         """
 
     def inclination(self, t: ArrayLike) -> np.ndarray:
-        """Return the inclination (k,) [rad] at times t (k,) [s]."""
+        """Return the inclination at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Inclination [rad].
+        """
 
     def precession(self, t: ArrayLike) -> np.ndarray:
-        """Return the precession angle (k,) [rad] at times t (k,) [s]."""
+        """Return the precession angle at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Precession angle [rad].
+        """
 
     def spin(self, t: ArrayLike) -> np.ndarray:
-        """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
+        """Return the spin angle of the disk about its axis at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Spin angle [rad].
+        """
 
     def plot(self) -> "Figure":
         """Plot inclination, precession rate and normal force against time.
@@ -287,13 +332,13 @@ class Motion(Protocol):
         Parameters
         ----------
         t : array_like, (k,), optional
-            Times [s]; by default the ends of the pieces of the solution.
+            Times [s]; by default the breakpoints `t`.
 
         Returns
         -------
         pandas.DataFrame, (k, 14)
-            The columns COLUMNS of the state and FORCE_COLUMNS of the contact force, indexed by
-            "t".
+            The columns COLUMNS of the state and FORCE_COLUMNS of the contact force,
+            with the index "t".
 
         Raises
         ------
@@ -304,13 +349,46 @@ class Motion(Protocol):
         """
 
     def normal_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the dimensionless normal force Phi of (4.6) at times t (k,) [s] as (k,)."""
+        """Return the dimensionless normal force Phi of (4.6) at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Normal force in units of m R/chi^2; (K + 4)/4 at rest.
+        """
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force (k,) [N] at times t (k,) [s], without contact vibration."""
+        """Return the normal force without contact vibration at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Normal force [N].
+        """
 
     def steady_nutation(self, t: ArrayLike) -> np.ndarray:
-        """Return omega_1 (k,) [rad/s] at times t (k,) [s], without contact vibration."""
+        """Return the nutation rate omega_1 without contact vibration at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Nutation rate [rad/s].
+        """
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest relevant frequency of the contact force.
@@ -327,10 +405,21 @@ class Motion(Protocol):
         """
 
     def energy(self, t: ArrayLike) -> np.ndarray:
-        """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest."""
+        """Return the kinetic plus potential energy at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Energy [J]; zero at rest.
+        """
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
-        """Return the energy lost until times t, by cause.
+        """Return the energy lost from the release until times t, by cause.
 
         Parameters
         ----------
@@ -358,24 +447,35 @@ class Motion(Protocol):
         """
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of the dissipated energy between any two times.
+        """Return the largest decrease [J] of the dissipated energy between two times.
 
-        It measures the error of the solution; the exact value is zero.
+        It is a measure of the numerical error: the exact value is zero.
         """
 
     def friction_excess(self) -> float:
-        """Return the largest violation of Coulomb's law (3.2) by the ratio |F|/N.
+        """Return the largest deviation of |F|/N from Coulomb's law (3.2).
 
-        It is the excess of the ratio over mu_static while the disk rolls, and the difference from
-        mu_dynamic while it slides.
+        It is the excess over mu_static during rolling, and the difference from
+        mu_dynamic during sliding.
         """
 
     def regime(self, t: ArrayLike) -> np.ndarray:
-        """Return the names (k,) of the regimes at times t (k,) [s]."""
+        """Return the names of the regimes at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Names, such as 'roll' or 'slide'.
+        """
 
 
 class MotionBase:
-    """Base class of motions: quantities that follow from `t`, `at` and `force`."""
+    """Base class of motions, which derives quantities from `t`, `at` and `force`."""
 
     @property
     def parts(self: Motion) -> tuple[MotionPart, ...]:
@@ -410,20 +510,26 @@ class MotionBase:
         return plot_motion(self)
 
     def to_frame(self: Motion, t: ArrayLike | None = None) -> "DataFrame":
-        """Return the motion at times t (k,) [s] as a pandas data frame, by default at `self.t`."""
+        """Return the motion at times t (k,) [s], by default `self.t`, as a data frame."""
         from pandas import DataFrame, Index
 
         times = np.atleast_1d(np.asarray(self.t if t is None else t, float))
         rows = np.column_stack(self.at_and_force(times))
-        return DataFrame(rows, index=Index(times, name="t"), columns=[*COLUMNS, *FORCE_COLUMNS])
+        return DataFrame(
+            rows, index=Index(times, name="t"), columns=[*COLUMNS, *FORCE_COLUMNS]
+        )
 
     def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return Phi of (4.6) at times t (k,) [s] as (k,); at rest it is (K + 4)/4."""
-        return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
+        """Return Phi (k,) of (4.6) at times t (k,) [s]; it is (K + 4)/4 at rest."""
+        return (
+            self.force(t)[:, 2]
+            * self.disk.time_unit**2
+            / (self.disk.mass * self.disk.radius)
+        )
 
 
 def read_only(array: ArrayLike) -> np.ndarray:
-    """Mark an array as not writeable and return it."""
+    """Make an array read-only and return it."""
     array = np.asarray(array)
     array.flags.writeable = False
     return array
@@ -431,5 +537,6 @@ def read_only(array: ArrayLike) -> np.ndarray:
 
 @lru_cache(maxsize=1)
 def piece_ends_and_middles(motion: Motion) -> np.ndarray:
-    """Return the ends and the midpoints (2n - 1,) [s] of the pieces of a motion, read-only."""
-    return read_only(np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2])))
+    """Return the sorted ends and midpoints (2n - 1,) [s] of the pieces of a motion."""
+    middles = (motion.t[:-1] + motion.t[1:]) / 2
+    return read_only(np.sort(np.concatenate([motion.t, middles])))

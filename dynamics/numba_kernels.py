@@ -1,4 +1,4 @@
-"""Numba decorators with a cache of machine code that depends on every source file involved."""
+"""Numba decorators, and the hash of source files that validates cached machine code."""
 
 from hashlib import sha256
 from pathlib import Path
@@ -6,20 +6,23 @@ from pathlib import Path
 from numba import njit
 
 kernel = njit(error_model="numpy", forceinline=True)
-"""Compile a function that other compiled functions call.
+"""Compile a function that is called by other compiled functions.
 
-Division by zero gives infinity without a branch. Inlining avoids reference counts of arrays, which
-would take a third of a step. Without `fastmath` every operation is rounded as written; with it the
-fused operations, and so the bytes of a motion, would depend on the order of compilation.
-"""
+Division by zero returns infinity without a branch. Inlining avoids the reference
+counting of arrays, which would cost a third of the time of a step. Without `fastmath`,
+every operation is rounded as written; with it, the choice of fused operations, and
+therefore the bytes of a motion, would depend on the order of compilation."""
 outermost = njit(error_model="numpy", cache=True, nogil=True)
-"""Compile a function that Python calls, and cache its machine code. It releases the GIL."""
+"""Compile a function that is called from Python and releases the GIL, with a cache."""
 
 
 def fingerprint(*modules) -> str:
     """Return a hash of the source files of modules.
 
-    Numba keys its cache by the file of the outermost function alone. As a closure variable of that
-    function, this hash includes the files of all called functions in the key.
+    Numba keys its cache by the source file of the outermost function only. If that
+    function uses this hash as a closure variable, the key also covers the files of all
+    called functions.
     """
-    return sha256(b"".join(Path(module.__file__).read_bytes() for module in modules)).hexdigest()
+    return sha256(
+        b"".join(Path(module.__file__).read_bytes() for module in modules)
+    ).hexdigest()

@@ -1,4 +1,4 @@
-"""Nutation and precession frequencies of a motion, and the times of slip."""
+"""Nutation and precession frequencies of a motion, and the times at which it slips."""
 
 from functools import lru_cache
 
@@ -11,12 +11,12 @@ from dynamics.disk import Disk
 from dynamics.motion import Motion, piece_ends_and_middles
 
 
-def free_rolling_load(disk: Disk, state) -> np.ndarray:
-    """Return the normal force of free rolling divided by the weight, (k,), at states (k, 11).
+def free_rolling_load(disk: Disk, state: np.ndarray) -> np.ndarray:
+    """Return the normal force of free rolling over the weight (k,) at states (k, 11).
 
-    It follows from the inclination and from omega_2, omega_3 by the second of (5.3) without
-    moments. It
-    excludes the vibration of contact and table, has no jumps, and has one peak for each nutation.
+    It follows from the inclination, omega_2 and omega_3 by the second of (5.3) without
+    moments. It excludes contact and table vibrations, has no jumps, and has one peak
+    per nutation.
     """
     h = disk.aspect
     K = disk.gyration
@@ -27,7 +27,8 @@ def free_rolling_load(disk: Disk, state) -> np.ndarray:
     w3 = state[:, 7] * disk.time_unit
     gyroscopic = w3 * (2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * sin_a / cos_a)
     gyroscopic += 4 * e / K * w3 / cos_a * (w2 - h * w3)
-    acceleration = (gyroscopic - f * (1 + 4 / K)) / (1 + 4 / K + 16 * h * h / (3 * K))
+    inertia = 1 + 4 / K + 16 * h * h / (3 * K)
+    acceleration = (gyroscopic - f * (1 + 4 / K)) / inertia
     return 1 + 4 / (K + 4) * f * acceleration
 
 
@@ -40,17 +41,21 @@ def nutation_peaks(
 ) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of `free_rolling_load`.
 
-    A peak must have at least this prominence, and at least this share of the median prominence of
-    its
-    neighbours, because slips and a hopping contact cause small additional peaks. A parabola through
-    three points refines the time.
+    The prominence of a peak must be at least `prominence`, and at least
+    `relative_prominence` times the median prominence of its neighbours, because slips
+    and a hopping contact cause small additional peaks. A parabola through three points
+    refines the times.
     """
     flat = np.flatnonzero(motion.at(piece_ends_and_middles(motion))[:, 1] <= 0)
     t = piece_ends_and_middles(motion)[: flat[0] if len(flat) else None]
     load = free_rolling_load(motion.disk, motion.at(t))
     peaks, found = find_peaks(load[:-1], prominence=prominence)
     prominences = found["prominences"]
-    peaks = t[peaks[prominences >= relative_prominence * median_filter(prominences, neighbours)]]
+    peaks = t[
+        peaks[
+            prominences >= relative_prominence * median_filter(prominences, neighbours)
+        ]
+    ]
     if len(peaks) < 2:
         return peaks
     gaps = np.diff(peaks)
@@ -68,28 +73,30 @@ def nutation_peaks(
 
 @lru_cache(maxsize=1)
 def _nutations(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times (q,) [s], nutation frequencies (q,) [Hz] and nutations per turn (q,).
+    """Return times (q,) [s], nutation frequencies (q,) [Hz] and nutations per turn.
 
-    The frequency is 2/T of footnote 3, with T the time between three successive peaks. Frequency
-    and ratio are NaN where the peaks are not due to nutation.
+    The frequency is 2/T of footnote 3, where T is the duration of two successive
+    periods. The last two results are NaN where the peaks are not caused by nutation.
     """
     peaks = nutation_peaks(motion)
     if len(peaks) < 3:
         return np.zeros(0), np.zeros(0), np.zeros(0)
-    turned = np.abs(motion.at(peaks[2:])[:, 0] - motion.at(peaks[:-2])[:, 0]) / (2 * np.pi)
+    precession = motion.at(peaks)[:, 0]
+    turned = np.abs(precession[2:] - precession[:-2]) / (2 * np.pi)
     ratio = 2 / np.maximum(turned, np.finfo(float).tiny)
     frequency = 2 / (peaks[2:] - peaks[:-2])
-    kept = _varies_slowly(ratio)
-    kept[kept] = _lasting(peaks[1:-1][kept], frequency[kept])
+    kept = _near_recent_median(ratio)
+    kept[kept] = _in_long_intervals(peaks[1:-1][kept], frequency[kept])
     return peaks[1:-1], np.where(kept, frequency, np.nan), np.where(kept, ratio, np.nan)
 
 
-def _varies_slowly(ratio, tolerance: float = 0.15, memory: int = 15) -> np.ndarray:
-    """Return a mask (q,) of the ratios that are close to the median of recently accepted ratios.
+def _near_recent_median(
+    ratio: np.ndarray, tolerance: float = 0.15, memory: int = 15
+) -> np.ndarray:
+    """Return a mask (q,) of the ratios close to the median of recently accepted ratios.
 
-    The number of nutations per turn varies slowly. Peaks due to the table occur once per turn
-    instead,
-    and peaks due to roughness occur at random.
+    The number of nutations per turn varies slowly. Peaks caused by the table occur once
+    per turn, and peaks caused by roughness occur at random.
     """
     is_close = np.zeros(len(ratio), bool)
     recent = list(ratio[:memory])
@@ -101,37 +108,41 @@ def _varies_slowly(ratio, tolerance: float = 0.15, memory: int = 15) -> np.ndarr
     return is_close
 
 
-def _lasting(time, frequency, gap: float = 5.0, least: int = 15) -> np.ndarray:
-    """Return a mask of the samples that belong to lasting oscillations.
+def _in_long_intervals(
+    time: np.ndarray, frequency: np.ndarray, gap: float = 5.0, min_samples: int = 15
+) -> np.ndarray:
+    """Return a mask (q,) of the samples that belong to sustained oscillations.
 
-    The samples are frequencies (q,) [Hz] at times (q,) [s]. A distance of more than `gap` periods
-    separates two intervals. The longest interval and every other interval with enough samples are
-    accepted: on a rough contact a few peaks may resemble a nutation by chance.
+    The samples are frequencies (q,) [Hz] at times (q,) [s]. Gaps longer than `gap`
+    periods separate intervals. The mask selects the interval with the most samples and
+    all intervals with at least `min_samples` samples, because a few peaks of a rough
+    contact may resemble nutation by chance.
     """
     if not len(time):
         return np.zeros(0, bool)
     apart = np.diff(time) * frequency[:-1] > gap
     stretch = np.append(0, np.cumsum(apart))
     sizes = np.bincount(stretch)
-    counts = (sizes >= least) | (np.arange(len(sizes)) == sizes.argmax())
+    counts = (sizes >= min_samples) | (np.arange(len(sizes)) == sizes.argmax())
     return counts[stretch]
 
 
 def nutation_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Return times (q,) [s] and nutation frequencies (q,) [Hz] while the disk nutates.
 
-    The frequency is 2/T of footnote 3 of the paper, with T the time between three successive peaks
-    of `free_rolling_load`. On a rigid table these are the peaks of the normal force.
+    The frequency is 2/T of footnote 3 of the paper, where T is the duration of two
+    periods between peaks of `free_rolling_load`. On a rigid table these are the peaks
+    of the normal force.
     """
     time, frequency, _ = _nutations(motion)
     nutates = np.isfinite(frequency)
     return time[nutates], frequency[nutates]
 
 
-def nutation_ends(motion: Motion, missing_periods: float = 10.0) -> float | None:
-    """Return the time [s] of the last nutation, or None if it lasts to the end of the motion.
+def nutation_end_time(motion: Motion, missing_periods: float = 10.0) -> float | None:
+    """Return the time [s] of the last nutation, or None if nutation never ends.
 
-    The motion must continue for at least `missing_periods` without nutation.
+    It has ended if the motion continues without it for at least `missing_periods`.
     """
     time, frequency = nutation_frequency(motion)
     if not len(time) or (motion.t[-1] - time[-1]) * frequency[-1] < missing_periods:
@@ -150,16 +161,16 @@ def precession_frequency(
     window: float = 1.25,
     spacing: float = 0.25,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (q,) [s] and precession frequencies (q,) [Hz], averaged over the nutation.
+    """Return times (q,) [s] and precession frequencies (q,) [Hz] without the nutation.
 
-    Mean frequencies over `window` turns, at intervals of `spacing` turns, are averaged over a
-    second
-    window, which is shorter at both ends. The two windows reduce the effect of nutation to less
-    than 1
-    %. A motion shorter than a window has a single mean frequency.
+    Mean frequencies over `window` turns, at intervals of `spacing` turns, are averaged
+    over a second window, which is shorter near both ends. This reduces the effect of
+    nutation to less than 1 %. A motion shorter than one window yields its mean
+    frequency.
     """
     t = motion.t
-    turned = np.maximum.accumulate(np.abs(motion.state[:, 0] - motion.state[0, 0])) / (2 * np.pi)
+    precession = motion.state[:, 0]
+    turned = np.maximum.accumulate(np.abs(precession - precession[0])) / (2 * np.pi)
     begin = np.arange(0, turned[-1] - window, spacing)
     first = np.interp(begin, turned, t)
     last = np.interp(begin + window, turned, t)
@@ -171,16 +182,19 @@ def precession_frequency(
     k = np.arange(len(frequency))
     half = np.minimum(np.minimum(k, k[::-1]), round(window / spacing) // 2)
     summed = np.append(0.0, np.cumsum(frequency))
-    return (first + last) / 2, (summed[k + half + 1] - summed[k - half]) / (2 * half + 1)
+    return (first + last) / 2, (summed[k + half + 1] - summed[k - half]) / (
+        2 * half + 1
+    )
 
 
-def drawn_rates(
+def plotted_rates(
     motion: Motion,
     median_length: int = 5,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times (q,) [s], precession and nutation frequency (q,) [Hz] for a picture.
+    """Return times (q,) [s], precession and nutation frequencies (q,) [Hz] for a plot.
 
-    The nutation frequency is a running median, and NaN where the disk does not nutate.
+    The nutation frequency is a running median; it is NaN where the disk does not
+    nutate.
     """
     time, precession = precession_frequency(motion)
     at, nutation, _ = _nutations(motion)
@@ -194,12 +208,12 @@ def drawn_rates(
     return both, np.interp(both, time, precession), nutation
 
 
-def precession_rate(state) -> np.ndarray:
-    """Return the precession rate omega_3 sec(alpha) of (2.3), (k,) [rad/s], at states (k, 11)."""
+def precession_rate(state: np.ndarray) -> np.ndarray:
+    """Return the precession rate (2.3), (k,) [rad/s], at states (k, 11)."""
     return kinematics.precession_rate(state[:, 7], np.sin(state[:, 1]))
 
 
-def slips(motion: Motion) -> np.ndarray:
+def slip_start_times(motion: Motion) -> np.ndarray:
     """Return the times (j,) [s] at which rolling changes to sliding."""
     times = []
     for event in motion.transitions:

@@ -1,11 +1,13 @@
-"""Evaluation of piecewise polynomials, compiled for long arrays of times."""
+"""Evaluate piecewise polynomials, with compiled code for long arrays of times."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 
 MIN_COMPILED_TIMES = 2048
-"""Number of times from which the compiled evaluation, which also releases the GIL, is faster."""
+"""Number of times above which the compiled evaluation, which releases the GIL, is
+faster."""
 
 
 class PiecewisePolynomials:
@@ -19,31 +21,35 @@ class PiecewisePolynomials:
         Breakpoints.
     """
 
-    def __init__(self, c, x):
+    def __init__(self, c: np.ndarray, x: np.ndarray) -> None:
         self.c = c
         self.x = x
-        # Piece by piece and quantity by quantity, in which order they are read.
+        # ordered by piece, quantity and power, as they are read
         self._terms = np.ascontiguousarray(c[::-1].transpose(1, 2, 0))
 
-    def __call__(self, at, piece) -> np.ndarray:
-        """Return the values (m, k) of pieces (k,) at `at` (k,), summed from the lowest power."""
+    def __call__(self, at: np.ndarray, piece: np.ndarray) -> np.ndarray:
+        """Return the values (m, k) at times `at` (k,) in the pieces `piece` (k,)."""
         offset = at - self.x[piece]
         if len(offset) >= MIN_COMPILED_TIMES:
             return _compiled_sums()(self._terms, offset, piece)
-        powers = np.multiply.accumulate([np.ones_like(offset), *[offset] * (len(self.c) - 1)]).T
-        return np.add.accumulate(self._terms[piece] * powers[:, None], axis=2)[..., -1].T
+        powers = np.multiply.accumulate(
+            [np.ones_like(offset), *[offset] * (len(self.c) - 1)]
+        ).T
+        return np.add.accumulate(self._terms[piece] * powers[:, None], axis=2)[
+            ..., -1
+        ].T
 
 
 @cache
-def _compiled_sums():
+def _compiled_sums() -> Any:
     """Return `_sums`, compiled on the first call."""
     from numba import njit
 
     return njit(cache=True, nogil=True)(_sums)
 
 
-def _sums(terms, offset, piece):
-    """Return polynomials (m, n) at offsets (n,) from the starts of pieces (n,)."""
+def _sums(terms: np.ndarray, offset: np.ndarray, piece: np.ndarray) -> np.ndarray:
+    """Return the values (m, n) of pieces (n,) at offsets (n,) from their starts."""
     out = np.empty((terms.shape[1], len(offset)))
     powers = np.empty(terms.shape[2])
     for n in range(len(offset)):

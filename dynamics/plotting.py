@@ -1,4 +1,4 @@
-"""MOTION -> FIGURE: inclination, precession rate and normal force over time."""
+"""Plot the inclination, precession rate and normal force of a motion against time."""
 
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,8 @@ def plot_motion(motion: "Motion", points: int = 20_000) -> "Figure":
     state, force = motion.at_and_force(t)
     curves = {
         "inclination [degrees]": np.degrees(state[:, 1]),
-        "precession [Hz]": np.abs(precession_rate(state[:, 7], np.sin(state[:, 1]))) / (2 * np.pi),
+        "precession [Hz]": np.abs(precession_rate(state[:, 7], np.sin(state[:, 1])))
+        / (2 * np.pi),
         "normal force [N]": force[:, 2],
     }
     figure = Figure(figsize=(8.0, 7.0), layout="constrained")
@@ -30,7 +31,9 @@ def plot_motion(motion: "Motion", points: int = 20_000) -> "Figure":
         panel.set_ylabel(label)
         panel.grid(alpha=0.3)
     panels[1].set_yscale("log")
-    panels[2].axhline(motion.disk.weight, color="tab:blue", linestyle="--", label="weight")
+    panels[2].axhline(
+        motion.disk.weight, color="tab:blue", linestyle="--", label="weight"
+    )
     panels[2].legend(loc="upper left", frameon=False)
     panels[2].set_xlabel("time [s]")
     return figure

@@ -1,33 +1,30 @@
-"""Remaining time of quasi-steady motion until the disk is flat, from the dissipated power."""
+"""Remaining time of quasi-steady motion, predicted from the dissipated power."""
 
-from math import copysign, log, sin, sqrt
+from math import copysign, log, sqrt
+from typing import Any
 
-from dynamics.disk import Disk, Friction
-from dynamics.dissipation import Dissipation, resistance_of
-from dynamics.equations import disk_constants
+from dynamics.disk import Disk
+from dynamics.dissipation import resistance_of
+from dynamics.equations import DiskConstants
 from dynamics.regime import DISSIPATED, FLOAT_FORMULAS, Branch, Regime, rotation_rates
-from dynamics.steady_motion import steady_precession
+from dynamics.scene_constants import scene_constants
+from dynamics.steady_motion import steady_omega
 
 
-def time_left(
-    beta: float,
-    disk: Disk,
-    friction: Friction,
-    dissipation: Dissipation | None,
-) -> float:
-    """Return the time [s] of quasi-steady decline from a small inclination `beta` [rad] to 0.
+def scene_time_to_flat(beta: float, scene: Any) -> float:
+    """Return the time [s] in which the inclination falls from `beta` [rad] to 0.
 
-    The energy 3/2 m g R beta is dissipated by the resisting moments and the laws of dissipation.
-    Their power is extrapolated as a power of beta, with its exponent at `beta`. The time is
-    infinite if the exponent is 1 or more, or if nothing is dissipated.
+    In quasi-steady motion at small inclinations, the resisting moments and dissipation
+    laws dissipate the energy 3/2 m g R beta. Their power is extrapolated by a power law
+    with its local exponent at `beta`. The time is infinite if the exponent is at least
+    1, or if the power is zero. The air film of the scene is neglected.
     """
-    return decline_time(
-        beta, disk, disk_constants(disk, friction), resistance_of(dissipation, disk)
-    )
+    loads = resistance_of(scene.dissipation, scene.disk)
+    return time_to_flat(beta, scene.disk, scene_constants(scene), loads)
 
 
-def decline_time(beta: float, disk: Disk, law, loads) -> float:
-    """Return `time_left` [s] for a dimensionless law of friction and `loads` such as an air film.
+def time_to_flat(beta: float, disk: Disk, law: DiskConstants, loads: Any) -> float:
+    """Return `scene_time_to_flat` [s] for dimensionless constants and loads.
 
     Raises ValueError if the disk is too thick or too steep for steady motion.
     """
@@ -41,14 +38,13 @@ def decline_time(beta: float, disk: Disk, law, loads) -> float:
     return 3 / 2 * (law.K + 4) / 4 * beta / power / (1 - exponent) * disk.time_unit
 
 
-def steady_power(beta: float, law, loads) -> float:
+def steady_power(beta: float, law: DiskConstants, loads: Any) -> float:
     """Return the dimensionless dissipated power of steady rolling at inclination `beta` [rad]."""
-    w3 = steady_precession(beta, law.h, law.K) * sin(beta)
     r = sqrt(beta)
-    y = [r, 0.0, law.h * w3 / r, w3 / r, *[0.0] * 7]
-    regime = Regime(
-        False, (False,) * 3, tuple(copysign(1.0, turning) for turning in rotation_rates(y))
-    )
+    y = [r, *(w / r for w in steady_omega(beta, law)), *[0.0] * 7]
+    first, second, third = rotation_rates(y)
+    senses = copysign(1.0, first), copysign(1.0, second), copysign(1.0, third)
+    regime = Regime(False, (False, False, False), senses)
     branch = Branch.of(regime, law, loads)
     contact = FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
     return FLOAT_FORMULAS.rates(y, contact, branch, law)[DISSIPATED]

@@ -1,29 +1,37 @@
-"""Contact regimes, the flow within each, and the guards that end it.
+"""Contact regimes, the equations of motion in each, and the guards that end it.
 
-The state stays regular as the disk approaches the table: it contains r = sqrt(inclination), the
-angular velocity omega/r and the slip velocity u/r, all of order one while the inclination falls by
-ten decades. The last five entries are quadratures: precession, spin, centre of mass, dissipated
-energy."""
+The state is scaled so that it remains regular as the disk approaches the table: r =
+sqrt(inclination), the angular velocity omega/r and the slip velocity u/r remain of
+order one while the inclination decreases by ten decades. The other five entries are
+quadratures: precession, spin, position of the centre (two) and dissipated energy.
+"""
 
 import math
-from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from dynamics.equations import NO_LOADS, Contact, DiskConstants, equations_of_motion
-from dynamics.guards import ALL_GUARDS, AXES, STOP_SPEED, Guard, GuardArguments
+from dynamics.equations import (
+    NO_LOADS,
+    Contact,
+    DiskConstants,
+    Loads,
+    equations_of_motion,
+)
+from dynamics.guards import ALL_GUARDS, AXES, STOP_SLIP_SPEED, Guard, GuardArguments
 from dynamics.guards import MAX_FALL_RATE as MAX_FALL_RATE
-from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
+from dynamics.kinematics import centre_velocity, contact_place, precession_rate
+from dynamics.pivoting import pivoting_arm
 
 R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 
 
 class Regime(NamedTuple):
-    """Active branches of the set-valued laws.
+    """Active branches of the set-valued laws (3.2) and (3.3).
 
-    They are rolling or sliding, and the sign or the sticking of each omega.a_i.
+    The contact rolls or slides, and each omega.a_i is either stuck at zero or has a
+    sign.
     """
 
     sliding: bool
@@ -31,20 +39,22 @@ class Regime(NamedTuple):
     senses: tuple[float, float, float]
 
     def __str__(self) -> str:
-        """Return 'roll' or 'slide', and the rotations that stick: 'roll, nutation sticks'."""
+        """Return the name of the regime, such as 'roll, nutation sticks'."""
         return _name(self.sliding, self.stuck)
 
 
 @cache
 def _name(sliding, stuck):
-    sticking = [f"{axis} sticks" for axis, sticks in zip(AXES, stuck, strict=True) if sticks]
+    sticking = [
+        f"{axis} sticks" for axis, sticks in zip(AXES, stuck, strict=True) if sticks
+    ]
     return ", ".join(["slide" if sliding else "roll", *sticking])
 
 
 class Branch(NamedTuple):
-    """Properties of a regime and a scene that select the formulas of the flow.
+    """Properties of a regime and a scene that select the equations of motion.
 
-    The constants of the scene are not included.
+    Numerical constants of the scene are not included.
     """
 
     sliding: bool
@@ -52,14 +62,17 @@ class Branch(NamedTuple):
     resisted: tuple[bool, bool, bool]
     can_slip: bool
     can_grip: bool
-    loads: Callable | None
+    loads: Any
+    has_fillet: bool = False
+    has_bowl: bool = False
+    has_spin_friction: bool = False
 
     @classmethod
-    def of(cls, regime: Regime, law: DiskConstants, loads: Callable | None) -> "Branch":
-        """Return the branch of `regime` under `law`.
+    def of(cls, regime: Regime, law: DiskConstants, loads: Any) -> "Branch":
+        """Return the branch for a regime and the constants of a scene.
 
-        A zero arm, infinite static friction or zero dynamic friction removes the corresponding
-        guard."""
+        A zero arm, infinite static friction or zero dynamic friction removes a guard.
+        """
         arms = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
         return cls(
             regime.sliding,
@@ -68,33 +81,55 @@ class Branch(NamedTuple):
             law.mu_static < float("inf"),
             law.mu_dynamic > 0,
             loads,
+            law.fillet > 0,
+            law.bowl > 0,
+            bool(law.pivoting),
         )
 
 
-def projections(beta, w1, w2, w3, sin, cos):
-    """Return omega.a_1, omega.a_2, omega.a_3 from the components along e_i (2.1)."""
+def contact_axis_rates(beta, w1, w2, w3, sin, cos):
+    """Return omega.a_i, i = 1 to 3, from the components along e_i (2.1)."""
     sin_a = cos(beta)
     cos_a = sin(beta)
     return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
 
 
 def rotation_rates(y) -> tuple[float, float, float]:
-    """Return omega.a_i / r at a state y of floats."""
-    return projections(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
+    """Return omega.a_i/r, i = 1 to 3, at a state y of floats."""
+    return contact_axis_rates(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
 
 
 def describe_state(y) -> str:
-    """Return a description of a state for messages."""
+    """Return a description of a state for error messages."""
     r = y[R]
     omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
     return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
 
 
-class FlowFormulas:
-    """The flow of every branch, for the scalar type of `sin`, `cos`, `sqrt` and `power`."""
+def restart_quadratures(y, keep_position: bool):
+    """Return y with the quadratures reset, and the subtracted offset.
 
-    FUNCTIONS, SIZE = ("sin", "cos", "sqrt", "pow"), DISSIPATED + 1
-    """Functions from which the flow is built, and the number of state components."""
+    The precession is reduced to [-pi, pi]. The position is kept on a concave table,
+    where the force depends on it. The other quadratures are set to zero.
+    """
+    turned = math.remainder(y[PRECESSION], 2 * math.pi)
+    lost = [*[0.0] * PRECESSION, y[PRECESSION] - turned, *y[SPIN:]]
+    if keep_position:
+        lost[X] = 0.0
+        lost[Y] = 0.0
+    return [a - b for a, b in zip(y, lost, strict=True)], lost
+
+
+class FlowFormulas:
+    """Equations of motion of all branches, evaluated with the given functions.
+
+    The functions determine the type of scalars: floats, arrays or symbols.
+    """
+
+    FUNCTIONS = ("sin", "cos", "sqrt", "pow")
+    """Names of the functions that the equations require."""
+    SIZE = DISSIPATED + 1
+    """Number of state components."""
 
     def __init__(self, sin, cos, sqrt, power):
         self.sin = sin
@@ -103,16 +138,16 @@ class FlowFormulas:
         self.power = power
         self.solve = equations_of_motion(sin, cos)
 
-    def speed(self, y):
-        """Return the slip speed divided by r."""
+    def scaled_slip_speed(self, y):
+        """Return the slip speed divided by r, |u|/r."""
         return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
 
-    def grip(self, y):
-        """Return the guard of a slide that comes to rest: slip speed divided by r, minus STOP_SPEED."""
-        return self.speed(y) - STOP_SPEED
+    def excess_slip_speed(self, y):
+        """Return slip speed/r minus STOP_SLIP_SPEED, the value of the guard GRIP."""
+        return self.scaled_slip_speed(y) - STOP_SLIP_SPEED
 
     def contact(self, y, branch: Branch, senses, law: DiskConstants) -> Contact:
-        """Solve the balance laws at state y; the slip direction is that of y."""
+        """Solve the balance laws at state y with the slip direction of y."""
         r = y[R]
         u1 = 0.0
         u2 = 0.0
@@ -121,8 +156,10 @@ class FlowFormulas:
         if branch.sliding:
             u1 = r * y[V1]
             u2 = r * y[V2]
-            if branch.can_grip:  # without friction the direction has no meaning at rest
-                speed = self.speed(y)
+            if (
+                branch.can_grip
+            ):  # without friction the direction is not needed, and undefined at rest
+                speed = self.scaled_slip_speed(y)
                 c = y[V1] / speed
                 s = y[V2] / speed
         return self.contact_along(y, (u1, u2), (c, s), branch, senses, law)
@@ -130,17 +167,61 @@ class FlowFormulas:
     def contact_along(
         self, y, slip, direction, branch: Branch, senses, law: DiskConstants
     ) -> Contact:
-        """Solve the balance laws at state y with the slip direction given."""
+        """Solve the balance laws at state y with a given slip direction."""
         r = y[R]
         omega = (r * y[W1], r * y[W2], r * y[W3])
-        loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else NO_LOADS
+        loads, law = self.loads_and_arms(y, slip, branch, law)
         return self.solve(
-            r * r, *omega, *slip, *direction, branch.sliding, *branch.stuck, *senses, law, loads
+            r * r,
+            *omega,
+            *slip,
+            *direction,
+            branch.sliding,
+            *branch.stuck,
+            *senses,
+            law,
+            loads,
         )
 
+    def loads_and_arms(
+        self, y, slip, branch: Branch, law
+    ) -> tuple[Loads, DiskConstants]:
+        """Return the loads at state y, and the constants with k3 from spin friction."""
+        r = y[R]
+        omega = (r * y[W1], r * y[W2], r * y[W3])
+        loads = (
+            branch.loads(r * r, omega, slip, law, self) if branch.loads else NO_LOADS
+        )
+        if law.bowl != 0:
+            ct = self.cos(y[PRECESSION])
+            st = self.sin(y[PRECESSION])
+            pull = (law.K + 4) / 4 * law.bowl
+            east = y[X] + law.bowl_x
+            north = y[Y] + law.bowl_y
+            loads = loads._replace(
+                G1=loads.G1 - pull * (east * ct + north * st),
+                G2=loads.G2 - pull * (north * ct - east * st),
+            )
+        if law.pivoting:
+            sin_a = self.cos(r * r)
+            cos_a = self.sin(r * r)
+            place = contact_place(sin_a, cos_a, law.h, law.fillet)
+            travel = centre_velocity(slip, omega, place)[0]
+            travel = travel + place.f * precession_rate(omega[2], cos_a)
+            arm = pivoting_arm(
+                cos_a,
+                omega[1] * sin_a + omega[2] * cos_a,
+                travel,
+                slip[0] * slip[0] + slip[1] * slip[1],
+                branch.sliding,
+                law.mu_dynamic,
+                law.pivoting,
+            )
+            law = law._replace(k3=arm, pivoting=())
+        return loads, law
+
     def rates(self, y, contact: Contact, branch: Branch, law: DiskConstants):
-        """Return dy/dtau from the contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated
-        power."""
+        """Return dy/dtau by (4.7) or (5.3), (2.3), (2.5) and the dissipated power."""
         r = y[R]
         w1 = y[W1]
         beta = r * r
@@ -148,19 +229,25 @@ class FlowFormulas:
         sin_a = self.cos(beta)
         cos_a = self.sin(beta)
         slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
-        e, f = contact_arms(sin_a, cos_a, law.h)
-        v1, v2 = centre_velocity(slip, omega, e, law.h)
+        place = contact_place(sin_a, cos_a, law.h, law.fillet)
+        v1, v2 = centre_velocity(slip, omega, place)
         rate = precession_rate(omega[2], cos_a)
         ct = self.cos(y[PRECESSION])
         st = self.sin(y[PRECESSION])
-        turns = projections(beta, w1, y[W2], y[W3], self.sin, self.cos)
-        power = r * (contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2])
+        turns = contact_axis_rates(beta, w1, y[W2], y[W3], self.sin, self.cos)
+        power = r * (
+            contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2]
+        )
         if branch.sliding:
             power = power - contact.F1 * slip[0] - contact.F2 * slip[1]
         if branch.loads:
             loads = branch.loads(beta, omega, slip, law, self)
-            power = power - loads.G1 * v1 - loads.G2 * v2 - loads.G3 * f * omega[0]
-            power = power - loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2]
+            power = (
+                power - loads.G1 * v1 - loads.G2 * v2 - loads.G3 * place.f * omega[0]
+            )
+            power = (
+                power - loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2]
+            )
         half = 0.5 * w1  # r' = -w1/2, so (omega/r)' = (omega' + omega w1 / (2 r)) / r
         return [
             -half,
@@ -179,13 +266,27 @@ class FlowFormulas:
     def guards(
         self, y, contact: Contact, branch: Branch, senses, law: DiskConstants, r_end
     ) -> dict[Guard, Any]:
-        """Return the guards of a branch with their values, positive while the regime is valid."""
-        turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
-        slip = self.grip(y) if branch.sliding and branch.can_grip else None
+        """Return the guards of a branch with their values."""
+        turns = contact_axis_rates(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
+        slip = self.excess_slip_speed(y) if branch.sliding and branch.can_grip else None
         where = GuardArguments(
-            y[R], y[W1], y[W3], slip, turns, contact, senses, law, r_end, self.sqrt, self.cos
+            y[R],
+            y[W1],
+            y[W3],
+            slip,
+            turns,
+            contact,
+            senses,
+            law,
+            r_end,
+            self.sqrt,
+            self.cos,
         )
-        return {guard: guard.value(where) for guard in ALL_GUARDS if guard.acts(branch)}
+        return {
+            guard: guard.value(where)
+            for guard in ALL_GUARDS
+            if guard.applies_to(branch)
+        }
 
 
 FLOAT_FORMULAS = FlowFormulas(math.sin, math.cos, math.sqrt, math.pow)

@@ -1,22 +1,24 @@
-"""The solved motion of a rigid disk: state, force, energy and regime at any time."""
+"""Motion of a rigid disk on a rigid contact, with its force, energy and regimes."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, wraps
+from typing import Any, TypeVar
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.disk import Disk
-from dynamics.equations import DiskConstants
+from dynamics.equations import Contact, DiskConstants
 from dynamics.film.wedge import Film, film_powers, find_film
+from dynamics.guards import STOP_SLIP_SPEED
 from dynamics.kinematics import energy, precession_rate
-from dynamics.monotonicity import largest_fall
+from dynamics.monotonicity import largest_decrease
 from dynamics.motion import (
     CAUSES,
     COLUMNS,
-    Jumps,
+    ForceJumps,
     MotionBase,
     Outcome,
     Transition,
@@ -29,7 +31,6 @@ from dynamics.regime import (
     DISSIPATED,
     PRECESSION,
     SPIN,
-    STOP_SPEED,
     V1,
     V2,
     W1,
@@ -40,20 +41,23 @@ from dynamics.regime import (
     X,
 )
 
+T = TypeVar("T")
 FORCE_HARMONICS = 8
-"""Number of harmonics of the precession rate in the estimate of the bandwidth of the force."""
+"""Number of harmonics of the precession rate within the bandwidth of the force."""
 
 
-def cached_for_read_only_times(method):
-    """Decorate a method so that it caches its results for the last two read-only arrays of times."""
-    results_of_motion = WeakKeyDictionary()
+def cached_for_read_only_times(
+    method: Callable[[Any, ArrayLike], T],
+) -> Callable[[Any, ArrayLike], T]:
+    """Cache the results of a method for the last two read-only arrays of times."""
+    results_of_motion: WeakKeyDictionary[Any, list[Any]] = WeakKeyDictionary()
 
     @wraps(method)
-    def cached(self, t):
+    def cached(self: Any, t: ArrayLike) -> Any:
         if not isinstance(t, np.ndarray) or t.flags.writeable or t.base is not None:
             return method(self, t)
         results = results_of_motion.setdefault(self, [])
-        result = next((result for times, result in results if times is t), None)
+        result: Any = next((result for times, result in results if times is t), None)
         if result is None:
             result = method(self, t)
             results[:] = [*results[-1:], (t, result)]
@@ -66,11 +70,10 @@ def cached_for_read_only_times(method):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RigidMotion(MotionBase):
-    """Motion of a rigid disk on a rigid contact, with every event located.
+    """Motion of a rigid disk on a rigid contact.
 
-    It implements `Motion`. The solution is a piecewise polynomial in the dimensionless quantities
-    of
-    the paper; methods take and return SI units.
+    It implements `Motion`. The solution is a piecewise polynomial in the dimensionless
+    quantities of the paper; arguments and results of the methods are in SI units.
 
     Parameters
     ----------
@@ -78,10 +81,10 @@ class RigidMotion(MotionBase):
         The disk.
     law : DiskConstants
         Dimensionless constants of disk and friction.
-    loads : callable or None
-        Law of resistance in addition to friction.
+    loads : OwnLaw, Resistance, Film or None
+        Law of dissipation in addition to friction.
     path : PiecewisePolynomials
-        The state as a piecewise polynomial of the dimensionless time.
+        The state as a function of the dimensionless time.
     regimes : tuple of Regime
         The distinct regimes of the motion.
     regime_of_piece : ndarray, (n - 1,)
@@ -89,25 +92,35 @@ class RigidMotion(MotionBase):
     transitions : tuple of Transition
         The changes of regime, in order of time.
     contact_losses : tuple
-        Empty: a rigid motion ends when contact is lost.
+        Always empty, because a rigid motion ends when contact is lost.
     outcome : Outcome
-        The way the motion ended.
+        How the motion ended.
     integrator : str
         'taylor' or 'dop853'.
+
+    Examples
+    --------
+    >>> from dynamics import RigidMotion, simulate
+    >>> from sonify import load_scene
+    >>> motion = simulate(load_scene("published").replace("numerics.accuracy=draft"))
+    >>> isinstance(motion, RigidMotion)
+    True
+    >>> motion.regime([0.0, 0.5]).tolist()
+    ['roll', 'roll']
     """
 
     disk: Disk
     law: DiskConstants
-    loads: Callable | None
+    loads: Any
     path: PiecewisePolynomials
     regimes: tuple[Regime, ...]
     regime_of_piece: np.ndarray
     transitions: tuple[Transition, ...]
-    contact_losses: tuple
+    contact_losses: tuple[()]
     outcome: Outcome
     integrator: str
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """Return a one-line summary: duration, outcome, number of transitions and integrator."""
         end = self.path.x[-1] * self.disk.time_unit
         changes = f"{len(self.transitions)} transitions"
@@ -115,7 +128,7 @@ class RigidMotion(MotionBase):
 
     @cached_property
     def t(self) -> np.ndarray:
-        """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
+        """Breakpoints (n,) [s] of the solution, from 0 to the end of the motion."""
         return read_only(self.path.x * self.disk.time_unit)
 
     def at(self, t: ArrayLike) -> np.ndarray:
@@ -125,7 +138,7 @@ class RigidMotion(MotionBase):
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return the contact force at times t; see `Motion.force`.
 
-        The force is the solution of the balance laws (4.6) and (5.2). It involves no numerical
+        It is the solution of the balance laws (4.6) and (5.2), without numerical
         differentiation.
         """
         return self.at_and_force(t)[1]
@@ -136,7 +149,7 @@ class RigidMotion(MotionBase):
         tau, piece = self._time_and_piece(t)
         state = np.empty((len(tau), len(COLUMNS)))
         force = np.empty((len(tau), 3))
-        block_size = 8192  # times; their states fit into the cache of the processor
+        block_size = 8192  # number of times whose states fit into the processor cache
         for begin in range(0, len(tau), block_size):
             block = slice(begin, begin + block_size)
             y = self.path(tau[block], piece[block])
@@ -145,11 +158,11 @@ class RigidMotion(MotionBase):
         return state, force
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force (k,) [N] at times t (k,) [s]; a rigid contact does not vibrate."""
+        """Return the normal force (k,) [N] at times t (k,) [s]."""
         return self.force(t)[:, 2]
 
     def steady_nutation(self, t: ArrayLike) -> np.ndarray:
-        """Return omega_1 (k,) [rad/s] at times t (k,) [s]; a rigid contact does not vibrate."""
+        """Return the nutation rate omega_1 (k,) [rad/s] at times t (k,) [s]."""
         return self.at(t)[:, 5]
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
@@ -162,7 +175,7 @@ class RigidMotion(MotionBase):
 
     @cached_for_read_only_times
     def energy(self, t: ArrayLike) -> np.ndarray:
-        """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest.
+        """Return the kinetic plus potential energy (k,) [J] at times t (k,) [s].
 
         The formula is (6.1) with its two misprints corrected.
         """
@@ -170,7 +183,7 @@ class RigidMotion(MotionBase):
         r = y[R]
         omega = r * y[W1 : W3 + 1]
         slip = r * y[V1 : V2 + 1]
-        return energy(r * r, omega, slip, self.law) * self._unit_of_energy
+        return energy(r * r, omega, slip, self.law, y[X : X + 2]) * self._unit_of_energy
 
     @property
     def film(self) -> Film | None:
@@ -179,21 +192,26 @@ class RigidMotion(MotionBase):
 
     @property
     def solves_contact(self) -> bool:
-        """False: a rigid contact does not vibrate."""
+        """False, because a rigid contact does not vibrate."""
         return False
 
     @property
     def moves_table(self) -> bool:
-        """False: the table of a rigid motion is at rest."""
+        """False, because a rigid table does not move."""
         return False
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s].
 
-        The powers of sliding and film are integrated by the two-point Gauss rule on each piece of
-        the solution. The resisting moments take the rest of the dissipated energy.
+        The powers of sliding friction and of the film are integrated by the two-point
+        Gauss rule on each piece of the solution. The rest of the dissipated energy is
+        attributed to the resisting moments.
         """
-        return {cause: np.interp(t, self.t, lost) for cause, lost in self._energy_lost.items()}
+        times = np.asarray(t, dtype=float)
+        return {
+            cause: np.interp(times, self.t, lost)
+            for cause, lost in self._energy_lost.items()
+        }
 
     @cached_property
     def _energy_lost(self) -> dict[str, np.ndarray]:
@@ -210,10 +228,12 @@ class RigidMotion(MotionBase):
             work = power.reshape(nodes.shape).sum(axis=1) * half_length
             lost[cause] = np.append(0.0, np.cumsum(work))
         moments = self.state[:, 10] - sum(lost.values())
-        return dict.fromkeys(CAUSES, np.zeros(len(self.t))) | lost | {"moments": moments}
+        return (
+            dict.fromkeys(CAUSES, np.zeros(len(self.t))) | lost | {"moments": moments}
+        )
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
-        """Return the power (k,) [W] lost to each of CAUSES at times t (k,) [s]; (3.2), (3.3)."""
+        """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
         tau, piece = self._time_and_piece(t)
         y = self.path(tau, piece)
         state = self._columns(y)
@@ -226,7 +246,7 @@ class RigidMotion(MotionBase):
         powers = dict.fromkeys(CAUSES, np.zeros(len(tau)))
         return powers | {"slip": slip, "film": film, "moments": moments}
 
-    def _power(self, y, piece):
+    def _power(self, y: np.ndarray, piece: np.ndarray) -> np.ndarray:
         """Return the dissipated power (k,) [W] at states y (11, k) in the pieces (k,)."""
         power = np.empty(len(piece))
         regime_index = self.regime_of_piece[piece]
@@ -236,18 +256,20 @@ class RigidMotion(MotionBase):
             states = y[:, selected]
             contact = self._contact(states, piece[selected], regime)
             branch = Branch.of(regime, self.law, self.loads)
-            power[selected] = ARRAY_FORMULAS.rates(states, contact, branch, self.law)[DISSIPATED]
+            power[selected] = ARRAY_FORMULAS.rates(states, contact, branch, self.law)[
+                DISSIPATED
+            ]
         return power * self._unit_of_energy / self.disk.time_unit
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of the dissipated energy between any two instants."""
-        return largest_fall(self.path.c[..., DISSIPATED], self.path.x) * self._unit_of_energy
+        """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
+        return (
+            largest_decrease(self.path.c[..., DISSIPATED], self.path.x)
+            * self._unit_of_energy
+        )
 
     def friction_excess(self) -> float:
-        """Return the largest violation of Coulomb's law at the middles of the pieces.
-
-        See `Motion.friction_excess`.
-        """
+        """Return the `Motion.friction_excess` at the midpoints of the pieces."""
         t = piece_ends_and_middles(self)
         force = self.force(t)[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
@@ -263,22 +285,23 @@ class RigidMotion(MotionBase):
         return names[self.regime_of_piece[piece]]
 
     @cached_property
-    def jumps(self) -> Jumps:
+    def jumps(self) -> ForceJumps:
         """The discontinuities of the contact force, with the one-sided limits of the force."""
         piece_after = np.flatnonzero(np.diff(self.regime_of_piece)) + 1
         piece_before = piece_after - 1
         tau = self.path.x[piece_after]
         before = self._force(self.path(tau, piece_before), piece_before)
         after = self._force(self.path(tau, piece_after), piece_after)
-        return Jumps(read_only(tau * self.disk.time_unit), read_only(before), read_only(after))
+        return ForceJumps(
+            read_only(tau * self.disk.time_unit), read_only(before), read_only(after)
+        )
 
     @cached_property
     def t_end(self) -> float:
         """Time [s] at which a settled disk would be flat; the end of any other motion.
 
-        The square root of the inclination decreases linearly on average. Its last decade is
-        extrapolated to
-        zero.
+        The square root of the inclination, which decreases linearly on average, is
+        extrapolated from its last decade to zero.
         """
         if self.outcome is not Outcome.SETTLED:
             return float(self.t[-1])
@@ -287,18 +310,20 @@ class RigidMotion(MotionBase):
         slope = (r[-1] - r[i]) / (self.path.x[-2] - self.path.x[i])
         return float((self.path.x[-2] - r[-1] / slope) * self.disk.time_unit)
 
-    def _time_and_piece(self, t):
-        """Return times t (k,) [s] in time units, and the indices (k,) of the pieces they are in."""
+    def _time_and_piece(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """Return times t (k,) [s] in time units, and the indices (k,) of their pieces."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
         if t.ndim > 1:
-            raise ValueError(f"t must be a time or a row of times [s], not of shape {t.shape}")
+            raise ValueError(
+                f"t must be a scalar or one-dimensional array of times [s], not of shape {t.shape}"
+            )
         tau = t / self.disk.time_unit
         end = self.path.x[-1]
         if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
             duration = end * self.disk.time_unit
             raise ValueError(f"t must be within the motion, 0 to {duration:.9g} s")
         piece = np.searchsorted(self.t[:-1], t, side="right") - 1
-        # Rounding of the quotient may lead out of the piece.
+        # The rounded quotient may lie outside the piece.
         return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece
 
     @property
@@ -306,8 +331,8 @@ class RigidMotion(MotionBase):
         """The energy [J] m (R/chi)^2."""
         return self.disk.mass * (self.disk.radius / self.disk.time_unit) ** 2
 
-    def _columns(self, y):
-        """Convert integrated states y (11, k) to COLUMNS (k, 11) in SI units."""
+    def _columns(self, y: np.ndarray) -> np.ndarray:
+        """Convert dimensionless states y (11, k) to COLUMNS (k, 11) in SI units."""
         r = y[R]
         radius = self.disk.radius
         chi = self.disk.time_unit
@@ -315,33 +340,37 @@ class RigidMotion(MotionBase):
         slip = r * y[V1 : V2 + 1] * radius / chi
         position = y[X : X + 2] * radius
         work = y[DISSIPATED] * self._unit_of_energy
-        return np.stack([y[PRECESSION], r * r, y[SPIN], *position, *omega, *slip, work], axis=1)
+        return np.stack(
+            [y[PRECESSION], r * r, y[SPIN], *position, *omega, *slip, work], axis=1
+        )
 
-    def _force(self, y, piece):
+    def _force(self, y: np.ndarray, piece: np.ndarray) -> np.ndarray:
         """Return the contact force (k, 3) [N] at states y (11, k) in the pieces (k,)."""
         force = np.empty((len(piece), 3))
         regime_index = self.regime_of_piece[piece]
         for index in np.unique(regime_index):
             selected = np.flatnonzero(regime_index == index)
-            contact = self._contact(y[:, selected], piece[selected], self.regimes[index])
+            contact = self._contact(
+                y[:, selected], piece[selected], self.regimes[index]
+            )
             components = np.broadcast_arrays(contact.F1, contact.F2, contact.Phi)
             force[selected] = np.stack(components, axis=1)
         return force * (self.disk.mass * self.disk.radius / self.disk.time_unit**2)
 
-    def _contact(self, y, piece, regime):
+    def _contact(self, y: np.ndarray, piece: np.ndarray, regime: Regime) -> Contact:
         """Solve the balance laws at states y (11, k) of one regime in the pieces (k,)."""
         if regime.sliding:
             self._set_direction_at_rest(y, piece)
         branch = Branch.of(regime, self.law, self.loads)
         return ARRAY_FORMULAS.contact(y, branch, regime.senses, self.law)
 
-    def _set_direction_at_rest(self, y, piece):
-        """Give a slip at rest the direction in which its piece begins or ends, in place.
+    def _set_direction_at_rest(self, y: np.ndarray, piece: np.ndarray) -> None:
+        """Replace zero slip velocities by tiny ones in the slip direction, in place.
 
-        The direction is that of the slip acceleration. If this is a rounding error only, the slide
-        starts without acceleration, and the direction is that of the next derivative.
+        It is the direction of the slip acceleration, or of the next derivative if that
+        is zero within rounding.
         """
-        tiny_speed = 1e-3 * STOP_SPEED
+        tiny_speed = 1e-3 * STOP_SLIP_SPEED
         resting = np.hypot(y[V1], y[V2]) < tiny_speed
         coefficients = self.path.c[-1:-4:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
         start, slope, curvature = coefficients

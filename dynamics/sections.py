@@ -1,4 +1,4 @@
-"""The sections of a scene that its motion depends on."""
+"""The sections of a scene that determine its motion."""
 
 from dataclasses import dataclass, field, fields
 from typing import Any
@@ -13,9 +13,9 @@ from dynamics.surface import AnySurface, Surface
 
 @dataclass(frozen=True, kw_only=True)
 class MotionScene:
-    """A disk, its release, and everything else that its motion depends on.
+    """A disk, its release, and everything else that determines its motion.
 
-    `sonify.Scene` extends it by the sections of the sound.
+    `sonify.Scene` adds the sections that concern the sound.
 
     Attributes
     ----------
@@ -24,8 +24,8 @@ class MotionScene:
     disk : Disk
         Size and mass of the disk.
     material : object, optional
-        Elastic constants of the disk. A disk whose modes move with a vibrating table needs its
-        `loss_factor`.
+        Elastic constants of the disk. Its `loss_factor` is required if the modes of the
+        disk are coupled to a vibrating table.
     friction : Friction
         Friction at the contact.
     release : Release
@@ -33,15 +33,15 @@ class MotionScene:
     surface : AnySurface
         The table.
     dissipation : Dissipation
-        Resistance apart from friction.
+        Dissipation in addition to friction.
     contact : Contact
         Law of the contact.
     roughness : Roughness, optional
         Roughness of table and edge; by default both are smooth.
     imperfection : Imperfection, optional
-        Waves of table and edge; by default there are none.
+        Waviness of table and edge; by default there is none.
     air : Air
-        The air and its film under the disk; by default there is no film.
+        The air and the film under the disk; by default there is no film.
     numerics : Numerics
         Accuracy and limits of the solution.
 
@@ -71,8 +71,8 @@ class MotionScene:
     numerics: Numerics = field(default_factory=Numerics)
 
     @property
-    def edge(self) -> Any:
-        """The compliance of the disk as an elastic body at its edge; None if it is not known."""
+    def elastic_edge(self) -> Any:
+        """The compliance at the edge of the disk as an elastic body; None if unknown."""
         return None
 
     def part(self, **sections: Any) -> "MotionScene":
@@ -81,19 +81,21 @@ class MotionScene:
         Parameters
         ----------
         **sections
-            Sections that replace those of this scene. Contradictions between sections are not
-            checked.
+            Sections that replace those of this scene. Contradictions between sections
+            are not checked.
 
         Returns
         -------
         MotionScene
-            The scene of the part, with the body of this scene at its edge.
+            The scene of the part, with the `elastic_edge` of this scene.
         """
-        kept = {section.name: vars(self)[section.name] for section in fields(MotionScene)}
+        kept = {
+            section.name: vars(self)[section.name] for section in fields(MotionScene)
+        }
         return _ScenePart(whole=self, **(kept | sections))
 
 
-def motion_scene(scene: Any) -> MotionScene:
+def as_motion_scene(scene: Any) -> MotionScene:
     """Convert an object with the attributes of a scene to a MotionScene.
 
     A MotionScene is returned unchanged. Attributes that are absent or None have their defaults.
@@ -107,11 +109,11 @@ def motion_scene(scene: Any) -> MotionScene:
 
 @dataclass(frozen=True, kw_only=True)
 class _ScenePart(MotionScene):
-    """Part of the scene `whole`, for a part of its motion."""
+    """The scene for a part of the motion of the scene `whole`."""
 
     whole: MotionScene
 
     @property
-    def edge(self) -> Any:
-        """The compliance of the disk at its edge, which is that of the whole scene."""
-        return self.whole.edge
+    def elastic_edge(self) -> Any:
+        """The compliance at the edge of the disk, taken from the whole scene."""
+        return self.whole.elastic_edge

@@ -10,17 +10,18 @@ from typing import Any
 import numpy as np
 
 from dynamics import guards
+from dynamics.disk import Disk
 from dynamics.dissipation import OwnLaw
-from dynamics.equations import disk_constants
 from dynamics.film.activation import final_inclination, non_contact_loads
-from dynamics.hybrid import EVENT_CASCADE, STALLED, StalledError, run_events
+from dynamics.hybrid import EVENT_CASCADE, STALLED, Arc, Path, StalledError, run_events
 from dynamics.motion import Motion, Outcome, Transition, read_only
 from dynamics.piecewise_polynomial import PiecewisePolynomials
 from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W3, R, Regime
 from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, initial_state
-from dynamics.sections import MotionScene, motion_scene
-from dynamics.solver_settings import integrator_of
+from dynamics.scene_constants import scene_constants
+from dynamics.sections import MotionScene, as_motion_scene
+from dynamics.solver_settings import resolved_integrator_name
 from dynamics.switching import ImpossibleContactError
 
 OUTCOMES = {
@@ -33,9 +34,9 @@ OUTCOMES = {
     STALLED: Outcome.STALLED,
     None: Outcome.TIME_LIMIT,
 }
-"""Outcome of a motion by the name of the guard that ended it; None is the time limit."""
+"""Outcome of a motion for the guard that ended it, or None at the time limit."""
 Watch = Callable[[float, float, str], None]
-"""Progress callback with time [s], inclination [rad] and a description of the current task."""
+"""Progress callback that receives time [s], inclination [rad] and the current task."""
 
 
 def simulate(
@@ -46,35 +47,36 @@ def simulate(
 ) -> Motion:
     """Solve the motion of a scene.
 
-    The disk is rigid and every event is located, unless the scene has an elastic contact that
-    must be solved in full (`numerics.contact`). The coupling to the table depends on
-    `surface.action`:
+    The contact is rigid, unless the scene has an elastic contact that must be solved in
+    full (`numerics.contact`). The coupling to the table depends on `surface.action`:
 
     * "sound": no coupling. The motion is the same as on a rigid table.
     * "motion": two-way coupling from the release on.
     * "auto": two-way coupling from the inclination at which the table modes store 1 % of the
-      energy of the disk, or absorb 1 % of the power of friction. A rough contact, a wavy edge or
-      table (`imperfection`) and an infinite plate have no two-way coupling.
+      energy of the disk, or absorb 1 % of the dissipated power; from the release on if
+      the disk rattles. It is not used for a rough contact on which the disk rolls, a
+      wavy edge or table (`imperfection`) or an infinite plate.
 
-    The modes of a table with `surface.kind = "modes"` are taken from the scene (those below
-    24 kHz), and the motion is that of `sonify.solve(scene)`. A plate or a mesh needs
-    `surface_modes`. Since `sonify.solve` keeps only the modes of its plan, its motion is
-    `simulate(scene, surface_modes=sonify.solve(scene).table)`.
+    If `surface.kind` is "modes", the scene contains the modes; those below 24 kHz are
+    used, and the motion equals that of `sonify.solve(scene)`. A plate or a mesh
+    requires `surface_modes`. To reproduce the motion of `sonify.solve`, which uses only
+    the modes of its plan, call `simulate(scene,
+    surface_modes=sonify.solve(scene).table)`.
 
     Parameters
     ----------
     scene : MotionScene
-        The scene, or any object with some of its attributes; the sections that it lacks have
-        their defaults. It is not changed, and threads may share it.
+        The scene, or any object with some of its attributes; missing sections have
+        their defaults. It is not modified, so threads may share it.
     watch : callable, optional
-        Progress callback `watch(t, inclination, doing)` [s, rad]. It is also called before the
-        compiler runs, with a description in `doing`.
+        Progress callback `watch(t, inclination, doing)` [s, rad]. Before a compilation,
+        it is called with a description in `doing`.
     loads : OwnLaw, optional
-        A law of resistance that replaces `scene.dissipation`. It needs a rigid contact or
-        `numerics.contact = "filter"`, and a table without two-way coupling.
+        A law of dissipation that replaces `scene.dissipation`. It requires a rigid
+        contact or `numerics.contact = "filter"`, and a table without two-way coupling.
     surface_modes : modal.SurfaceModes, optional
-        Modes of the table, as `modal.surface_modes(scene)` returns them. They replace those of
-        the scene and are ignored without two-way coupling.
+        Modes of the table, as returned by `modal.surface_modes(scene)`. They replace
+        those of the scene and are ignored without two-way coupling.
 
     Returns
     -------
@@ -84,16 +86,17 @@ def simulate(
     Raises
     ------
     ImpossibleContactError
-        If no contact force satisfies the balance laws; the message gives time and state.
+        If no contact force satisfies the balance laws; the message gives time and
+        state.
     ValueError
-        If two-way coupling needs `surface_modes` that are missing or do not suit the contact, if
-        a height profile cannot be read, or if `loads` are combined with a contact or table that
-        does not support them.
+        If the `surface_modes` required for two-way coupling are missing or do not fit
+        the contact, if a height profile cannot be read, or if the contact or the table
+        does not support `loads`.
 
     References
     ----------
-    .. [1] The rolling disk (4.7), the sliding disk (5.3), and the switching between them (3.2),
-       (3.3) of the paper.
+    .. [1] Equations (4.7) of the rolling disk, (5.3) of the sliding disk, and (3.2), (3.3)
+       for the switching between them.
 
     Examples
     --------
@@ -103,29 +106,31 @@ def simulate(
     >>> f"{motion.t_end:.2f} s"
     '19.38 s'
     """
-    scene = motion_scene(scene)
+    scene = as_motion_scene(scene)
     if scene.surface.action == "sound":
-        return _with_given_table(scene, watch, loads, None)
+        return _solve_with_table(scene, watch, loads, None)
     from dynamics.compliant.two_way_onset import table_modes, table_reaction
 
     modes = table_modes(scene, surface_modes)
     if modes is None or scene.surface.action == "motion":
-        return _with_given_table(scene, watch, loads, modes)
+        return _solve_with_table(scene, watch, loads, modes)
     found = table_reaction(scene, modes)
-    if not found.acts:
-        return _with_given_table(scene, watch, loads, None)
+    if not found.is_two_way:
+        return _solve_with_table(scene, watch, loads, None)
+    if contact_model(scene) == "many":
+        return _solve_with_table(scene, watch, loads, modes)
     if loads is not None:
         needed = "a rigid table: set surface.action = 'sound'"
-        raise ValueError(f"loads: a law of your own needs {needed}")
+        raise ValueError(f"loads: a user-defined law requires {needed}")
     from dynamics.compliant.switched_motion import solve_switched
 
-    def solve_on_rigid_table(first_part):
-        return _with_given_table(first_part, watch, None, None)
+    def solve_on_rigid_table(first_part: MotionScene) -> Motion:
+        return _solve_with_table(first_part, watch, None, None)
 
     return solve_switched(scene, found.inclination, solve_on_rigid_table, watch, modes)
 
 
-def _with_given_table(
+def _solve_with_table(
     scene: MotionScene,
     watch: Watch,
     loads: OwnLaw | None,
@@ -137,22 +142,24 @@ def _with_given_table(
         from dynamics.rattling.rattling_motion import solve_rattling_motion
 
         if loads is not None:
-            raise ValueError("loads: a disk that rattles does not support a law of your own")
-        return solve_rattling_motion(scene, watch)
+            raise ValueError(
+                "loads: a user-defined law is not supported for a rattling disk"
+            )
+        return solve_rattling_motion(scene, watch, modes)
     if kind == "full":
         from dynamics.compliant.compliant_motion import solve_compliant_motion
 
         if loads is not None:
             needed = "a rigid contact, or numerics.contact = 'filter'"
-            raise ValueError(f"loads: a law of your own needs {needed}")
+            raise ValueError(f"loads: a user-defined law requires {needed}")
         return solve_compliant_motion(scene, watch, modes)
     compile_in_background(scene, loads)
-    system = system_of(scene, loads)
+    system = rigid_contact_system(scene, loads)
     progress = _Progress(scene, watch)
     watched_system = replace(
         system,
         integrate=progress.announcing(system.integrate),
-        announce=progress.announce,
+        announce_compilation=progress.announce_compilation,
     )
     start = initial_state(scene.disk, scene.release)
     time_limit = scene.numerics.time_limit / scene.disk.time_unit
@@ -160,21 +167,27 @@ def _with_given_table(
         path, guard = run_events(watched_system, start, time_limit, progress.record)
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
-    outcome = outcome_of(guard, progress.state, system)
-    motion = _motion_record(
-        scene.disk, system, path, outcome, integrator_of(scene.numerics.integrator)
+    outcome = outcome_after_guard(guard, progress.state, system)
+    motion = _rigid_motion_from_path(
+        scene.disk,
+        system,
+        path,
+        outcome,
+        resolved_integrator_name(scene.numerics.integrator),
     )
-    lost_contact = 1e-9  # normal force over the weight
+    lost_contact = 1e-9  # normal force divided by the weight
     if guard == EVENT_CASCADE and motion.normal_load(motion.t[-1])[0] < lost_contact:
-        # Without a normal force friction cannot hold the contact: the regimes change without end.
-        return replace(motion, outcome=outcome_of(guards.LIFT_OFF, progress.state, system))
+        # Without a normal force, friction cannot hold the contact and the regimes alternate.
+        return replace(
+            motion, outcome=outcome_after_guard(guards.LIFT_OFF, progress.state, system)
+        )
     return motion
 
 
 class _Progress:
-    """Progress reports to a callback, with the last state."""
+    """Report the progress to a callback and store the last state."""
 
-    def __init__(self, scene: MotionScene, watch: Watch):
+    def __init__(self, scene: MotionScene, watch: Watch) -> None:
         self.t = 0.0
         self.inclination = math.radians(scene.release.inclination_deg)
         self.state: Any = None
@@ -182,34 +195,36 @@ class _Progress:
         self._watch = watch
         self._announced: set[str] = set()
 
-    def record(self, tau, y) -> None:
+    def record(self, tau: float, y: list[float]) -> None:
         """Report the state y at dimensionless time tau."""
         self.t = tau * self._time_unit
         self.inclination = y[R] ** 2
         self.state = y
         self._watch(self.t, self.inclination, "")
 
-    def announce(self, flow: str) -> None:
-        """Report once that the compiler may run for a flow."""
+    def announce_compilation(self, flow: str) -> None:
+        """Report once that the code of a flow may have to be compiled."""
         if flow not in self._announced:
             self._announced.add(flow)
             self._watch(self.t, self.inclination, f"compiling the flow of '{flow}'")
 
-    def announcing(self, integrate: Callable) -> Callable:
-        """Return an integrator that announces the regime before it runs."""
+    def announcing(self, integrate: Callable[..., Arc]) -> Callable[..., Arc]:
+        """Return the integrator, wrapped so that it first announces the regime."""
 
-        def announced(y, regime, *arguments):
-            self.announce(str(regime))
+        def announced(y: list[float], regime: Regime, *arguments: Any) -> Arc:
+            self.announce_compilation(str(regime))
             return integrate(y, regime, *arguments)
 
         return announced
 
 
-def outcome_of(guard: str | None, y, system: RollingDisk, min_film_share: float = 0.01) -> Outcome:
+def outcome_after_guard(
+    guard: str | None, y: Any, system: RollingDisk, min_film_share: float = 0.01
+) -> Outcome:
     """Return the outcome of a motion that ended with `guard` at state y.
 
-    A disk that lifts off is airborne if the air film carries more than `min_film_share` of the
-    weight.
+    A disk that lifts off is airborne if the loads lift it by more than `min_film_share`
+    of its weight.
     """
     if guard == guards.LIFT_OFF and system.loads:
         r = y[R]
@@ -223,12 +238,14 @@ def outcome_of(guard: str | None, y, system: RollingDisk, min_film_share: float 
 
 
 def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> None:
-    """Start to compile the flows that most motions of a scene need, in background threads."""
-    if integrator_of(scene.numerics.integrator) != "taylor" or is_compliant(scene):
+    """Compile the flows that most motions of a scene need, in background threads."""
+    if resolved_integrator_name(scene.numerics.integrator) != "taylor" or is_compliant(
+        scene
+    ):
         return
-    from dynamics import taylor
+    from dynamics.integrators import taylor
 
-    system = system_of(scene, loads)
+    system = rigid_contact_system(scene, loads)
     can_slide = system.law.mu_static != math.inf
     for sliding in (False, True) if can_slide else (False,):
         regime = Regime(sliding, (False,) * 3, (1.0,) * 3)
@@ -236,25 +253,24 @@ def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> No
 
 
 def is_compliant(scene: MotionScene) -> bool:
-    """Return True if the scene has an elastic contact that is solved in full."""
+    """Return True if the elastic contact of a scene is solved in full."""
     return contact_model(scene) in ("full", "many")
 
 
 def contact_model(scene: MotionScene) -> str:
-    """Return the kind of the contact model of a scene."""
+    """Return the contact model of a scene: "rigid", "filter", "full" or "many"."""
     if scene.contact.law == "rigid":
         return "rigid"
     from dynamics.compliant.model_selection import choose_contact_model
 
-    return choose_contact_model(scene).kind  # type: ignore[arg-type]
+    return choose_contact_model(scene).kind
 
 
-def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
+def rigid_contact_system(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
     """Return the hybrid system of a scene with a rigid contact."""
-    disk = scene.disk
     numerics = scene.numerics
     return RollingDisk(
-        law=disk_constants(disk, scene.friction),
+        law=scene_constants(scene),
         loads=non_contact_loads(scene, loads),
         r_end=math.sqrt(final_inclination(scene)),
         integrate=chosen_integrator(numerics.integrator)[1],
@@ -262,26 +278,35 @@ def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
     )
 
 
-def chosen_integrator(name: str):
-    """Return the name of an integrator, after resolving 'auto', and its function `advance`."""
-    name = integrator_of(name)
-    modules = {"taylor": "dynamics.taylor", "dop853": "dynamics.integrators.dop853"}
+def chosen_integrator(name: str) -> tuple[str, Callable[..., Arc]]:
+    """Return the resolved name of an integrator, and its function `advance`."""
+    name = resolved_integrator_name(name)
+    modules = {
+        "taylor": "dynamics.integrators.taylor",
+        "dop853": "dynamics.integrators.dop853",
+    }
     return name, import_module(modules[name]).advance
 
 
-def _motion_record(disk, system, path, outcome, integrator) -> RigidMotion:
-    """Convert a path to a RigidMotion; pieces of zero duration are dropped."""
+def _rigid_motion_from_path(
+    disk: Disk, system: RollingDisk, path: Path, outcome: Outcome, integrator: str
+) -> RigidMotion:
+    """Convert a path to a RigidMotion, without the pieces of zero duration."""
     times = np.concatenate(path.times)
     has_duration = np.diff(times) > 0
     regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
     counts = [count for _, count in path.regimes]
-    regime_of_piece = np.repeat([regimes.index(regime) for regime, _ in path.regimes], counts)
+    regime_of_piece = np.repeat(
+        [regimes.index(regime) for regime, _ in path.regimes], counts
+    )
     name_of = cache(str)
     transitions = []
     for crossing in path.crossings:
         t = crossing.t * disk.time_unit
         before = name_of(crossing.before)
-        transitions.append(Transition(t, before, name_of(crossing.after), crossing.guard))
+        transitions.append(
+            Transition(t, before, name_of(crossing.after), crossing.guard)
+        )
     return RigidMotion(
         disk=disk,
         law=system.law,
@@ -299,10 +324,10 @@ def _motion_record(disk, system, path, outcome, integrator) -> RigidMotion:
     )
 
 
-def _concatenated_pieces(blocks, keep):
-    """Concatenate the kept pieces of blocks (n, order + 1, k) to (highest order + 1, sum of n, k).
+def _concatenated_pieces(blocks: list[np.ndarray], keep: np.ndarray) -> np.ndarray:
+    """Concatenate the pieces of blocks (n, order + 1, k) selected by the mask `keep`.
 
-    The highest power comes first, as in `PiecewisePolynomials`.
+    The result (highest order + 1, number of pieces, k) starts with the highest power.
     """
     order = max(block.shape[1] for block in blocks)
     terms = np.zeros((np.count_nonzero(keep), blocks[0].shape[2], order))

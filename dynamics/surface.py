@@ -1,7 +1,7 @@
 """The section `surface` of a scene: one class for each kind of table.
 
-The frame of a table is that of the motion: z points upwards, and at the release the centre of the
-disk is above the origin, or above `place` if given. [ ] holds the unit of each key.
+Table and motion have the same frame: z points upwards, and at the release the centre of
+the disk is above the origin, or above `place` if given.
 """
 
 from dataclasses import dataclass
@@ -16,17 +16,52 @@ YoungModulus = Annotated[float, Ge(1), Le(1e15)]
 PoissonRatio = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
 LossFactor = Annotated[float, Ge(0), Le(1)]
+MAX_BOWL_SLOPE = 0.1
+"""Largest slope [rad] of a concave table at the rim of a disk placed in its middle."""
 MIN_TWO_WAY_SHARE = 0.01
 """Threshold of two-way coupling.
 
-Coupling begins when the table modes store this share of the energy of the disk, or absorb this
-share of the dissipated power.
+Coupling begins when the table modes store this fraction of the energy of the disk, or
+absorb this fraction of the dissipated power.
 """
 
 
+class Tabletop:
+    """Shape of a table top: plane, or concave with a circular rim."""
+
+    sag: float = 0.0
+    diameter: float | None = None
+    place: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def curvature(self) -> float:
+        """Curvature in the middle of the table top [1/m], 8 sag/diameter^2."""
+        if not self.sag or self.diameter is None:
+            return 0.0
+        return 8 * self.sag / self.diameter**2
+
+    def check_disk_fits_bowl(self, radius: float) -> None:
+        """Raise ValueError if a disk of this radius [m] does not fit into the bowl."""
+        if not self.sag:
+            return
+        if self.diameter is None:
+            raise ValueError(f"surface.sag = {self.sag:g}: requires surface.diameter")
+        if self.diameter <= 2 * radius:
+            raise ValueError(
+                f"surface.diameter = {self.diameter:g}: must exceed the disk diameter, "
+                f"{2 * radius:g}"
+            )
+        greatest = MAX_BOWL_SLOPE * self.diameter**2 / (8 * radius)
+        if self.sag > greatest:
+            raise ValueError(
+                f"surface.sag = {self.sag:g}: too deep for the rim of the disk; at most "
+                f"{greatest:.3g} m is possible"
+            )
+
+
 @dataclass(frozen=True, kw_only=True)
-class Surface:
-    """A rigid table: it neither moves nor sounds.
+class Surface(Tabletop):
+    """A rigid table, which neither moves nor sounds.
 
     Examples
     --------
@@ -36,19 +71,26 @@ class Surface:
     """
 
     kind: Literal["rigid"] = "rigid"
-    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
+    """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
+    sag: Annotated[float, Ge(0), Le(1)] = 0.0
+    """Depth [m] of a concave table: distance of its middle below its rim."""
+    diameter: Length | None = None
+    """Diameter of the rim of a concave table [m]; default: that of the plate."""
+    place: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    """Position of the disk centre at the release [m], from the middle of a concave table."""
     action: ClassVar[Action] = "sound"
+    baffle: ClassVar[bool] = True
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlateSurface:
+class PlateSurface(Tabletop):
     """A round elastic plate.
 
     Raises
     ------
     ValueError
-        If the plate is thicker than its radius, or its supporting ring is wider than the plate or
-        given in part only.
+        If the thickness of the plate exceeds its radius, or if its supporting ring is
+        wider than the plate or incompletely specified.
 
     Examples
     --------
@@ -59,9 +101,10 @@ class PlateSurface:
     """
 
     kind: Literal["plate"] = "plate"
-    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
+    """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
     action: Action = "auto"
-    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
+    """Effect of the table: sound only, two-way coupled motion, or auto (set by the
+    plan)."""
     radius: Length
     """Radius of the plate [m], at least that of the disk."""
     thickness: Length
@@ -77,13 +120,22 @@ class PlateSurface:
     edge: Literal["free", "supported", "clamped"] = "supported"
     """Boundary condition at the edge of the plate."""
     ring_radius: Length | None = None
-    """Radius of an elastic ring under the plate [m]; needs ring_stiffness; no ring unless given."""
+    """Radius of an elastic ring that supports the plate [m]; requires ring_stiffness.
+    By default there is no ring."""
     ring_stiffness: Annotated[float, Gt(0), Le(1e15)] | None = None
     """Vertical stiffness of that ring per unit length [N/m^2]."""
+    sag: Annotated[float, Ge(0), Le(1)] = 0.0
+    """Depth [m] of a concave table: distance of its middle below its rim."""
+    diameter: Length | None = None
+    """Diameter of the rim of a concave table [m]; default: that of the plate."""
     place: tuple[Coordinate, Coordinate] = (0.0, 0.0)
     """Position of the disk centre at the release [m], from the plate centre or the mesh origin."""
+    baffle: bool = False
+    """Whether a baffle around the table prevents air flow around its edge."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
+        if self.sag and self.diameter is None:
+            object.__setattr__(self, "diameter", 2 * self.radius)
         if self.thickness > self.radius:
             limit = f"radius = {self.radius:g}"
             raise ValueError(f"thickness = {self.thickness:g}: must not exceed {limit}")
@@ -91,12 +143,14 @@ class PlateSurface:
             raise ValueError("give ring_radius and ring_stiffness together")
         if (self.ring_radius or 0) > self.radius:
             limit = f"radius = {self.radius:g}"
-            raise ValueError(f"ring_radius = {self.ring_radius:g}: must not exceed {limit}")
+            raise ValueError(
+                f"ring_radius = {self.ring_radius:g}: must not exceed {limit}"
+            )
 
 
 @dataclass(frozen=True, kw_only=True)
 class SurfaceMode:
-    """Mode of a table along the contact circle; an order above 0 means a pair of cosine and sine.
+    """Table mode along the contact circle; a cosine-sine pair above order 0.
 
     Examples
     --------
@@ -106,18 +160,19 @@ class SurfaceMode:
     """
 
     order: Annotated[int, Ge(0), Le(64)]
-    """Number of wavelengths along the contact circle."""
+    """Number of wavelengths around the contact circle."""
     frequency: Annotated[float, Gt(0), Le(1e6)]
     """Frequency [Hz]."""
     damping_ratio: Annotated[float, Ge(0), Lt(1)]
     """Damping ratio: decay rate divided by angular frequency."""
     modal_mass: Annotated[float, Ge(1e-9), Le(1e9)]
-    """Modal mass for a shape of amplitude 1 at its antinode on the contact circle [kg]."""
+    """Modal mass [kg] for a shape of amplitude 1 at its antinode at the radius R of the disk; a
+    contact at the radius r on a rounded edge meets the amplitude (r/R)^order."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class ModesSurface:
-    """A table given by its modes, measured or computed elsewhere.
+class ModesSurface(Tabletop):
+    """A table specified by measured or previously computed modes.
 
     Examples
     --------
@@ -128,16 +183,19 @@ class ModesSurface:
     """
 
     kind: Literal["modes"] = "modes"
-    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
+    """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
     action: Action = "auto"
-    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
+    """Effect of the table: sound only, two-way coupled motion, or auto (set by the
+    plan)."""
     modes: Annotated[tuple[SurfaceMode, ...], Len(1, 64)]
     """Order, frequency [Hz], damping ratio and modal mass [kg] of each mode."""
+    baffle: ClassVar[bool] = True
+    """Always true: the table is the baffle of the contact circle, which alone radiates."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class InfiniteSurface:
-    """An infinite elastic plate: it absorbs energy from the contact force and never rings.
+class InfiniteSurface(Tabletop):
+    """An infinite elastic plate, which absorbs energy but does not resonate.
 
     Examples
     --------
@@ -148,9 +206,10 @@ class InfiniteSurface:
     """
 
     kind: Literal["infinite"] = "infinite"
-    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
+    """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
     action: Action = "auto"
-    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
+    """Effect of the table: sound only, two-way coupled motion, or auto (set by the
+    plan)."""
     thickness: Length
     """Thickness of the plate [m]."""
     young: YoungModulus
@@ -161,11 +220,18 @@ class InfiniteSurface:
     """Density of the table [kg/m^3]."""
     loss_factor: LossFactor = 0.02
     """Loss factor of the material: twice the damping ratio of every mode."""
+    baffle: bool = True
+    """Whether a baffle prevents air flow around the edge of the table; always true
+    here."""
+
+    def __post_init__(self) -> None:
+        if not self.baffle:
+            raise ValueError("baffle = false: an infinite plate is its own baffle")
 
 
 @dataclass(frozen=True, kw_only=True)
-class MeshSurface:
-    """A table of any shape, given as a volume mesh with a level top face.
+class MeshSurface(Tabletop):
+    """A table of any shape, specified as a volume mesh with a horizontal top face.
 
     Examples
     --------
@@ -176,11 +242,13 @@ class MeshSurface:
     """
 
     kind: Literal["mesh"] = "mesh"
-    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
+    """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
     action: Action = "auto"
-    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
+    """Effect of the table: sound only, two-way coupled motion, or auto (set by the
+    plan)."""
     file: str
-    """Mesh file readable by meshio, in metres, z upwards; relative to the scene file."""
+    """Mesh file in a format of meshio, in metres with z upwards; its path is relative
+    to the scene file."""
     young: YoungModulus
     """Young's modulus of the table [Pa]."""
     poisson: PoissonRatio
@@ -190,9 +258,15 @@ class MeshSurface:
     loss_factor: LossFactor = 0.02
     """Loss factor of the material: twice the damping ratio of every mode."""
     held: tuple[str, ...] = ()
-    """Names of the fixed surfaces or node sets of the mesh."""
+    """Names of the surfaces or node sets of the mesh that are fixed."""
+    sag: Annotated[float, Ge(0), Le(1)] = 0.0
+    """Depth [m] of a concave table: distance of its middle below its rim."""
+    diameter: Length | None = None
+    """Diameter of the rim of a concave table [m]; default: that of the plate."""
     place: tuple[Coordinate, Coordinate] = (0.0, 0.0)
     """Position of the disk centre at the release [m], from the plate centre or the mesh origin."""
+    baffle: bool = False
+    """Whether a baffle around the table prevents air flow around its edge."""
 
 
 AnySurface = Surface | PlateSurface | ModesSurface | InfiniteSurface | MeshSurface

@@ -1,20 +1,21 @@
-"""Selection of the next regime by (3.2) and (3.3), and the first and last steps of a slide.
+"""Selection of the next regime by (3.2), (3.3), and the first and last steps of slides.
 
-At zero, sign() may have any value in [-1, 1] (Filippov). The contact can roll or slide, and each
-omega.a_i = 0 can stick or take either sign. A combination is a possible continuation if its
-accelerations and loads are consistent with it.
+At zero, the sign function may have any value in [-1, 1] (Filippov). The contact can
+roll or slide, and each omega.a_i = 0 can stick or acquire either sign. A combination is
+a valid continuation if its accelerations and loads are consistent with it.
 """
 
 import math
 from functools import lru_cache
 from itertools import product
+from typing import Any
 
 import numpy as np
 
-from dynamics.equations import NO_LOADS, DiskConstants, separation_acceleration
+from dynamics.equations import NO_LOADS, Contact, DiskConstants, separation_acceleration
 from dynamics.guards import GuardKind
 from dynamics.hybrid import Arc, StalledError, Step
-from dynamics.incipient_slip import slip_push
+from dynamics.incipient_slip import slip_acceleration
 from dynamics.regime import (
     FLOAT_FORMULAS,
     V1,
@@ -30,23 +31,21 @@ from dynamics.regime import (
 )
 
 CONSISTENCY_TOLERANCE = 1e-12
-"""Relative tolerance for rounding errors in the consistency of a regime."""
-FIRST_STEP = 3e-6
-"""Length of the first step of a slide in units of r, and bound of the relative change of the state
-within it; the error, FIRST_STEP cubed, is below round-off."""
-GUARD_OVERSHOOT_FRACTION = 0.01
-"""Length of the step past a guard that has fallen, as a fraction of the time in which friction
-could stop the slip."""
+"""Relative tolerance of the consistency conditions, for rounding errors."""
+FIRST_SLIDE_STEP = 3e-6
+"""Length of the first step of a slide in units of r, and limit of the relative change
+of the state within it. The error, FIRST_SLIDE_STEP cubed, is below round-off."""
 
 MAX_GRAZING_ACCELERATION = 0.05
-"""A slide with an initial acceleration below this fraction of friction starts with the long steps
-of slow_slides.py."""
+"""Initial acceleration of a slide, divided by the friction, below which it starts with
+the long steps of slow_slides.py."""
 
 
 class ImpossibleContactError(ValueError):
-    """No rolling, sliding or sticking contact satisfies the balance laws (Painleve paradox).
+    """No contact state satisfies the balance laws (Painleve paradox).
 
-    Also raised if the laws are undefined at the release. The message gives time and state.
+    It is also raised if the laws are undefined at the release. The message contains
+    time and state.
 
     Examples
     --------
@@ -57,20 +56,24 @@ class ImpossibleContactError(ValueError):
 
 
 def next_regime(
-    y, law: DiskConstants, loads, at_zero, fired, senses, graze
-) -> tuple[Regime, Step | Arc | None]:
-    """Return the regime that follows from state y, and the first step or arc if it leaves rest.
+    y, law: DiskConstants, loads, at_zero, fired, senses, advance_grazing
+) -> tuple[Regime | None, Step | Arc | None]:
+    """Return the next regime at state y, and its first step or arc from rest.
 
-    `at_zero` contains the quantities that are zero: 0 for the slip, i for omega.a_i. `fired`
-    contains those that can no longer stay zero. `graze(y, nu, regime)` integrates a slide that
-    leaves rest along nu more gently than MAX_GRAZING_ACCELERATION, or returns None. Both results are None if the
-    disk leaves the plane. Raises ImpossibleContactError if the disk presses on the plane, but no
-    regime is consistent."""
+    `at_zero` contains the quantities that are zero: 0 for the slip, i for omega.a_i.
+    `fired` contains those that cannot remain zero. `advance_grazing(y, nu, regime)`
+    integrates a slide that starts along nu with less than MAX_GRAZING_ACCELERATION, or
+    returns None. Both results are None if the disk leaves the plane. Raises
+    ImpossibleContactError if the disk presses on the plane, but no regime is
+    consistent.
+    """
     for leaving in (fired, frozenset()) if fired else (fired,):
         for regime in _candidate_regimes(y, law, at_zero, leaving, senses):
             branch = Branch.of(regime, law, loads)
             if regime.sliding and 0 in at_zero:
-                step = _slide_from_rest(y, regime, branch, law, at_zero, graze)
+                step = _slide_from_rest(
+                    y, regime, branch, law, at_zero, advance_grazing
+                )
                 if step:
                     return regime, step
             elif _is_consistent(
@@ -80,33 +83,39 @@ def next_regime(
                 law,
                 at_zero,
             ):
-                return regime, _heun_step(y, contact, regime, branch, law) if leaving - {
-                    0
-                } else None
+                return regime, _heun_step(
+                    y, contact, regime, branch, law
+                ) if leaving - {0} else None
     if _leaves_plane(y, law, loads):
         return None, None
     raise ImpossibleContactError(
-        f"{describe_state(y)}: no rolling, sliding or sticking contact with a pressing force satisfies "
-        f"the balance laws"
+        f"{describe_state(y)}: no rolling, sliding or sticking contact with a compressive "
+        f"force satisfies the balance laws"
     )
 
 
-def after_reversal(y, regime, branch, guard, law: DiskConstants) -> tuple[list, Regime] | None:
-    """Return state and regime after a rotation of a rolling disk reverses, or None otherwise.
+def state_after_reversal(
+    y, regime, branch, guard, law: DiskConstants
+) -> tuple[list, Regime] | None:
+    """Return state and regime after a rotation of a rolling disk reverses.
 
-    `next_regime` would try the same regime first."""
+    `next_regime` would try this regime first. Returns None if it is not consistent, or
+    for any other guard.
+    """
     if guard.kind is not GuardKind.REVERSES or regime.sliding or any(regime.stuck):
         return None
     y = with_rotation_zero(y, guard.axis)
     axis = guard.axis
-    senses = tuple([-sense if i == axis else sense for i, sense in enumerate(regime.senses)])
+    senses = tuple(
+        [-sense if i == axis else sense for i, sense in enumerate(regime.senses)]
+    )
     after = Regime(False, regime.stuck, senses)
     contact = FLOAT_FORMULAS.contact(y, branch, senses, law)
     return (y, after) if _is_consistent(y, contact, after, law, (axis + 1,)) else None
 
 
 def with_rotation_zero(y, i):
-    """Return y with omega.a_(i+1) exactly zero."""
+    """Return y with omega.a_(i+1) set to zero."""
     y = list(y)
     if i == 0:
         y[W1] = 0.0
@@ -115,12 +124,13 @@ def with_rotation_zero(y, i):
     cos_a = math.sin(y[R] ** 2)
     excess = rotation_rates(y)[i]
     along2, along3 = (cos_a, -sin_a) if i == 1 else (sin_a, cos_a)
-    y[W2], y[W3] = y[W2] - excess * along2, y[W3] - excess * along3
+    y[W2] = y[W2] - excess * along2
+    y[W3] = y[W3] - excess * along3
     return y
 
 
 def _leaves_plane(y, law, loads) -> bool:
-    """Return True if the free disk would rise from the plane, or stay on it within rounding."""
+    """Return True if a free disk would leave the plane, or just touch it."""
     r = y[R]
     omega = (r * y[W1], r * y[W2], r * y[W3])
     slip = (r * y[V1], r * y[V2])
@@ -131,8 +141,9 @@ def _leaves_plane(y, law, loads) -> bool:
 def _candidate_regimes(y, law, at_zero, leaving, senses):
     """Return the regimes to try, in order.
 
-    Rolling precedes sliding. For a rotation at zero the order is reversal, sticking, the old
-    sense."""
+    Rolling precedes sliding. For a rotation at zero, the order is reversed sign,
+    sticking, old sign.
+    """
     turn1, turn2, turn3 = rotation_rates(y)
     turning = (
         0.0 if 1 in at_zero else math.copysign(1.0, turn1),
@@ -147,9 +158,15 @@ def _candidate_regimes(y, law, at_zero, leaving, senses):
 
 @lru_cache(1024)
 def _regime_combinations(turning, senses, resisted, can_slip, at_rest, leaving):
-    """Return the regimes to try, for the sign of each rotation (0 at rest) and its old sense."""
-    contact = [False] if not can_slip else [True] if not at_rest or 0 in leaving else [False, True]
-    surfaces = []
+    """Return the regimes to try for the new and old signs of the rotations."""
+    contact = (
+        [False]
+        if not can_slip
+        else [True]
+        if not at_rest or 0 in leaving
+        else [False, True]
+    )
+    surfaces: list[Any] = []
     for i, sign in enumerate(turning):
         if not resisted[i]:
             surfaces.append([(False, 1.0)])
@@ -158,14 +175,15 @@ def _regime_combinations(turning, senses, resisted, can_slip, at_rest, leaving):
         else:
             stick = [] if i + 1 in leaving else [(True, 1.0)]
             surfaces.append([(False, -senses[i]), *stick, (False, senses[i])])
-    return [
-        Regime(sliding, *zip(*choice, strict=True))
-        for sliding, *choice in product(contact, *surfaces)
-    ]
+    regimes = []
+    for sliding in contact:
+        for choice in product(*surfaces):
+            regimes.append(Regime(sliding, *zip(*choice, strict=True)))
+    return regimes
 
 
 def _is_consistent(y, contact, regime, law, at_zero) -> bool:
-    """Return True if a contact presses, keeps to its friction limits and has the assumed senses."""
+    """Return True if a contact presses and is consistent with its regime."""
     if not (contact.Phi > 0 and contact.inertia > 0):
         return False
     cone = law.mu_static * contact.Phi
@@ -177,14 +195,20 @@ def _is_consistent(y, contact, regime, law, at_zero) -> bool:
     for i in (axis - 1 for axis in at_zero if axis):
         arm = law.arms[i]
         if regime.stuck[i]:
-            if abs(contact.moments[i]) > arm * contact.Phi * (1 + CONSISTENCY_TOLERANCE):
+            if abs(contact.moments[i]) > arm * contact.Phi * (
+                1 + CONSISTENCY_TOLERANCE
+            ):
                 return False
-        elif arm > 0 and regime.senses[i] * turning_rates(y, contact)[i] < -CONSISTENCY_TOLERANCE:
+        elif (
+            arm > 0
+            and regime.senses[i] * rotation_accelerations(y, contact)[i]
+            < -CONSISTENCY_TOLERANCE
+        ):
             return False
     return True
 
 
-def turning_rates(y, contact) -> tuple[float, float, float]:
+def rotation_accelerations(y, contact) -> tuple[float, float, float]:
     """Return d(omega.a_i)/dtau, including the rotation of a_2 and a_3 about a_1."""
     r = y[R]
     sin_a = math.cos(r * r)
@@ -200,8 +224,22 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
     )
 
 
+def contact_at_release(
+    y, regime: Regime, branch: Branch, law: DiskConstants
+) -> Contact:
+    """Solve the balance laws at the first state of a motion.
+
+    A slide from rest has the first of its possible directions.
+    """
+    if branch.sliding and branch.can_grip and FLOAT_FORMULAS.scaled_slip_speed(y) == 0:
+        return _contact_sliding_along(
+            y, next(_slip_directions(y, regime, branch, law)), regime, branch, law
+        )
+    return FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
+
+
 def _contact_sliding_along(y, angle, regime, branch, law):
-    """Solve the balance laws for a contact that is about to slide along `angle` (2.7)."""
+    """Solve the balance laws for a contact that starts to slide along `angle` [rad]."""
     slip = (y[R] * y[V1], y[R] * y[V2])
     return FLOAT_FORMULAS.contact_along(
         y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
@@ -209,30 +247,39 @@ def _contact_sliding_along(y, angle, regime, branch, law):
 
 
 def _slip_directions(y, regime, branch, law):
-    """Yield the angles nu [rad] with udot(nu) x s = 0 and udot(nu) . s not negative.
+    """Yield slip directions nu [rad] that are parallel to their own slip acceleration.
 
-    The first is close to the direction in which static friction fails. If the caller rejects it,
-    all others on the circle follow, in descending order of acceleration."""
-    push = slip_push(y, branch, regime.senses, law)
+    The first is close to the direction in which static friction fails, if possible. All
+    directions follow in descending order of acceleration.
+    """
+    push = slip_acceleration(y, branch, regime.senses, law)
     if push.is_solvable:
-        held = FLOAT_FORMULAS.contact(y, branch._replace(sliding=False), regime.senses, law)
+        held = FLOAT_FORMULAS.contact(
+            y, branch._replace(sliding=False), regime.senses, law
+        )
         near = push.aligned_direction_near(math.atan2(-held.F2, -held.F1))
-        if near is not None and push.acceleration_along(near, near) > -CONSISTENCY_TOLERANCE:
+        if (
+            near is not None
+            and push.acceleration_along(near, near) > -CONSISTENCY_TOLERANCE
+        ):
             yield near
     speeds = sorted(
-        ((push.acceleration_along(nu, nu), nu) for nu in push.aligned_directions()), reverse=True
+        ((push.acceleration_along(nu, nu), nu) for nu in push.aligned_directions()),
+        reverse=True,
     )
     yield from (nu for speed, nu in speeds if speed > -CONSISTENCY_TOLERANCE)
 
 
-def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | None:
-    """Take the first step of a slide from rest, or return None if `regime` is inconsistent."""
+def _slide_from_rest(
+    y, regime, branch, law, at_zero, advance_grazing
+) -> Step | Arc | None:
+    """Take the first step of a slide from rest; return None if it is inconsistent."""
     for nu in _slip_directions(y, regime, branch, law):
         first = _contact_sliding_along(y, nu, regime, branch, law)
         if _is_consistent(y, first, regime, law, at_zero):
             push = math.hypot(first.du1, first.du2)
             if push < MAX_GRAZING_ACCELERATION * law.mu_dynamic * first.Phi:
-                step = graze(y, nu, regime)
+                step = advance_grazing(y, nu, regime)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, law)
             if step:
@@ -241,33 +288,38 @@ def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | Non
 
 
 def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
-    """Take one implicit trapezoidal step of length FIRST_STEP r; the unknown is the slip direction at
-    its end.
+    """Take one implicit trapezoidal step; the unknown is the slip direction at its end.
 
-    This is the direction of the mean slip acceleration. Raises StalledError if there is none within
-    1 rad."""
+    This direction is that of the mean slip acceleration. Raises StalledError if there
+    is none within 1 rad of nu.
+    """
     slope = FLOAT_FORMULAS.rates(y, first, branch, law)
     dt = _first_step_length(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
 
-    ahead_push = slip_push(ahead, branch, regime.senses, law)
-    direction = ahead_push.with_added_rate(complex(first.du1, first.du2)).aligned_direction_near(nu)
+    ahead_push = slip_acceleration(ahead, branch, regime.senses, law)
+    direction = ahead_push.with_added_rate(
+        complex(first.du1, first.du2)
+    ).aligned_direction_near(nu)
     if direction is None:
-        raise StalledError(f"{describe_state(y)}: the slide that starts here has no direction")
+        raise StalledError(
+            f"{describe_state(y)}: the slide that starts here has no direction"
+        )
     last = _contact_sliding_along(ahead, direction, regime, branch, law)
-    return _quadratic_step(regime, dt, y, slope, FLOAT_FORMULAS.rates(ahead, last, branch, law))
+    return _quadratic_step(
+        regime, dt, y, slope, FLOAT_FORMULAS.rates(ahead, last, branch, law)
+    )
 
 
 def _first_step_length(y, slope) -> float:
-    """Return the length of a step: FIRST_STEP r, or less if y changes faster at its rates `slope`."""
-    return FIRST_STEP / max(
+    """Return the step length, FIRST_SLIDE_STEP r, or less if y changes fast."""
+    return FIRST_SLIDE_STEP / max(
         1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True))
     )
 
 
 def _heun_step(y, first, regime, branch, law, length=None) -> Step:
-    """Take one step of Heun's method; a rotation that stops sticking starts at the zero of its
-    guard, without push."""
+    """Take one step of Heun's method, in which a rotation that unsticks leaves zero."""
     slope = FLOAT_FORMULAS.rates(y, first, branch, law)
     dt = length or _first_step_length(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
@@ -281,20 +333,26 @@ def _quadratic_step(regime, dt, y, slope, after) -> Step:
     return Step(
         regime,
         dt,
-        np.array([y, slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]]),
+        np.array(
+            [y, slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]]
+        ),
     )
 
 
 def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, bool]:
     """Return the last step of a slide, and True if it ends at rest.
 
-    The friction takes the intermediate direction that stops the slip exactly, so the balance laws
-    hold for the whole step; the error is of second order in the slip speed. If no acceleration
-    opposes the slip, the slide passes rest by a small step, and the second result is False."""
+    The direction of friction is chosen such that the slip vanishes at the end of the
+    step; the error is of second order in the slip speed. If no direction decelerates
+    the slip, a small step continues the slide, and the second result is False.
+    """
+    # length of the step beyond the guard, as a fraction of the time in which friction could
+    # stop the slip
+    guard_overshoot_fraction = 0.01
     branch = Branch.of(regime, law, loads)
     speed = math.hypot(y[V1], y[V2])
     along = math.atan2(y[V2], y[V1])
-    push = slip_push(y, branch, regime.senses, law).with_added_rate(
+    push = slip_acceleration(y, branch, regime.senses, law).with_added_rate(
         y[W1] / 2 * complex(y[V1], y[V2])
     )
     stopping = [
@@ -308,7 +366,9 @@ def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, b
             y, _contact_sliding_along(y, angle, regime, branch, law), branch, law
         )
         return Step(
-            regime, -speed * y[R] / push.acceleration_along(angle, along), np.array([y, slope])
+            regime,
+            -speed * y[R] / push.acceleration_along(angle, along),
+            np.array([y, slope]),
         ), True
     here = FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
     return _heun_step(
@@ -317,5 +377,5 @@ def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, b
         regime,
         branch,
         law,
-        GUARD_OVERSHOOT_FRACTION * speed * y[R] / (law.mu_dynamic * here.Phi),
+        guard_overshoot_fraction * speed * y[R] / (law.mu_dynamic * here.Phi),
     ), False

@@ -1,6 +1,7 @@
-"""The elastic modes of disks and tables: `eigenmodes(scene)`, `surface_modes(scene)`."""
+"""Compute the elastic modes of disks (`eigenmodes(scene)`) and of tables
+(`surface_modes(scene)`)."""
 
 from lazy_loader import attach_stub
 
-# imports what __init__.pyi lists, on first use
+# imports the names listed in __init__.pyi on first use
 __getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

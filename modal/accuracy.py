@@ -1,6 +1,7 @@
-"""Settings of the modal solvers for the accuracies draft, standard and reference.
+"""Define the settings of the modal solvers at the accuracies draft, standard and
+reference.
 
-`dynamics.solver_settings` contains the settings of motion and sound.
+`dynamics.solver_settings` defines those of motion and sound.
 """
 
 from dataclasses import replace
@@ -21,17 +22,17 @@ class AccuracyLevel(NamedTuple):
     """Settings of the modal solvers at one accuracy."""
 
     free_error: float
-    """Estimated relative error of the frequencies of a free disk; the true error is several times
-    smaller."""
+    """Largest estimated relative error of the frequencies of a free disk; the true
+    error is several times smaller."""
     patch_meshes: tuple[MeshSize, MeshSize]
-    """For a disk on a patch: the mesh of the modes, and the coarser mesh for their errors."""
+    """Mesh of a disk on a patch, and a coarser mesh for the error estimate."""
     low_patch_meshes: tuple[MeshSize, MeshSize]
-    """The same for a patch that is lower than the disk, which needs many more cells."""
-    richness: dict[str, Any]
-    """Fields in which the synthesis differs from the default `Richness`."""
+    """The same for a patch lower than the disk, which requires many more cells."""
+    basis_sizes: dict[str, Any]
+    """Fields of `BasisSizes` with values other than the default."""
     max_table_unknowns: int
-    """Largest number of unknowns in a symmetry class of a table with every cell divided into
-    eight."""
+    """Largest number of unknowns per symmetry class for which the cells of a table mesh
+    are divided into eight."""
 
 
 ACCURACY_LEVELS = {
@@ -39,21 +40,29 @@ ACCURACY_LEVELS = {
         free_error=1e-4,
         patch_meshes=(ROUGH_MESH, COARSE_MESH),
         low_patch_meshes=(replace(ROUGH_MESH, rings=1), replace(COARSE_MESH, rings=0)),
-        richness={"size": (9, 6), "around": 4, "through": 3},
+        basis_sizes={
+            "size": (9, 6),
+            "circumferential_tractions": 4,
+            "thickness_tractions": 3,
+        },
         max_table_unknowns=20_000,
     ),
     "standard": AccuracyLevel(
         free_error=3e-6,
         patch_meshes=(NARROW_MESH, WIDE_MESH),
         low_patch_meshes=(MIDDLE_MESH, replace(COARSE_MESH, lead_ratio=0.15)),
-        richness={},
+        basis_sizes={},
         max_table_unknowns=60_000,
     ),
     "reference": AccuracyLevel(
         free_error=1e-8,
         patch_meshes=(FINE_MESH, MIDDLE_MESH),
         low_patch_meshes=(FINE_MESH, MIDDLE_MESH),
-        richness={"size": (12, 8), "around": 9, "through": 6},
+        basis_sizes={
+            "size": (12, 8),
+            "circumferential_tractions": 9,
+            "thickness_tractions": 6,
+        },
         max_table_unknowns=250_000,
     ),
 }

@@ -1,4 +1,5 @@
-"""Limit BLAS to one thread: several threads do not accelerate operations on small matrices."""
+"""Limit BLAS to one thread, because more threads do not accelerate operations on small
+matrices."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -14,11 +15,10 @@ _limit_lock = Lock()
 
 
 def one_blas_thread(function: Callable[P, R]) -> Callable[P, R]:
-    """Decorate a function so that BLAS uses one thread while the function runs.
+    """Decorate a function so that BLAS uses a single thread while it runs.
 
-    The previous setting is restored afterwards. BLAS has one setting per process: if calls overlap,
-    the
-    first one sets and restores it.
+    The previous setting is restored afterwards. The setting applies to the whole
+    process; if calls overlap, the first one sets and restores it.
     """
 
     @wraps(function)

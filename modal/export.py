@@ -1,15 +1,17 @@
-"""Export of modes to file formats of other programs."""
+"""Export modes to file formats of other programs."""
 
 from math import degrees, pi
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from modal.modes import Modes
 
 
-def as_json(modes: Modes) -> dict:
-    """Return the content of modes.json: the method, and the properties and rim shape of each mode.
+def as_json(modes: Modes) -> dict[str, Any]:
+    """Return the content of modes.json: the method, and properties and rim shape of
+    each mode.
 
     Parameters
     ----------
@@ -19,8 +21,17 @@ def as_json(modes: Modes) -> dict:
     Returns
     -------
     dict
-        Values that `json.dumps` accepts. The rim shape is the radial, tangential and axial
-        displacement [kg^-1/2] of the bottom edge at the angles `rim_angle` [rad].
+        Values supported by `json.dumps`. The rim shape is the radial, tangential and
+        axial displacement [kg^-1/2] of the bottom edge at the angles `rim_angle` [rad].
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, plate_modes, as_json
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> modes = plate_modes(plate, 8e3, "draft")
+    >>> sorted(as_json(modes))
+    ['mass', 'method', 'modes', 'rim_angle', 'unknowns']
     """
     return {
         "method": modes.method,
@@ -31,8 +42,9 @@ def as_json(modes: Modes) -> dict:
     }
 
 
-def mode_entry(modes: Modes, i):
-    """Return the entry of mode i in modes.json; infinite times and quality factors become null."""
+def mode_entry(modes: Modes, i: int) -> dict[str, Any]:
+    """Return the entry of mode i in modes.json; infinite decay times and quality
+    factors are null."""
     finite = modes.decay_rate[i] > 0
     return {
         "frequency": float(modes.frequency[i]),
@@ -53,9 +65,8 @@ def mode_entry(modes: Modes, i):
 def write_vtu(modes: Modes, path: str | Path) -> None:
     """Write the mode shapes to a VTU file, for example for ParaView.
 
-    The file contains the mesh of the whole disk [m] and one array of displacement vectors [kg^-1/2]
-    per
-    mode. Quadratic cells remain quadratic.
+    The file contains the mesh of the whole disk [m] and one array of displacement
+    vectors [kg^-1/2] per mode. Quadratic cells remain quadratic.
 
     Parameters
     ----------
@@ -63,13 +74,26 @@ def write_vtu(modes: Modes, path: str | Path) -> None:
         The modes to export.
     path : str or Path
         File to write.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, plate_modes, write_vtu
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> modes = plate_modes(plate, 8e3, "draft")
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     write_vtu(modes, Path(folder) / "modes.vtu")
+    ...     [file.name for file in Path(folder).iterdir()]
+    ['modes.vtu']
     """
     import meshio
 
     body = modes.body
     names = [f"mode {i + 1:02d}: {f:.1f} Hz" for i, f in enumerate(modes.frequency)]
     fields = {
-        name: np.ascontiguousarray(u) for name, u in zip(names, body.displacement, strict=True)
+        name: np.ascontiguousarray(u)
+        for name, u in zip(names, body.displacement, strict=True)
     }
     mesh = meshio.Mesh(body.points, [(body.cell_type, body.cells)], point_data=fields)
     meshio.write(Path(path), mesh, file_format="vtu")
@@ -89,12 +113,21 @@ def write_uff(modes: Modes, path: str | Path) -> None:
     ------
     ModuleNotFoundError
         If the optional package pyuff is not installed.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, plate_modes, write_uff
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> modes = plate_modes(plate, 8e3, "draft")
+    >>> write_uff(modes, "modes.uff")  # doctest: +SKIP
     """
     try:
         import pyuff
     except ModuleNotFoundError:
         raise ModuleNotFoundError(
-            'uff needs pyuff: python -m pip install -e ".[uff]"', name="pyuff"
+            'the format uff requires pyuff; install it with: python -m pip install -e ".[uff]"',
+            name="pyuff",
         ) from None
     body = modes.body
     number = np.arange(1, len(modes.body.points) + 1)
@@ -113,11 +146,14 @@ def write_uff(modes: Modes, path: str | Path) -> None:
     }
     file.write_sets(nodes, mode="overwrite")
     for i, u in enumerate(body.displacement):
-        file.write_sets(dataset_55(modes, i, number, u), mode="add")
+        file.write_sets(uff_mode_dataset(modes, i, number, u), mode="add")
 
 
-def dataset_55(modes: Modes, i, number, u):
-    """Return dataset 55 of mode i: structural, normal mode, three real displacements per node."""
+def uff_mode_dataset(
+    modes: Modes, i: int, number: np.ndarray, u: np.ndarray
+) -> dict[str, Any]:
+    """Return dataset 55 of mode i: structural model, normal mode, three real
+    displacements per node."""
     damping = modes.decay_rate[i] / (2 * np.pi * modes.frequency[i])
     kind = {
         "type": 55,
@@ -136,28 +172,33 @@ def dataset_55(modes: Modes, i, number, u):
     }
     text = {
         f"id{k}": line
-        for k, line in enumerate(("modes", modes.method, modes.family[i], "SI", "NONE"), 1)
+        for k, line in enumerate(
+            ("modes", modes.method, modes.family[i], "SI", "NONE"), 1
+        )
     }
     return kind | place | size | text | {"r1": u[:, 0], "r2": u[:, 1], "r3": u[:, 2]}
 
 
 STRIKE_PEAK = 0.9
-"""Peak output of a Faust program after a unit strike, which is one sample of 1."""
-OPPOSITE = pi
-"""Angle [rad] of the rim opposite the contact, where the disk can move on every support."""
+"""Peak output of a Faust program after a unit strike, a single sample of value 1."""
+OPPOSITE_ANGLE = pi
+"""Angle [rad] of the rim point opposite the contact, where the disk can move with every
+support."""
 
 
-def as_faust(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
-    """Return a Faust program that sounds like a disk struck at one point of its bottom edge.
+def as_faust(modes: Modes, angle: float = OPPOSITE_ANGLE, name: str = "disk") -> str:
+    """Return a Faust program that simulates a disk struck at a point of its bottom
+    edge.
 
-    The program contains the function of `as_faust_library` and a slider for each of its arguments.
+    The program contains the function of `as_faust_library` and a slider for each of its
+    arguments.
 
     Parameters
     ----------
     modes : Modes
         The modes.
     angle : float
-        Angle [rad] at which the disk is struck and heard; by default opposite the patch.
+        Angle [rad] of the struck point (default: opposite the patch).
     name : str
         Name of the function.
 
@@ -169,29 +210,40 @@ def as_faust(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
     Raises
     ------
     ValueError
-        As in `as_faust_library`.
+        Under the conditions of `as_faust_library`.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, plate_modes, as_faust
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> modes = plate_modes(plate, 8e3, "draft")
+    >>> "process = bell(" in as_faust(modes, name="bell")
+    True
     """
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
 
 
-def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
-    """Return a Faust library with one function, name(gain, t60_scale, frequency_scale), from
-    strikes to velocity.
+def as_faust_library(
+    modes: Modes, angle: float = OPPOSITE_ANGLE, name: str = "disk"
+) -> str:
+    """Return a Faust library with one function that converts strikes to velocity.
 
-    The disk is struck along its axis at the bottom edge; the velocity is that of the struck point
-    along the axis. A sample of x is a strike by an impulse of x. Each mode then moves the point at
-    the velocity g exp(-d t) (cos v t - d/v sin v t), v^2 = w^2 - d^2, exactly. g is the share of
-    the mode in the first sample. The shares add up to STRIKE_PEAK, which no later sample exceeds.
-    The file states the corresponding velocity in m/s.
+    The function is name(gain, t60_scale, frequency_scale). The disk is struck at the
+    bottom edge along its axis, and the output is the axial velocity of the struck
+    point. A sample of value x represents an impulse x. The response of each mode is
+    exactly g exp(-d t) (cos v t - d/v sin v t) with v^2 = w^2 - d^2, where g is its
+    contribution to the first sample. The sum of the contributions is STRIKE_PEAK, which
+    no later sample exceeds. The file states the corresponding velocity in m/s.
 
     Parameters
     ----------
     modes : Modes
-        The modes. The function multiplies their frequencies v by frequency_scale and their decay
-        times 1/d by t60_scale; a mode above half the sample rate is silent.
+        The modes. The function multiplies their frequencies v by frequency_scale and
+        their decay times 1/d by t60_scale; modes above the Nyquist frequency are muted.
     angle : float
-        Angle [rad] at which the disk is struck and heard, from the middle of the patch; by default
-        the opposite rim.
+        Angle [rad] of the struck point from the middle of the patch (default: the
+        opposite point).
     name : str
         Name of the function.
 
@@ -203,10 +255,20 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
     Raises
     ------
     ValueError
-        If there is no mode, if a mode is overdamped (d >= w), or if the disk is held at this angle.
+        If there is no mode, if a mode is overdamped (d >= w), or if the disk is held at
+        this angle.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, plate_modes, as_faust_library
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> modes = plate_modes(plate, 8e3, "draft")
+    >>> as_faust_library(modes, name="bell").splitlines()[0]
+    'declare name "bell";'
     """
     if not len(modes):
-        raise ValueError("there is no mode to write")
+        raise ValueError("there are no modes to export")
     for i in np.flatnonzero(modes.decay_rate >= 2 * np.pi * modes.frequency):
         f = modes.frequency[i]
         d = modes.decay_rate[i]
@@ -214,7 +276,7 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
             f"mode {i + 1} of {f:.1f} Hz does not oscillate: its decay rate of {d:.4g} 1/s is too "
             f"large"
         )
-    share, velocity = strike_shares(modes, angle)
+    share, velocity = strike_velocity_shares(modes, angle)
     turn = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
     rows = zip(turn, modes.decay_rate, STRIKE_PEAK * share, strict=True)
     bank = ",\n    ".join(f"mode({w:.15g}, {d:.15g}, {g:.15g})" for w, d, g in rows)
@@ -228,13 +290,12 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
     )
 
 
-def strike_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
-    """Return the shares (m,) of the modes in the velocity of a struck point, and this velocity.
+def strike_velocity_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
+    """Return the fractions (m,) of the modes in the velocity of a struck point, and the
+    velocity [m/s].
 
-    The velocity [m/s] is that after an impulse of 1 N s. The point is on the bottom edge at an
-    angle
-    [rad]. The contribution of a mode of modal mass 1 with the axial displacement phi is phi^2.
-    Raises
+    The velocity is that after an impulse of 1 N s at an angle [rad] of the bottom edge.
+    A mode of unit modal mass with the axial displacement phi contributes phi^2. Raises
     ValueError if the disk is held at this point.
     """
     if not np.isfinite(angle):
@@ -247,7 +308,7 @@ def strike_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
             f"move"
         )
     share = mobility / mobility.sum()
-    share[share < np.finfo(float).eps] = 0.0  # round-off moves the nodes of a mode
+    share[share < np.finfo(float).eps] = 0.0  # remove round-off at nodes of a mode
     return share, float(mobility.sum())
 
 
@@ -256,10 +317,12 @@ declare strike "axially at the bottom edge, {strike:.6g} degrees from the contac
 declare peak "{peak:g} after a unit strike, which is one sample of 1";
 declare scale "1.0 = {velocity:.6g} m/s after a strike of 1 N s";
 import("stdfaust.lib");
-// A disk of {count} modes, struck and heard axially at its bottom edge, {strike:.6g} degrees from the contact.
-// In: strikes, one sample each. Out: velocity of the struck point. A unit strike, one sample of 1, has the peak
-// {peak:g}, its first sample: where 1 stands for 1 N s, 1.0 stands for {velocity:.6g} m/s.
-// Of each mode: angular rate [rad/s], decay rate [1/s], gain, which is its part of that first sample.
+// A disk with {count} modes is struck axially at its bottom edge,
+// {strike:.6g} degrees from the contact. A strike is one input sample; the output is
+// the axial velocity of the struck point. After a unit strike, a sample of 1, the
+// first output sample is the peak {peak:g}. If an input of 1 represents an impulse
+// of 1 N s, an output of 1.0 represents {velocity:.6g} m/s. The arguments of each
+// mode are angular frequency [rad/s], decay rate [1/s], and share of that sample.
 {name}(gain, t60_scale, frequency_scale) = _ <:
     {bank}
     :> *(gain)

@@ -1,15 +1,18 @@
-"""MATERIAL NAME -> elastic constants, loss factor and density, with their sources."""
+"""List elastic constants, loss factors and densities of materials by name, with their
+sources."""
 
 from typing import Literal, NamedTuple
 
-MaterialName = Literal["aluminium", "brass", "bronze", "ceramic", "glass", "steel", "wood"]
+MaterialName = Literal[
+    "aluminium", "brass", "bronze", "ceramic", "glass", "steel", "wood"
+]
 
 
 class NamedMaterial(NamedTuple):
     """Typical values of a material at room temperature, with their sources.
 
-    The loss factor is that of the material itself; it varies between samples by a factor of three
-    or more.
+    The loss factor is that of the material alone; it varies by a factor of three or
+    more between samples.
     """
 
     young: float
@@ -21,7 +24,7 @@ class NamedMaterial(NamedTuple):
     density: float
     """Density [kg/m^3]."""
     source: str
-    """Kind of the material, and where the values are from."""
+    """Type of the material, and source of the values."""
 
 
 CREMER_HECKL = "Cremer and Heckl, Structure-Borne Sound (1988)"
@@ -40,16 +43,16 @@ MATERIALS: dict[str, NamedMaterial] = {
         poisson=0.34,
         loss_factor=5e-4,
         density=8530.0,
-        source="cartridge brass, C26000: Copper Development Association, which gives the shear "
-        f"modulus 41 GPa; loss factor, below 1e-3: {CREMER_HECKL}",
+        source="cartridge brass, C26000: Copper Development Association, which states a shear "
+        f"modulus of 41 GPa; loss factor below 1e-3: {CREMER_HECKL}",
     ),
     "bronze": NamedMaterial(
         young=110e9,
         poisson=0.34,
         loss_factor=5e-4,
         density=8860.0,
-        source="phosphor bronze, C51000: Copper Development Association, which gives the shear "
-        "modulus 41 GPa; loss factor: assumed, as of brass",
+        source="phosphor bronze, C51000: Copper Development Association, which states a shear "
+        "modulus of 41 GPa; loss factor: assumed, as for brass",
     ),
     "ceramic": NamedMaterial(
         young=416e9,
@@ -78,8 +81,8 @@ MATERIALS: dict[str, NamedMaterial] = {
         poisson=0.3,
         loss_factor=0.01,
         density=720.0,
-        source="American beech along the grain at 12 % moisture, taken as the same in every "
+        source="American beech along the grain at 12 % moisture, assumed equal in every "
         "direction: Wood Handbook (FPL-GTR-190, 2010); Poisson's ratio and loss factor: assumed",
     ),
 }
-"""Materials that a scene may name, in alphabetical order."""
+"""Materials available in scenes by name, in alphabetical order."""

@@ -1,9 +1,9 @@
-"""Modes of a disk on a patch: shapes by finite elements, frequencies and their errors by synthesis
-where it applies.
+"""Compute the modes of a disk on a patch by finite elements and modal synthesis.
 
-Synthesis is about ten times as accurate and estimates its own error; finite elements provide the
-mesh and the shapes, and treat every patch. The two share neither mesh nor boundary condition and
-must find the same modes; otherwise the result is that of the finite elements alone.
+Synthesis is about ten times as accurate and provides frequencies with error estimates,
+where applicable. Finite elements provide the mesh and the shapes for any patch. The
+methods use different meshes and boundary conditions; if they do not find the same
+modes, the result is that of the finite elements alone.
 """
 
 from dataclasses import replace
@@ -15,39 +15,55 @@ from modal.accuracy import ACCURACY_LEVELS
 from modal.elements import patch as elements
 from modal.elements import sample
 from modal.elements.elastic import lame_constants
-from modal.elements.unfold import displacement_on_faces, face_interpolation_pair, whole_disk_modes
+from modal.elements.patch import SolvedSymmetryClass
+from modal.elements.unfold import (
+    displacement_on_faces,
+    face_interpolation_pair,
+    whole_disk_modes,
+)
 from modal.mesh.sector import patch_height
-from modal.modes import Modes
-from modal.progress import portion
+from modal.modes import Modes, Support
+from modal.progress import progress_range
+from modal.spectral.basis import Plate
 from modal.spectral.p_refinement import first_basis_size
+from modal.synthesis.clamped import HeldSymmetryClass
 from modal.synthesis.free_disk import FreeDisk
-from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, MAX_HALF_ANGLE_DEG
+from modal.synthesis.tractions import (
+    DEFAULT_BASIS_SIZES,
+    MAX_HALF_ANGLE_DEG,
+    BasisSizes,
+)
 
 FREE_MODE_FREQUENCY_RATIO = 2.0
-"""Free modes are kept up to this multiple of the highest frequency wanted."""
+"""Ratio of the highest frequency of the free modes used to that of the requested
+modes."""
 
 
-def synthesis_richness(accuracy):
-    """Return the smallest `Richness` of the synthesis at an accuracy."""
-    return replace(DEFAULT_BASIS_SIZES, **ACCURACY_LEVELS[accuracy].richness)
+def synthesis_basis_sizes(accuracy: str) -> BasisSizes:
+    """Return the minimum `BasisSizes` of the synthesis at an accuracy."""
+    return replace(DEFAULT_BASIS_SIZES, **ACCURACY_LEVELS[accuracy].basis_sizes)
 
 
-def held_modes(plate, support, below, accuracy) -> Modes:
-    """Return the `Modes` below `below` [Hz] of a solid disk on a patch, see `eigenmodes`."""
-    with portion(0.0, 0.4):
+def held_modes(plate: Plate, support: Support, below: float, accuracy: str) -> Modes:
+    """Return the `Modes` of a solid disk on a patch below a frequency [Hz], see
+    `eigenmodes`."""
+    with progress_range(0.0, 0.4):
         known = synthesised_classes(plate, support, below, accuracy)
-    with portion(0.4, 1.0):
-        combined = known and combined_modes(plate, support, below, accuracy, known)
+    with progress_range(0.4, 1.0):
+        combined = known and modes_with_synthesised_frequencies(
+            plate, support, below, accuracy, known
+        )
     return combined or elements.held_modes(plate, support, below, accuracy)
 
 
-def synthesised_classes(plate, support, below, accuracy, max_cutoff=4.0):
-    """Return the `HeldClass` of every symmetry class; None if synthesis does not treat the patch or
-    the frequencies.
+def synthesised_classes(
+    plate: Plate, support: Support, below: float, accuracy: str, max_cutoff: float = 4.0
+) -> list[HeldSymmetryClass] | None:
+    """Return each `HeldSymmetryClass`, or None if synthesis is not applicable.
 
-    `max_cutoff` is the largest `Richness.cutoff`.
+    `max_cutoff` is the largest `BasisSizes.cutoff`.
     """
-    least = synthesis_richness(accuracy)
+    least = synthesis_basis_sizes(accuracy)
     shear_speed = (lame_constants(plate.material)[1] / plate.density) ** 0.5
     waves = below * plate.radius / shear_speed
     is_low = patch_height(plate.thickness, support) < plate.thickness
@@ -62,24 +78,37 @@ def synthesised_classes(plate, support, below, accuracy, max_cutoff=4.0):
         cutoff=max(least.cutoff, FREE_MODE_FREQUENCY_RATIO * waves),
     )
     full_height = replace(support, height=None)
-    return FreeDisk(plate=plate, richness=richness).held(full_height, below, sample.rim_angles())
+    return FreeDisk(plate=plate, richness=richness).held(
+        full_height, below, sample.rim_angles()
+    )
 
 
-def combined_modes(plate, support, below, accuracy, known):
-    """Return the `Modes` of the mesh with the frequencies of the synthesis; None if the two differ
-    in their modes."""
+def modes_with_synthesised_frequencies(
+    plate: Plate,
+    support: Support,
+    below: float,
+    accuracy: str,
+    known: list[HeldSymmetryClass],
+) -> Modes | None:
+    """Return the finite-element `Modes` with the frequencies of the synthesis, or
+    None if the modes differ."""
     size = elements.resolving_mesh_size(
         elements.mesh_sizes(accuracy, plate, support)[0],
         plate,
         below,
     )
     selections = [{"below": np.inf, "exact_count": len(k.frequency) + 1} for k in known]
-    part, solid, solved = elements.solve_classes(plate, support, size, selections)
+    part, solid, solved = elements.solve_symmetry_classes(
+        plate, support, size, selections
+    )
     points, _ = sample.sample_points(plate.radius)
     rim = face_interpolation_pair(solid, part, points), points
     top_rims = [displacement_on_faces(*rim, part.quarter, c)[:, 1] for c in solved]
     limit = (2 * np.pi * below) ** 2
-    matched = [match_class(*three, limit) for three in zip(solved, known, top_rims, strict=True)]
+    matched = [
+        match_modes_of_class(*three, limit)
+        for three in zip(solved, known, top_rims, strict=True)
+    ]
     if None in matched:
         return None
     error = np.concatenate([k.error for k in known])
@@ -87,18 +116,28 @@ def combined_modes(plate, support, below, accuracy, known):
     return replace(modes, method="finite elements, their frequencies by synthesis")
 
 
-def match_class(element_class, known, top_rim, limit, max_excess=0.04, min_similarity=0.9):
-    """Return the element class with the frequencies of the synthesis, each on its shape; None
-    without a match.
+def match_modes_of_class(
+    element_class: SolvedSymmetryClass,
+    known: HeldSymmetryClass,
+    top_rim: np.ndarray,
+    limit: float,
+    max_excess: float = 0.04,
+    min_similarity: float = 0.9,
+) -> SolvedSymmetryClass | None:
+    """Return the element class with frequencies of the synthesis, or None if they do
+    not match.
 
-    top_rim (k, n, 3) is the displacement of the top edge in the element modes. A shape belongs to a
-    frequency if its own frequency is higher by at most `max_excess` (relative) and the squared
-    correlation of the two motions of the rim is at least `min_similarity`. There is no match if a
-    frequency has no shape, or if an element eigenvalue below `limit` [1/s^2] has no frequency.
+    `top_rim` (k, n, 3) is the displacement of the top edge in the element modes. An
+    element mode matches a mode of the synthesis if its frequency is higher by at most
+    the fraction `max_excess` and the squared correlation of the rim motions is at least
+    `min_similarity`. Every mode of the synthesis and every element eigenvalue below
+    `limit` [1/s^2] must have a match.
     """
     values = element_class.values
     rim = sample.polar_components(top_rim, sample.rim_angles())
-    element_rims, known_rims = (unit_rows(shape, rim[0].size) for shape in (rim, known.rim))
+    element_rims, known_rims = (
+        unit_rows(shape, rim[0].size) for shape in (rim, known.rim)
+    )
     similarity = (known_rims @ element_rims.T) ** 2
     mode, shape = linear_sum_assignment(-similarity)
     excess = np.sqrt(values[shape]) / (2 * np.pi * known.frequency) - 1
@@ -116,6 +155,8 @@ def match_class(element_class, known, top_rim, limit, max_excess=0.04, min_simil
     )
 
 
-def unit_rows(shapes, size):
-    """Return shapes (k, n, 3) as rows (k, size) of length 1."""
-    return shapes.reshape(len(shapes), size) / np.linalg.norm(shapes, axis=(1, 2))[:, None]
+def unit_rows(shapes: np.ndarray, size: int) -> np.ndarray:
+    """Return shapes (k, n, 3) as rows (k, size) of unit length."""
+    return (
+        shapes.reshape(len(shapes), size) / np.linalg.norm(shapes, axis=(1, 2))[:, None]
+    )

@@ -1,4 +1,5 @@
-"""MODES -> FIGURE: frequency over order, and decay time over frequency."""
+"""Plot the frequencies of modes against order and their decay times against
+frequency."""
 
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,7 @@ if TYPE_CHECKING:
     from modal.modes import Modes
 
 MARKERS = {"flexural": "o", "extensional": "s", "torsional": "^"}
-"""Family of modes -> marker."""
+"""Marker of each family of modes."""
 
 
 def plot_modes(modes: "Modes") -> "Figure":

@@ -1,4 +1,4 @@
-"""Progress reports of a computation of modes."""
+"""Report the progress of a computation of modes."""
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -7,13 +7,15 @@ from typing import TypeVar
 
 T = TypeVar("T")
 
-_watch: ContextVar[Callable[[float], None]] = ContextVar("watch", default=lambda share: None)
+_watch: ContextVar[Callable[[float], None]] = ContextVar(
+    "watch", default=lambda share: None
+)
 
 
 @contextmanager
-def watched(watch: Callable[[float], None]) -> Iterator[None]:
-    """Call `watch(share)` with the finished share at every step of modes that this thread solves in
-    the block."""
+def progress_reported_to(watch: Callable[[float], None]) -> Iterator[None]:
+    """Call `watch(fraction)` with the completed fraction of the modes computed by this
+    thread in the block."""
     before = _watch.set(watch)
     try:
         yield
@@ -22,21 +24,23 @@ def watched(watch: Callable[[float], None]) -> Iterator[None]:
 
 
 @contextmanager
-def portion(begin: float, end: float) -> Iterator[None]:
-    """Report the progress of the block as the shares `begin` to `end` of the whole work."""
+def progress_range(begin: float, end: float) -> Iterator[None]:
+    """Report the progress of the block as fractions from `begin` to `end` of the whole
+    work."""
     outer = _watch.get()
-    with watched(lambda share: outer(begin + (end - begin) * share)):
+    with progress_reported_to(lambda share: outer(begin + (end - begin) * share)):
         yield
     outer(end)
 
 
-def report(share: float) -> None:
-    """Report the finished share of the work."""
+def report_progress(share: float) -> None:
+    """Report the completed fraction of the work."""
     _watch.get()(share)
 
 
-def reporting(items: Iterable[T], count: int) -> Iterator[T]:
-    """Yield items, and report each of `count` as finished when the next one is requested."""
+def report_each(items: Iterable[T], count: int) -> Iterator[T]:
+    """Yield `count` items, and report each one as finished when the next one is
+    requested."""
     for done, item in enumerate(items, 1):
         yield item
-        report(min(done / count, 1.0))
+        report_progress(min(done / count, 1.0))

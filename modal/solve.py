@@ -1,33 +1,35 @@
-"""Elastic modes of a disk: `eigenmodes(scene)`, by the method that suits its support."""
+"""Compute the elastic modes of a disk by the method appropriate to its support."""
 
 from math import pi, radians
 from typing import Any, Protocol
 
 from modal import patch, spring_supported
 from modal.blas_threads import one_blas_thread
-from modal.elements.elastic import mode_count
+from modal.elements.elastic import estimated_mode_count
 from modal.mesh.sector import patch_edge
-from modal.mesh.symmetry import check_held
+from modal.mesh.symmetry import check_no_rigid_motion
 from modal.modes import Material, Modes, Support, UnsolvableError
 from modal.spectral import axisymmetric
 from modal.spectral.basis import Plate
 
 DEFAULT_HIGHEST_FREQUENCY = 24000.0  # Hz
-"""Modes at or above this frequency are left out by default."""
+"""Default exclusive upper limit of the frequencies of modes."""
 MAX_MODE_COUNT = 600
-"""Largest number of modes; more modes would take minutes to solve and hours to render."""
+"""Largest number of modes; more would take minutes to compute and hours to render."""
 
 
-def density(disk: Any) -> float:
+def disk_density(disk: Any) -> float:
     """Return the density [kg/m^3] of a disk from its mass and volume.
 
     Raises ValueError for a shell without a wall.
     """
-    return disk.mass / (pi * (disk.radius**2 - inner_radius(disk) ** 2) * disk.thickness)
+    return disk.mass / (
+        pi * (disk.radius**2 - inner_radius(disk) ** 2) * disk.thickness
+    )
 
 
 def inner_radius(disk: Any) -> float:
-    """Return the radius [m] of the hole of a disk; 0 for a solid disk.
+    """Return the radius [m] of the hole of a disk, or 0 for a solid disk.
 
     Raises ValueError for a shell without a wall.
     """
@@ -35,18 +37,18 @@ def inner_radius(disk: Any) -> float:
         return 0.0
     if not disk.wall:
         raise ValueError(
-            f"disk.shape = {disk.shape!r}: elastic modes need disk.wall, "
+            f"disk.shape = {disk.shape!r}: elastic modes require disk.wall, "
             "the radial thickness of its wall, or disk.shape = 'solid'"
         )
     return disk.radius - disk.wall
 
 
-def check_solvable(disk: Any, support: Support, max_aspect: float = 50):
-    """Raise ValueError unless the solvers can treat the disk on this support.
+def check_solvable(disk: Any, support: Support, max_aspect: float = 50) -> None:
+    """Raise ValueError if the solvers are not applicable to the disk on this support.
 
-    Reasons: a shell without a wall; a thickness above `max_aspect` times the radius, where the disk
-    is a rod; a shell that is not free; a patch taller than the disk; held components that leave a
-    rigid-body motion free.
+    Reasons are a shell without a wall, a rod thicker than `max_aspect` times its
+    radius, a shell with any other support than "free", a patch taller than the disk,
+    and held components that do not prevent all rigid-body motions.
     """
     inner_radius(disk)
     if disk.thickness > max_aspect * disk.radius:
@@ -55,8 +57,8 @@ def check_solvable(disk: Any, support: Support, max_aspect: float = 50):
         )
     if support.kind != "free" and disk.shape != "solid":
         raise ValueError(
-            f"support.kind = {support.kind!r}: a disk of disk.shape = {disk.shape!r} must be "
-            f"'free'",
+            f"support.kind = {support.kind!r}: must be 'free' for disk.shape = "
+            f"{disk.shape!r}",
         )
     if support.kind == "patch" and (support.height or 0) > disk.thickness:
         raise ValueError(
@@ -64,15 +66,17 @@ def check_solvable(disk: Any, support: Support, max_aspect: float = 50):
             f"{disk.thickness:g}",
         )
     if support.kind == "patch":
-        check_held(patch_edge(disk.radius, disk.thickness, support), support.held)
+        check_no_rigid_motion(
+            patch_edge(disk.radius, disk.thickness, support), support.held
+        )
 
 
 class ElasticScene(Protocol):
-    """The sections of a scene that `eigenmodes` reads.
+    """Protocol of the sections of a scene read by `eigenmodes`.
 
-    `disk` has radius, thickness [m], mass [kg], shape and, for a shell, wall [m]; `numerics` has
-    accuracy, which is "draft", "standard" or "reference". A disk on its contact also needs the
-    sections `contact` and `release`.
+    `disk` has radius, thickness [m], mass [kg], shape and, for a shell, wall [m];
+    `numerics` has accuracy, which is "draft", "standard" or "reference". For a disk on
+    its contact the sections `contact` and `release` are required, too.
     """
 
     @property
@@ -96,26 +100,27 @@ def eigenmodes(
     Parameters
     ----------
     scene : ElasticScene
-        Its sections disk, material, support and numerics are read.
+        Scene with the sections disk, material, support and numerics.
     below : float, optional
-        Highest frequency [Hz], excluded.
+        Exclusive upper limit of the frequencies [Hz].
     support : Support, optional
-        Replaces the support of the scene. ``Support(kind="free")`` gives the modes of the free
-        disk, which a contact moving along its rim excites.
+        Support that replaces that of the scene. A contact moving along the rim excites
+        the modes of the free disk, ``Support(kind="free")``.
 
     Returns
     -------
     Modes
-        In ascending order of frequency, without rigid-body modes.
+        Elastic modes in ascending order of frequency.
 
     Raises
     ------
     ValueError
-        If the patch is taller than the disk or leaves a rigid-body motion free, if a shell has no
-        wall or is not free, or if `below` is not positive.
+        If the patch is taller than the disk or does not prevent all rigid-body motions,
+        if a shell has no wall or a support other than "free", or if `below` is not
+        positive.
     UnsolvableError
-        If there are more than about 600 modes, if round-off exceeds the modes on a small patch, or
-        if the disk has no elastic contact to support it.
+        If there are more than about 600 modes, if round-off exceeds the lowest modes on
+        a small patch, or if the contact that supports the disk is not elastic.
 
     Examples
     --------
@@ -130,21 +135,23 @@ def eigenmodes(
     check_solvable(scene.disk, support)
     plate = free_plate(scene)
     highest = below * (
-        spring_supported.FREE_MODE_FREQUENCY_RATIO if support.kind == "contact" else 1.0
+        patch.FREE_MODE_FREQUENCY_RATIO if support.kind == "contact" else 1.0
     )
-    count = mode_count(plate, highest)
+    count = estimated_mode_count(plate, highest)
     if count > MAX_MODE_COUNT:
         raise UnsolvableError(
-            f"disk, material: so soft or so large a disk has some {count:.0f} modes or more "
-            f"below {highest:g} Hz; no more than {MAX_MODE_COUNT} can be computed: "
-            "make it stiffer or smaller, or lower audio.sample_rate"
+            f"disk, material: such a soft or large disk has at least about {count:.0f} modes "
+            f"below {highest:g} Hz, but at most {MAX_MODE_COUNT} can be computed; "
+            "make it stiffer or smaller, or reduce audio.sample_rate"
         )
     accuracy = scene.numerics.accuracy
     if support.kind == "free":
         return axisymmetric.plate_modes(plate, below, accuracy)
     if support.kind == "contact":
         inclination, springs = contact_springs(scene, support)
-        return spring_supported.contact_modes(plate, springs, inclination, below, accuracy)
+        return spring_supported.contact_modes(
+            plate, springs, inclination, below, accuracy
+        )
     return patch.held_modes(plate, support, below, accuracy)
 
 
@@ -156,12 +163,13 @@ def free_plate(scene: ElasticScene) -> Plate:
         thickness=disk.thickness,
         inner_radius=inner_radius(disk),
         material=scene.material,
-        density=density(disk),
+        density=disk_density(disk),
     )
 
 
 def contact_springs(scene: Any, support: Support) -> tuple[float, Any]:
-    """Return the inclination [rad] of a disk on its contact, and the springs of the contact.
+    """Return the inclination [rad] of a disk on its contact and the springs of the
+    contact.
 
     Raises UnsolvableError if the contact has no springs.
     """

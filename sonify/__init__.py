@@ -1,6 +1,7 @@
-"""Euler's disk, heard: SCENE -> MOTION -> FORCE -> MODES -> SOUND -> FINDINGS."""
+"""Physical simulation of Euler's disk: motion, contact force, modes and sound of a
+scene."""
 
 from lazy_loader import attach_stub
 
-__version__ = "0.1.0"
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)  # of __init__.pyi, on first use
+__version__ = "0.2.0.dev0"
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)  # imported on first use

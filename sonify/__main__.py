@@ -1,5 +1,6 @@
 """The command line: python -m sonify."""
 
+import atexit
 import errno
 import os
 import re
@@ -15,7 +16,9 @@ from sonify import __version__
 from sonify.chart_command import CHART_NAMES, load_chart_files
 from sonify.runtime.signals import AbortedError, orderly_exit
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for small matrices more threads are slower
+os.environ.setdefault(
+    "OPENBLAS_NUM_THREADS", "1"
+)  # for small matrices more threads are slower
 
 DISK_FULL_ERRORS = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 ACCESS_ERRORS = {
@@ -33,22 +36,26 @@ EXPORT_FORMS: dict[str, tuple[str, ...]] = {
     "motion": ("gltf", "parquet", "csv"),
     "sound": (),
 }
-"""What can be exported -> its file formats."""
+"""File formats of each kind of export."""
 EXPORT_OPTIONS = {
     "modes": ("--strike",),
     "motion": ("--rate",),
     "sound": ("--rate", "--takes", "--seed"),
 }
-"""What can be exported -> options that apply to it alone."""
+"""Options that are valid for each kind of export."""
 ACCURACY_LEVELS = ("draft", "standard", "reference")
 
 
 class FullSummaryGroup(click.Group):
-    """Command group that lists every command with its full summary, wrapped to the terminal."""
+    """Command group that lists every command with its full summary, wrapped to the
+    terminal."""
 
     def format_commands(self, context, formatter):
         """Write the commands with their full summaries."""
-        commands = {name: self.get_command(context, name) for name in self.list_commands(context)}
+        commands = {
+            name: self.get_command(context, name)
+            for name in self.list_commands(context)
+        }
         summaries = [
             (name, " ".join(command.help.split("\n\n")[0].split()))
             for name, command in commands.items()
@@ -66,7 +73,8 @@ class OneLineErrorGroup(FullSummaryGroup):
     def main(self, *arguments, **options):
         """Run the command line.
 
-        A reader that exits early, such as `head`, changes neither the files nor the exit status.
+        If a process that reads the output, such as `head`, exits early, the files and
+        the exit status remain the same.
         """
         with orderly_exit():
             return super().main(*arguments, **options)
@@ -74,8 +82,8 @@ class OneLineErrorGroup(FullSummaryGroup):
     def invoke(self, context):
         """Run the command and convert expected errors to an exit status.
 
-        1: full disk, or an aborted computation; 2: invalid input or output; 128 + n: signal n.
-        """
+        The status is 1 for a full disk or an aborted computation, 2 for invalid input
+        or output, and 128 + n for signal n."""
         from sonify.runtime.files import OutputError
         from sonify.scene_errors import InputError
 
@@ -92,14 +100,17 @@ class OneLineErrorGroup(FullSummaryGroup):
         except OSError as error:
             if error.errno not in DISK_FULL_ERRORS | ACCESS_ERRORS:
                 raise
-            where = error.filename or f"the output, or a temporary file in {gettempdir()}"
+            where = (
+                error.filename or f"the output, or a temporary file in {gettempdir()}"
+            )
             _exit_with_message(
-                f"{where}: {error.strerror}", 1 if error.errno in DISK_FULL_ERRORS else 2
+                f"{where}: {error.strerror}",
+                1 if error.errno in DISK_FULL_ERRORS else 2,
             )
 
 
 class AssignmentCommand(click.Command):
-    """Command that accepts several assignments after one --set, as in `--set a=1 b=2`."""
+    """Command that accepts several assignments after one --set: `--set a=1 b=2`."""
 
     def parse_args(self, context, arguments):
         """Parse the arguments after inserting --set before each further assignment."""
@@ -107,7 +118,8 @@ class AssignmentCommand(click.Command):
 
 
 def _repeat_set_option(arguments):
-    """Yield the arguments, with --set before each assignment that follows another assignment."""
+    """Yield the arguments, with --set before each assignment that follows another
+    assignment."""
     role = "other"
     for argument in arguments:
         if role == "option":
@@ -124,10 +136,10 @@ def _repeat_set_option(arguments):
 
 
 class NonEmptyText(click.ParamType):
-    """Parameter type for text that must not be empty.
+    """Parameter type for nonempty text.
 
-    An empty value, e.g. from an unset shell variable, does not select the default.
-    """
+    An empty value, e.g. from an unset shell variable, is an error and does not select
+    the default."""
 
     def __init__(self, name):
         self.name = name
@@ -145,10 +157,18 @@ PATH = NonEmptyText("path")
 TEXT = NonEmptyText("text")
 SECONDS = click.FloatRange(min=0.0)
 FROM_OPTION = click.option(
-    "--from", "begin", type=SECONDS, default=0.0, help="Analyse the sound from this time on [s]."
+    "--from",
+    "begin",
+    type=SECONDS,
+    default=0.0,
+    help="Start of the analysed part of the sound [s].",
 )
 TO_OPTION = click.option(
-    "--to", "end", type=SECONDS, default=inf, help="Analyse the sound up to this time [s]."
+    "--to",
+    "end",
+    type=SECONDS,
+    default=inf,
+    help="End of the analysed part of the sound [s].",
 )
 
 
@@ -157,17 +177,21 @@ def _exit_with_message(message, status):
     sys.exit(status)
 
 
-@click.group(cls=OneLineErrorGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(
+    cls=OneLineErrorGroup, context_settings={"help_option_names": ["-h", "--help"]}
+)
 @click.version_option(__version__, message="%(version)s")
 def main():
-    """Euler's disk, heard: from a scene to its sound."""
+    """Compute the motion and the sound of Euler's disk from a scene."""
 
 
 @main.command(cls=AssignmentCommand)
 @click.argument("scene", default="published", type=TEXT)
 @click.option("--out", type=PATH, help="Output folder; default outputs/<scene name>.")
 @click.option(
-    "--accuracy", type=click.Choice(ACCURACY_LEVELS), help="Accuracy level; overrides the scene."
+    "--accuracy",
+    type=click.Choice(ACCURACY_LEVELS),
+    help="Accuracy level; overrides the scene.",
 )
 @click.option(
     "--set",
@@ -188,7 +212,13 @@ def main():
     show_default=True,
     help="Dynamics of audible.wav: compressed at -18 LUFS, or natural at -23 LUFS.",
 )
-def run(scene, out, accuracy, assignments, animation, dynamics):
+@click.option(
+    "--ensemble",
+    type=click.IntRange(2, 10_000),
+    metavar="N",
+    help="Also repeat the chaotic final part of the motion N times from perturbed states.",
+)
+def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
     """Simulate SCENE and write its sound, pictures and report.
 
     SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run.
@@ -196,7 +226,9 @@ def run(scene, out, accuracy, assignments, animation, dynamics):
     from sonify.scene import load_scene
 
     if ASSIGNMENT.match(scene) and not os.path.exists(scene):
-        raise click.UsageError(f"scene = {scene!r}: no scene; write --set {scene}")
+        raise click.UsageError(
+            f"scene = {scene!r}: not a scene; did you mean --set {scene}?"
+        )
     scene = load_scene(scene).replace(*assignments)
     if animation:
         from sonify.report.animation import animate, require_encoder
@@ -211,13 +243,19 @@ def run(scene, out, accuracy, assignments, animation, dynamics):
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)
-    from sonify.claims.surface_summary import ANSWERS, answers_in_short
+        if ensemble:
+            from sonify.report.write import write_ensemble
+
+            with stages.stage("ensemble") as watch:
+                repeated = write_ensemble(result, ensemble, watch)
+    from sonify.claims.surface_summary import complete_answers
 
     for name in ("sound.wav", "spectrogram.png", "report.html"):
         click.echo(str(result.out / name))
-    answers = answers_in_short(result.findings)
-    for question in ANSWERS:
-        click.echo(f"{question}: {answers.get(question, 'not evaluated in this run')}")
+    for question, answer in complete_answers(result.findings).items():
+        click.echo(f"{question}: {answer}")
+    for line in repeated.lines() if ensemble else []:
+        click.echo(line)
     sys.exit(0 if result.passed else 1)
 
 
@@ -236,7 +274,7 @@ def run(scene, out, accuracy, assignments, animation, dynamics):
 @FROM_OPTION
 @TO_OPTION
 def listen(recording, out, scene, begin, end):
-    """Detect disks and coins that come to rest, and spectral lines, in the sound file RECORDING."""
+    """Detect settling disks or coins and spectral lines in the sound file RECORDING."""
     from sonify.report.recording import write_recording_report
 
     def warn(line):
@@ -251,44 +289,55 @@ def listen(recording, out, scene, begin, end):
 @click.option(
     "--scene",
     type=TEXT,
-    default="toy",
-    show_default=True,
-    help="Scene that provides radius, thickness and air (a name or a file).",
+    help="Scene that provides radius, thickness and air (a name or a file; default toy). The sound "
+    "of a given scene is simulated and compared with the recordings.",
 )
 @click.option(
-    "--out", type=PATH, help="Output folder; default outputs/fit/<name of the first file>."
+    "--out",
+    type=PATH,
+    help="Output folder; default outputs/fit/<name of the first file>.",
 )
 @click.option(
     "--like",
     type=click.Choice(["fu-berlin"]),
-    help="Also compute the exponents as in a published analysis.",
+    help="Also compute the exponents by the method of a published analysis.",
 )
 @FROM_OPTION
 @TO_OPTION
 def fit(recordings, scene, out, like, begin, end):
-    """Estimate what slowed the disk in RECORDINGS.
+    """Estimate the causes that slowed the disk in RECORDINGS.
 
-    RECORDINGS are sound files, phyphox exports, or folders of takes.
+    RECORDINGS are sound files, phyphox exports, or folders of recordings.
     """
     from sonify.console import Console
 
     with Console() as stages:
-        from sonify.fitting.report import sentences, write_fits
+        from sonify.fitting.comparison import simulated_numbers
+        from sonify.fitting.report import comparison_sentences, sentences, write_fits
         from sonify.fitting.result import fit
 
         with stages.stage("recordings") as watch:
-            fits = fit(recordings, scene, like, watch, (begin, end))
+            fits = fit(recordings, scene or "toy", like, watch, (begin, end))
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")
         for line in sentences(fits):
             click.echo(line)
-        click.echo(str(write_fits(fits, out)))
+        simulated = None
+        seconds = [one.measured["seconds"] for one in fits.files if one.measured]
+        if scene and seconds:
+            with stages.stage("simulation"):
+                simulated = simulated_numbers(fits.scene, seconds[0])
+            for line in comparison_sentences(fits, simulated):
+                click.echo(line)
+        click.echo(str(write_fits(fits, out, simulated)))
 
 
 @main.command()
 @click.option(
-    "--keys", is_flag=True, help="List every scene key with unit, range, default and meaning."
+    "--keys",
+    is_flag=True,
+    help="List every scene key with unit, range, default and meaning.",
 )
 @click.option(
     "--schema",
@@ -314,10 +363,16 @@ def scenes(keys, schema):
 @main.command()
 @click.argument("name", type=click.Choice([*CHART_NAMES, "all"]), default="all")
 @click.option(
-    "--quick", is_flag=True, help="Fewer settings per method; takes less than two minutes."
+    "--quick",
+    is_flag=True,
+    help="Fewer settings per method; takes less than two minutes.",
 )
 @click.option(
-    "--out", type=PATH, default="outputs/charts", show_default=True, help="Output folder."
+    "--out",
+    type=PATH,
+    default="outputs/charts",
+    show_default=True,
+    help="Output folder.",
 )
 @click.option(
     "--redraw",
@@ -325,16 +380,18 @@ def scenes(keys, schema):
     help="Redraw pictures and pages from existing tables without measuring.",
 )
 def chart(name, quick, out, redraw):
-    """Measure speed against accuracy, and where methods fail.
+    """Measure speed against accuracy, and the conditions under which methods fail.
 
-    Writes a table, a picture and a page for each chart.
+    A table, a picture and a page are written for each chart.
     """
     chart_files = load_chart_files()
     from sonify.console import Console
 
     with Console() as stages:
         for one in CHART_NAMES if name == "all" else [name]:
-            page = chart_files.write_chart(one.replace("-", "_"), quick, out, stages, redraw)
+            page = chart_files.write_chart(
+                one.replace("-", "_"), quick, out, stages, redraw
+            )
             click.echo(page)
 
 
@@ -357,8 +414,9 @@ def chart(name, quick, out, redraw):
     "--rate",
     type=float,
     metavar="HZ",
-    help="Frames or rows per second of a motion; default 60 for gltf, the steps of the solution "
-    "for parquet and csv. Sample rate of a sound, 48000 or 96000; default that of the scene.",
+    help="For a motion, frames or rows per second; default 60 for gltf, and one row per solver "
+    "step for parquet and csv. For a sound, the sample rate, 48000 or 96000; default that of the "
+    "scene.",
 )
 @click.option(
     "--takes",
@@ -375,17 +433,17 @@ def chart(name, quick, out, redraw):
 @click.option(
     "--out",
     type=PATH,
-    help="Output file, default <scene name> with the suffix of the format; for sound the output "
-    "folder, default the current one.",
+    help="Output file; default <scene name> with the suffix of the format. For sound, the output "
+    "folder; default the current folder.",
 )
 def export(what, scene, form, strike, rate, takes, seed, out):
     """Export modes, motion or sound of SCENE for other programs.
 
-    modes: a Faust program, a universal file (extra `uff`) or a ParaView file. motion: an animated
-    glTF model, or a table as Parquet or CSV. sound: WAV files SCENE-01.wav, ... for samplers,
-    trimmed and with loop points; each is a variation of release and roughness. SCENE is a shipped
-    name, a TOML file, or the folder or run.json of an earlier run.
-    """
+    Modes are written as a Faust program, a universal file (extra `uff`) or a ParaView
+    file, a motion as an animated glTF model or as a table in Parquet or CSV format, and
+    sounds as WAV files SCENE-01.wav, ... for samplers, trimmed and with loop points;
+    the release and the roughness vary from file to file. SCENE is a shipped name, a
+    TOML file, or the folder or run.json of an earlier run."""
     options = {"--strike": strike, "--rate": rate, "--takes": takes, "--seed": seed}
     _check_export_options(what, form, options)
     from sonify.console import Console
@@ -416,44 +474,59 @@ def export(what, scene, form, strike, rate, takes, seed, out):
 
 
 def _check_export_options(what, form, options):
-    """Raise UsageError for a missing or foreign format, or an option that does not apply."""
+    """Raise UsageError for a missing or unsuitable format, or an inapplicable
+    option."""
     forms = EXPORT_FORMS[what]
     allowed = ", ".join(forms)
     if forms and form is None:
-        raise click.UsageError(f"--as is missing: the format of the {what}, one of {allowed}")
+        raise click.UsageError(
+            f"--as is missing: give the format of the {what}, one of {allowed}"
+        )
     if form is not None and not forms:
-        raise click.UsageError(f"--as = {form!r}: does not apply to the {what}")
+        raise click.UsageError(f"--as = {form!r}: does not apply to {what}")
     if form is not None and form not in forms:
-        raise click.UsageError(f"--as = {form!r}: the {what} can be exported as {allowed}")
+        raise click.UsageError(f"--as = {form!r}: {what} can be exported as {allowed}")
     for option, value in options.items():
         if value is not None and option not in EXPORT_OPTIONS[what]:
-            raise click.UsageError(f"{option} = {value}: does not apply to the {what}")
+            raise click.UsageError(f"{option} = {value}: does not apply to {what}")
 
 
 @main.command()
 @click.argument("folder", default="outputs", type=PATH)
-@click.option("--port", default=8000, show_default=True, help="Port; 0 selects a free one.")
+@click.option(
+    "--port", default=8000, show_default=True, help="Port; 0 selects a free one."
+)
 @click.option(
     "--host",
     default="127.0.0.1",
     show_default=True,
-    help="Address to listen on; the default accepts this machine only.",
+    help="Address to listen on; the default accepts connections from this machine only.",
 )
 def serve(folder, port, host):
-    """Show the finished runs in FOLDER in a browser: a list, each page, and two pages side by side."""
+    """Serve the finished runs in FOLDER to a browser, with a list and a comparison of
+    two runs."""
     from sonify.serve import serve
 
-    serve(folder, host, port, lambda address: click.echo(f"{address} (Ctrl-C stops the server)"))
+    serve(
+        folder,
+        host,
+        port,
+        lambda address: click.echo(f"{address} (Ctrl-C stops the server)"),
+    )
 
 
 @main.command()
 @click.argument("folder", default="outputs", type=PATH)
-@click.option("--port", default=8001, show_default=True, help="Port; 0 selects a free one.")
+@click.option(
+    "--port", default=8001, show_default=True, help="Port; 0 selects a free one."
+)
 def studio(folder, port):
-    """Change a scene in a browser, run it and hear it; runs are written into FOLDER."""
+    """Edit, run and hear scenes in a browser; runs are written into FOLDER."""
     from sonify.studio.application import studio
 
-    studio(folder, port, lambda address: click.echo(f"{address} (Ctrl-C stops the studio)"))
+    studio(
+        folder, port, lambda address: click.echo(f"{address} (Ctrl-C stops the studio)")
+    )
 
 
 @main.command()
@@ -465,7 +538,9 @@ def studio(folder, port):
     help="Dask scheduler, e.g. tcp://10.0.0.1:8786, or local (extra `cluster`).",
 )
 @click.option(
-    "--processes", type=click.IntRange(1), help="Number of local processes; default: one per core."
+    "--processes",
+    type=click.IntRange(1),
+    help="Number of local processes; default: one per core.",
 )
 @click.option("--out", type=PATH, help="Output folder; default outputs/sweeps/<name>.")
 @click.option(
@@ -474,7 +549,9 @@ def studio(folder, port):
     is_flag=True,
     help="Print the number of runs and the estimated time, then exit.",
 )
-@click.option("--yes", is_flag=True, help="Start even if there are more than a million runs.")
+@click.option(
+    "--yes", is_flag=True, help="Start even if there are more than a million runs."
+)
 @click.option("--retry", is_flag=True, help="Repeat runs that ended with an error.")
 def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     """Run the missing scenes of SWEEP and draw its table.
@@ -502,7 +579,9 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
 @main.command("map")
 @click.argument("table", type=PATH)
 @click.option("--x", type=TEXT, help="Column; default: the first axis.")
-@click.option("--y", type=TEXT, help="Column; default: the second axis, if --x is not given.")
+@click.option(
+    "--y", type=TEXT, help="Column; default: the second axis, if --x is not given."
+)
 @click.option(
     "--of",
     type=TEXT,
@@ -510,7 +589,9 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     help="Column to draw, e.g. t_end or outcome.",
 )
 @click.option(
-    "--out", type=PATH, help="Output picture; default <of>.png in the folder of the table."
+    "--out",
+    type=PATH,
+    help="Output picture; default <of>.png in the folder of the table.",
 )
 def draw(table, x, y, of, out):
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two axes."""
@@ -522,16 +603,26 @@ def draw(table, x, y, of, out):
 def start(name="sonify"):
     """Run the command line as a program.
 
-    If the exit status exceeds 1, exit without waiting for threads that still compile.
-    """
+    The exit skips the destruction of all objects, which takes 0.3 s. If the status
+    exceeds 1, it does not wait for compiling threads either."""
+    statuses: list[int] = []
+    atexit.register(_exit_with_status, statuses)  # registered first, called last
     try:
         main(prog_name=name)
     except SystemExit as end:
-        if isinstance(end.code, int) and end.code > 1:
-            sys.stdout.flush()
-            sys.stderr.flush()
-            os._exit(end.code)
+        if isinstance(end.code, int):
+            statuses.append(end.code)
+            if end.code > 1:
+                _exit_with_status(statuses)
         raise
+
+
+def _exit_with_status(statuses):
+    """Exit at once with the status in the list; do nothing if it is empty."""
+    for status in statuses:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""`sonify chart`: load the charts from the folder `benchmarks/` of a source checkout.
+"""Load the charts of `sonify chart` from the folder `benchmarks/` of a source checkout.
 
-The wheel does not contain them.
+The wheel does not contain this folder.
 """
 
 import sys
@@ -24,23 +24,24 @@ CHART_NAMES = (
 """Chart names on the command line, in the order of `chart all`."""
 
 INSTALLATION = Path(__file__).parents[1]
-"""Folder that holds the package: the root of the checkout after an editable installation."""
+"""Folder that contains the package; the root of the checkout in an editable
+installation."""
 
 
 def load_chart_files() -> ModuleType:
-    """Import `benchmarks.charts.chart_files` from the checkout that contains this package.
+    """Import `benchmarks.charts.chart_files` from the checkout that contains this
+    package.
 
-    Raises InputError if the package is not part of a checkout, e.g. if it was installed from a
-    wheel.
-    """
+    Raises InputError if the package is not part of a checkout, e.g. if it was installed
+    from a wheel."""
     is_checkout = (INSTALLATION / "pyproject.toml").is_file() and (
         INSTALLATION / "benchmarks" / "charts"
     ).is_dir()
     if not is_checkout:
         raise InputError(
             "chart: the charts are in the folder benchmarks/ of the source repository, not in the "
-            "installed package; "
-            "to run them, install a checkout with `python -m pip install -e .`"
+            "installed package; to run them, install a checkout with "
+            "`python -m pip install -e .`"
         )
     if str(INSTALLATION) not in sys.path:
         sys.path.insert(0, str(INSTALLATION))

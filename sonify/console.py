@@ -9,7 +9,6 @@ import click
 from rich.console import Console as RichConsole
 from rich.progress import BarColumn, Progress, TaskID, TextColumn
 
-from sonify.plan.plan import omissions_after_end
 from sonify.runtime.progress import StageProgress, Stages
 
 if TYPE_CHECKING:
@@ -17,10 +16,11 @@ if TYPE_CHECKING:
 
 
 class Console(Stages, AbstractContextManager):
-    """Show the stages on standard error: progress while they run, then a line with their time.
+    """Show the progress of running stages and the time of finished ones on standard
+    error.
 
-    In a terminal each stage has a bar; elsewhere one line lists all of them every `interval` [s].
-    """
+    A terminal shows one bar per stage; other outputs receive one line on all running
+    stages every `interval` [s]."""
 
     def __init__(self, interval: float = 10.0):
         super().__init__()
@@ -37,7 +37,9 @@ class Console(Stages, AbstractContextManager):
         self._running: dict[TaskID, StageProgress] = {}
         self._lock = Lock()
         self._ended = Event()
-        show, period = (self._redraw, 0.25) if in_terminal else (self._print_progress, interval)
+        show, period = (
+            (self._redraw, 0.25) if in_terminal else (self._print_progress, interval)
+        )
         self._ticker = Thread(target=self._repeat, args=(show, period), daemon=True)
 
     def __enter__(self):
@@ -51,14 +53,16 @@ class Console(Stages, AbstractContextManager):
             self._bars.stop()
 
     def progress_line(self) -> str:
-        """Return the progress of all running stages on one line; empty if none runs."""
+        """Return the progress of all running stages on one line, or "" if none is
+        running."""
         now = perf_counter()
         with self._lock:
             return "; ".join(stage.line(now) for stage in self._running.values())
 
     @contextmanager
     def stage(self, name: str):
-        """Time the block as stage `name`; show its progress, then its duration."""
+        """Time the block as stage `name`, and show its progress and then its
+        duration."""
         self._bars.start()
         task = self._bars.add_task(name, total=None)
         progress = StageProgress(name, perf_counter())
@@ -84,8 +88,9 @@ class Console(Stages, AbstractContextManager):
         self._console.print(line, markup=False, soft_wrap=True)
 
     def answer(self, result: "Result"):
-        """Print checks, findings and notes, before the files are written."""
-        from sonify.claims.details import unit_and_details  # deferred: imports the claims
+        """Print the checks, findings and notes of a result."""
+        from sonify.claims.details import unit_and_details  # deferred: slow to import
+        from sonify.plan.plan import omissions_after_end  # deferred: slow to import
 
         self._bars.stop()
         for c in result.checks:
@@ -115,4 +120,6 @@ class Console(Stages, AbstractContextManager):
             for task, stage in self._running.items():
                 total = None if stage.share is None else 1.0
                 done = stage.share or 0.0
-                self._bars.update(task, total=total, completed=done, description=stage.line(now))
+                self._bars.update(
+                    task, total=total, completed=done, description=stage.line(now)
+                )

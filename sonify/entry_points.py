@@ -1,4 +1,4 @@
-"""Entry points of the program: they load it while a background thread compiles the flows."""
+"""Entry points that import the program while a background thread compiles the flows."""
 
 from contextlib import suppress
 from pathlib import Path
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 from dynamics.simulation import compile_in_background
 from sonify.report.render_worker import painter
 from sonify.runtime.progress import Stages
-from sonify.scene import Scene, scene_of
+from sonify.scene import Scene, scene_with_accuracy
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -55,11 +55,11 @@ def run(
 
 
 def begin_run(scene: Scene | str | Path, accuracy: str | None) -> Scene:
-    """Return the scene with that accuracy and start to compile its flows.
+    """Return the scene with the given accuracy and start to compile its flows.
 
-    A ValueError of the compilation is ignored here; the pipeline reports the fault.
+    A ValueError raised by the compilation is ignored here; the pipeline reports it.
     """
-    scene = scene_of(scene, accuracy)
+    scene = scene_with_accuracy(scene, accuracy)
     with suppress(ValueError):
         compile_in_background(scene)
     return scene

@@ -1,4 +1,4 @@
-"""SCENE -> PLAN -> MODES and MOTION -> SOUND -> FINDINGS -> FILES: the stages of a run."""
+"""Run the stages of a scene: plan, modes, motion, sound, findings and files."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -6,29 +6,30 @@ from functools import lru_cache
 from pathlib import Path
 from typing import get_args
 
-from dynamics.compliant.two_way_onset import needs_table_modes
+from dynamics.compliant.two_way_onset import must_compute_table_modes
 from dynamics.progress import MotionProgress
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.simulation import compile_in_background
 from modal import Modes, SurfaceModes, eigenmodes
 from modal.blas_threads import one_blas_thread
-from modal.progress import portion, watched
+from modal.progress import progress_range, progress_reported_to
 from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Findings
 from sonify.claims.literature import literature_findings
 from sonify.claims.rattling import rattling_findings
-from sonify.claims.rigid_motion import all_findings
-from sonify.claims.sound import all_sound_findings, analyse_sound
+from sonify.claims.rigid_motion import motion_and_mode_findings
+from sonify.claims.sound import analyse_sound, sound_findings
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as halt_findings
 from sonify.plan.air import limits_of_film_law, with_air
 from sonify.plan.body_scene import BodyScene, body_scene
-from sonify.plan.plan import Plan, with_end
+from sonify.plan.plan import Plan, with_motion_end
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
 from sonify.plan.unused import unused_keys
+from sonify.report.display import ReportDisplay
 from sonify.report.pictures import Pictures
 from sonify.report.render_worker import painter
 from sonify.report.replaced import replaced_results
@@ -42,14 +43,11 @@ from sonify.sound.oscillators import compile_oscillators
 from sonify.sound.pressure import Dynamics
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import compile_radiators
-from sonify.sound.render import sound_of
+from sonify.sound.render import render_sound
 from sonify.sound.wav import write_sound
 
 MAX_CACHED_MODES = 4
-"""Number of disks with cached modes; those of one disk may take 100 MB."""
-LAST_FILES = ("run.json", "report.html")
-"""Files that describe the other files; those of an earlier run are deleted before any file is
-replaced."""
+"""Number of disks whose modes are cached; the modes of one disk may take 100 MB."""
 
 
 @one_blas_thread
@@ -74,7 +72,8 @@ def solve(
     eigenmodes : callable
         Computes the modes of the disk; `modal.eigenmodes` by default.
     begin : callable
-        Called as begin(solved) with a SolvedMotion, after the motion and again after the sound.
+        Called as begin(solved) with a SolvedMotion, after the motion and again after
+        the sound.
     dynamics : str
         Dynamics of audible.wav, "compressed" or "natural".
 
@@ -88,42 +87,53 @@ def solve(
     SceneError
         If the scene is invalid or cannot be solved.
     InputError
-        If the dynamics are unknown.
+        If `dynamics` is neither "compressed" nor "natural".
     """
     if dynamics not in get_args(Dynamics):
         raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
     scene = check_solvable_scene(scene, accuracy)
     stages = stages or Stages()
     compile_in_background(scene)
-    elastic = in_background(_elastic, scene, eigenmodes, stages)
+    elastic = in_background(_plan_and_modes, scene, eigenmodes, stages)
     with stages.stage("motion") as watch:
         progress = MotionProgress(scene)
 
         def show(t, inclination, doing):
             note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
-            watch(progress.share(t, inclination), note)
+            watch(progress.solved_fraction(t, inclination), note)
             if elastic.done():
                 elastic.result()  # raises if the modes failed
 
         motion = solve_motion(
-            scene, show, elastic.result()[2] if needs_table_modes(scene) else None
+            scene,
+            show,
+            elastic.result()[2] if must_compute_table_modes(scene) else None,
         )
         plan, modes, table = elastic.result()
-    solved = SolvedMotion(scene=scene, plan=plan, modes=modes, table=table, motion=motion)
+    solved = SolvedMotion(
+        scene=scene, plan=plan, modes=modes, table=table, motion=motion
+    )
     begin(solved)
     halt = in_background(halt_findings, scene, motion)  # may repeat the two-way motion
     with stages.stage("sound") as watch:
-        sound = sound_of(
-            scene, motion, modes, plan.sounding, plan.calm, table, watch, stages.pressure
+        sound = render_sound(
+            scene,
+            motion,
+            modes,
+            plan.sounding,
+            plan.calm,
+            table,
+            watch,
+            stages.pressure,
         )
         sound = replace(sound, dynamics=dynamics)
     begin(replace(solved, sound=sound))
     with stages.stage("findings"):
         hearing = in_background(analyse_sound, sound)
         checks = all_checks(scene, motion, modes, sound)
-        findings = all_findings(motion, modes)
+        findings = motion_and_mode_findings(motion, modes)
         heard, silence = hearing.result()
-        findings += all_sound_findings(heard, motion, modes, sound, plan.error("sound"))
+        findings += sound_findings(heard, motion, modes, sound, plan.error("sound"))
         findings += halt.result()
         findings += table_findings(
             scene,
@@ -142,8 +152,11 @@ def solve(
         findings += literature_findings(scene, motion, modes, sound)
     return Result(
         scene=scene,
-        plan=with_end(
-            plan, motion, sound.ringing, [*limits_of_film_law(scene, motion), *silence, *several]
+        plan=with_motion_end(
+            plan,
+            motion,
+            sound.ringing,
+            [*limits_of_film_law(scene, motion), *silence, *several],
         ),
         motion=motion,
         modes=modes,
@@ -153,18 +166,20 @@ def solve(
         findings=Findings(findings),
         checks=checks,
         seconds=stages.seconds,
+        display=ReportDisplay(),
     )
 
 
-def _elastic(
+def _plan_and_modes(
     scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages
 ) -> tuple[Plan, Modes, SurfaceModes | None]:
-    """Return the plan, the modes of the disk and the modes of the table (None if it has none)."""
+    """Return the plan, the modes of the disk and the modes of the table (None if it has
+    none)."""
     of_the_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
-    with stages.stage("modes") as watch, watched(watch):
-        with portion(0.0, of_the_disk):
+    with stages.stage("modes") as watch, progress_reported_to(watch):
+        with progress_range(0.0, of_the_disk):
             plan, modes = plan_with_modes(scene, eigenmodes)
-        with portion(of_the_disk, 1.0):
+        with progress_range(of_the_disk, 1.0):
             found = with_table(with_air(plan, scene), scene)
     compile_oscillators()
     compile_radiators()
@@ -178,7 +193,8 @@ def write(
     stages: Stages | None = None,
     pictures: Pictures | None = None,
 ) -> Result:
-    """Write the sound, pictures and report of a result; no file is ever left incomplete.
+    """Write the sound, pictures and report of a result. Each file is written
+    atomically.
 
     Parameters
     ----------
@@ -189,7 +205,7 @@ def write(
     stages : Stages, optional
         Receives the progress of the run.
     pictures : Pictures, optional
-        Pictures already in progress.
+        Pictures that are already being drawn.
 
     Returns
     -------
@@ -205,12 +221,15 @@ def write(
     """
     stages = stages or Stages(dict(result.seconds))
     with claimed_folder(out or Path("outputs") / result.scene.name) as folder:
-        for stale in LAST_FILES:
+        for stale in ("run.json", "report.html"):  # they describe the other files
             (folder / stale).unlink(missing_ok=True)
         result = replace(result, out=folder, seconds=stages.seconds)
         pictures = pictures or Pictures()
         pictures.begin(result)
-        futures = in_background(run_record, result), in_background(page_content, result, pictures)
+        futures = (
+            in_background(run_record, result),
+            in_background(page_content, result, pictures),
+        )
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
         write_record(result, stages, pictures, *futures)
@@ -225,9 +244,9 @@ def run(
     stages: Stages | None = None,
     dynamics: Dynamics = "compressed",
 ) -> Result:
-    """Solve a scene and write the result into `out`, by `solve` and `write`.
+    """Solve a scene with `solve` and write the result into `out` with `write`.
 
-    The folder is checked for write access before any computation.
+    Write access to the folder is checked before any computation.
 
     Parameters
     ----------
@@ -276,7 +295,8 @@ def run(
 
 
 def cached_modes(scene: Scene, below: float) -> Modes:
-    """Return the modes of the disk below a frequency [Hz], cached for scenes with the same disk."""
+    """Return the modes of the disk below a frequency [Hz]; they are cached for each
+    disk."""
     return _modes_of(body_scene(scene), below)
 
 

@@ -1,8 +1,8 @@
-"""RESULT: the results of a run in memory, with displays for a terminal and a notebook."""
+"""Results of a run in memory."""
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from dynamics import Motion
 from modal import Modes, SurfaceModes
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SolvedMotion:
-    """Intermediate results of a run: the motion, then also its `sound`."""
+    """Intermediate results of a run; `sound` is None until it is rendered."""
 
     scene: Scene
     plan: Plan
@@ -27,6 +27,22 @@ class SolvedMotion:
     modes: Modes
     table: SurfaceModes | None = None
     sound: Sound | None = None
+
+
+class Display(Protocol):
+    """Shows a result in a terminal and in a notebook."""
+
+    def text(self, result: "Result") -> str:
+        """Return a few lines of text."""
+        ...
+
+    def html(self, result: "Result") -> str:
+        """Return an HTML fragment."""
+        ...
+
+    def picture(self, result: "Result", name: str) -> "Image":
+        """Return a picture; raise ValueError for an unknown name."""
+        ...
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -53,10 +69,12 @@ class Result:
         Self-checks.
     seconds : dict of str to float
         Computing time of each stage [s].
+    display : Display
+        Text, notebook view and pictures of the result.
     out : Path or None
         Folder of the files; None before they are written.
     table : SurfaceModes or None
-        Modes of the table that sound; None for a rigid or infinite table.
+        Modes of the table that radiate sound; None for a rigid or infinite table.
     """
 
     scene: Scene
@@ -68,6 +86,7 @@ class Result:
     findings: Findings
     checks: list[Check]
     seconds: dict[str, float]
+    display: Display
     out: Path | None = None
     table: SurfaceModes | None = None
 
@@ -77,20 +96,14 @@ class Result:
         return all(check.passed for check in self.checks)
 
     def plot(self, name: str = "spectrogram") -> "Image":
-        """Return a picture of the result as a PIL image, which a notebook displays.
+        """Return a picture of the result as a PIL image, which notebooks display.
 
-        `name` is spectrogram, stems, motion or modes. Raises ValueError for any other name.
-        """
-        from sonify.report.pictures import picture  # slow to import
-
-        return picture(self, name)
+        `name` is spectrogram, stems, motion or modes. Raises ValueError for any other
+        name."""
+        return self.display.picture(self, name)
 
     def __repr__(self):
-        from sonify.report.page import summary_text
-
-        return summary_text(self)
+        return self.display.text(self)
 
     def _repr_html_(self):
-        from sonify.report.page import notebook_html
-
-        return notebook_html(self)
+        return self.display.html(self)

@@ -1,18 +1,20 @@
-"""A scene: every number that a run depends on, read strictly from TOML into frozen dataclasses."""
+"""Scenes: all input numbers of a run, validated from TOML into frozen dataclasses."""
 
 import json
 import tomllib
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
-from math import hypot, inf, isfinite
+from math import hypot, inf, isfinite, radians, sin
 from pathlib import Path
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Literal
 
-from annotated_types import Ge, Gt, Le, MaxLen
+from annotated_types import Ge, Gt, Le, Lt, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from dynamics.air import Air, dry_air_density
+from dynamics.disk import Disk
+from dynamics.scene_constants import scene_constants
 from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.materials import MATERIALS
@@ -27,26 +29,87 @@ from sonify.scene_errors import (
 )
 from sonify.suggestions import did_you_mean
 
-SCENES = Path(__file__).parent / "scenes"
-MAY_BE_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
-"""Infinite friction is physics: the contact never slips. Nothing else in a scene may be
-infinite."""
-
+SHIPPED_SCENES_FOLDER = Path(__file__).parent / "scenes"
+KEYS_ALLOWED_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
+"""Keys that may be infinite: with infinite friction the contact never slips."""
+NO_CONTOUR_FRICTION = "dissipation.contour_moment=0"
+FORMER_SCENES: dict[str, tuple[str, ...]] = {
+    "boundary_layer": (
+        NO_CONTOUR_FRICTION,
+        "dissipation.boundary_layer_viscosity=1.5e-5",
+        "dissipation.air_density=1.2",
+    ),
+    "contour": (),
+    "moffatt": (NO_CONTOUR_FRICTION, "dissipation.air_viscosity=1.8e-5"),
+    "power": (
+        NO_CONTOUR_FRICTION,
+        "dissipation.power_coefficient=4e-9",
+        "dissipation.power_exponent=2.5",
+    ),
+    "viscous": (
+        NO_CONTOUR_FRICTION,
+        "dissipation.viscous_moment=1e-6",
+        "dissipation.viscous_force=1e-3",
+        "numerics.time_limit=120",
+    ),
+}
+"""Names of former scenes, which still load, and the assignments that turn the scene
+`dissipation` into each of them."""
 
 Distance = Annotated[float, Gt(0), Le(1000)]
 Elevation = Annotated[float, Ge(0), Le(90)]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ear:
-    """One of several listeners."""
+class ListenerPosition:
+    """Position of one of several listeners, a microphone or a head."""
 
+    kind: Literal["point", "head"] = "point"
+    """Kind of listener: a point microphone, or a head, the ears of which are the left
+    and the right channel."""
     distance: Distance
-    """Distance from the centre of the disk [m], greater than the radius."""
+    """Distance from the centre of the disk [m] to the microphone or to the centre of
+    the head; a microphone nearer than the radius must be above the disk and clear of
+    its motion."""
     elevation_deg: Elevation = 45.0
     """Elevation above the table [degrees]."""
     azimuth_deg: Annotated[float, Ge(-360), Le(360)] = 0.0
     """Direction on the table, from its x axis to its y axis [degrees]."""
+    head_radius: Annotated[float, Ge(0.03), Le(0.2)] = 0.0875
+    """Radius of the head, a rigid sphere [m]."""
+    facing_deg: Annotated[float, Ge(-180), Le(180)] = 0.0
+    """Angle from the direction of the disk to that of the nose, positive to the left
+    [degrees]."""
+    ear_angle_deg: Annotated[float, Gt(0), Lt(180)] = 90.0
+    """Angle of the ears from the nose, on both sides [degrees]."""
+
+    def check_clearance(self, key: str, disk: Disk, inclination: float):
+        """Raise ValueError if disk or table touch the listener.
+
+        `inclination` [rad] is the greatest inclination of the disk."""
+        elevation = radians(self.elevation_deg)
+        if self.kind == "point":
+            for name in ("head_radius", "facing_deg", "ear_angle_deg"):
+                if vars(self)[name] != type(self).__dataclass_fields__[name].default:
+                    raise ValueError(f"{key}.{name}: requires {key}.kind = 'head'")
+            above = self.distance * sin(max(elevation - inclination, 0.0))
+            if self.distance <= disk.radius and above <= disk.thickness / 2:
+                raise ValueError(
+                    f"{key}.distance = {self.distance:g}: must be greater than "
+                    "disk.radius, or above the disk at its greatest inclination"
+                )
+            return
+        least = disk.radius + self.head_radius
+        if self.distance <= least:
+            raise ValueError(
+                f"{key}.distance = {self.distance:g}: must be greater than disk.radius "
+                f"+ head_radius = {least:g}"
+            )
+        if self.distance * sin(elevation) < self.head_radius:
+            raise ValueError(
+                f"{key}.elevation_deg = {self.elevation_deg:g}: the head would touch "
+                f"the table; its centre must be at least {self.head_radius:g} m above"
+            )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,51 +119,69 @@ class Audio:
     sample_rate: Annotated[int, Ge(8000), Le(768000)] = 48000
     """Samples per second [Hz]."""
     distance: Distance = 0.5
-    """Distance of the listener from the centre of the disk [m], greater than the radius."""
+    """Distance of the listener from the centre of the disk [m]; a listener nearer than
+    the radius must be above the disk and clear of its motion."""
     elevation_deg: Elevation = 45.0
     """Elevation of the listener above the table [degrees]."""
-    listeners: Annotated[tuple[Ear, ...], MaxLen(16)] = ()
-    """Several listeners in place of that one, each a channel of the files: distance, elevation_deg,
-    azimuth_deg."""
+    listeners: Annotated[tuple[ListenerPosition, ...], MaxLen(16)] = ()
+    """Several listeners that replace the single one, each with its own channel in the
+    files and with the keys distance, elevation_deg and azimuth_deg; kind = "head" has
+    two channels, its ears, and the keys head_radius, facing_deg and ear_angle_deg."""
+
+    @property
+    def single_listener(self) -> ListenerPosition:
+        """The single listener of the section."""
+        return ListenerPosition(
+            distance=self.distance, elevation_deg=self.elevation_deg
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scene(MotionScene):
-    """Everything a run depends on. A section that is not given has its defaults; SI units unless a
-    key says `_deg`."""
+    """All inputs of a run. Missing sections have default values; units are SI unless a
+    key ends in `_deg`."""
 
-    __pydantic_config__ = ConfigDict(extra="forbid", strict=True, use_attribute_docstrings=True)
+    __pydantic_config__ = ConfigDict(
+        extra="forbid", strict=True, use_attribute_docstrings=True
+    )
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")] = "scene"
-    """Name of the scene, and of the folder that it is written into."""
+    """Name of the scene and of its default output folder."""
     material: Material = field()
     support: Support = field(default_factory=Support)
-    surface: Annotated[AnySurface, Field(discriminator="kind")] = field(default_factory=Surface)
+    surface: Annotated[AnySurface, Field(discriminator="kind")] = field(
+        default_factory=Surface
+    )
     air: Air = field(default_factory=Air)
     audio: Audio = field(default_factory=Audio)
     _document: ClassVar[dict | None] = None
 
     def __post_init__(self):
-        distances = {"audio": self.audio.distance}
-        distances |= {
-            f"audio.listeners.{i}": ear.distance for i, ear in enumerate(self.audio.listeners)
-        }
-        for key, distance in distances.items():
-            if distance <= self.disk.radius:
-                raise ValueError(f"{key}.distance = {distance:g}: must be greater than disk.radius")
+        inclination = radians(self.release.inclination_deg)
+        self.audio.single_listener.check_clearance("audio", self.disk, inclination)
+        for i, listener in enumerate(self.audio.listeners):
+            listener.check_clearance(f"audio.listeners.{i}", self.disk, inclination)
         for key in ("arm_nutation", "arm_rolling", "arm_pivoting"):
-            if (arm := getattr(self.friction, key)) > self.disk.radius:
+            arm = vars(self.friction)[key]
+            if arm != "contact" and arm > self.disk.radius:
                 raise ValueError(
                     f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}"
                 )
+        self.contact.check_fillet(self.disk)
+        self.surface.check_disk_fits_bowl(self.disk.radius)
+        scene_constants(self)
         grain = self.roughness is not None and self.roughness.grain
-        if self.contact.restitution is not None or grain or self.numerics.contact == "many":
+        if (
+            self.contact.restitution is not None
+            or grain
+            or self.numerics.contact == "many"
+        ):
             from dynamics.compliant.model_inputs import check_rattling
 
             check_rattling(self)
         if self.contact.law == "elastic":
             from dynamics.compliant.model_inputs import (
-                check_contact,  # SciPy, which a rigid contact does not need
+                check_contact,  # imports SciPy, which a rigid contact does not need
             )
 
             check_contact(self)
@@ -110,25 +191,27 @@ class Scene(MotionScene):
             check_roughness(self.roughness, self.disk.radius)
         plate = self.surface
         if isinstance(plate, PlateSurface) and plate.radius < self.disk.radius:
-            raise ValueError(f"surface.radius = {plate.radius:g}: must be at least disk.radius")
+            raise ValueError(
+                f"surface.radius = {plate.radius:g}: must be at least disk.radius"
+            )
         if (
             isinstance(plate, PlateSurface)
             and hypot(*plate.place) + self.disk.radius > plate.radius
         ):
             most = plate.radius - self.disk.radius
             raise ValueError(
-                f"surface.place = {list(plate.place)}: must not be beyond {most:g} m from the "
-                f"middle"
+                f"surface.place = {list(plate.place)}: must not be more than {most:g} m from the centre"
             )
 
     @property
     def document(self) -> dict:
-        """A copy of the TOML document of this scene, as nested plain values."""
+        """Copy of the TOML document of this scene, as nested plain values."""
         return deepcopy(self._document) if self._document else _document(asdict(self))
 
     @cached_property
-    def edge(self) -> Any:
-        """Elastic flexibility of the disk at its edge (`modal.Edge`); None for a shell."""
+    def elastic_edge(self) -> Any:
+        """Elastic compliance of the disk at its edge (`modal.Edge`); None for a
+        shell."""
         if self.disk.shape != "solid":
             return None
         from modal import yielding_edge
@@ -137,12 +220,13 @@ class Scene(MotionScene):
         return yielding_edge(free_plate(self))
 
     def replace(self, *assignments: str) -> "Scene":
-        """Return a copy of this scene with `section.key=value` assignments applied in order.
+        """Return a copy of this scene with `section.key=value` assignments applied in
+        order.
 
         Parameters
         ----------
         *assignments : str
-            Key path and value; the value is TOML, and a bare word is a string.
+            Key path and value; the value is TOML, or a bare word for a string.
 
         Returns
         -------
@@ -166,7 +250,8 @@ class Scene(MotionScene):
         return from_document(document)
 
     def diff(self, other: "Scene") -> dict[str, tuple[Any, Any]]:
-        """Return the keys that differ between two scenes, with their values here and in `other`.
+        """Return the keys that differ between two scenes, with their values here and in
+        `other`.
 
         Keys are paths as in `replace`. The value of a missing key is None.
 
@@ -181,7 +266,9 @@ class Scene(MotionScene):
         there = _flat_keys(asdict(other))
         keys = dict.fromkeys([*here, *there])
         return {
-            key: (here.get(key), there.get(key)) for key in keys if here.get(key) != there.get(key)
+            key: (here.get(key), there.get(key))
+            for key in keys
+            if here.get(key) != there.get(key)
         }
 
 
@@ -194,11 +281,22 @@ def scene_adapter() -> TypeAdapter:
 def from_document(document: dict) -> Scene:
     """Return the scene of a TOML document given as nested plain values.
 
-    Raises SceneError, or its subclass ContradictionError if only the combination of values is
-    impossible.
-    """
+    Raises SceneError if a key or value is invalid, or its subclass ContradictionError
+    if valid values cannot be combined."""
     _refuse_non_finite(document)
+    contact = document.get("contact")
+    if isinstance(contact, dict) and {"restitution", "loss_factor"} <= contact.keys():
+        raise ContradictionError(
+            "contact.restitution: cannot be combined with loss_factor; give one of them"
+        )
     complete = _with_density(document)
+    table = complete.get("surface")
+    if (
+        isinstance(table, dict)
+        and table
+        and {"sag", "diameter", "place"} >= table.keys()
+    ):
+        complete = complete | {"surface": {"kind": "rigid"} | table}
     try:
         scene = scene_adapter().validate_json(json.dumps(complete, default=str))
     except ValidationError as error:
@@ -212,7 +310,8 @@ def from_document(document: dict) -> Scene:
 
 
 def _with_density(document):
-    """Return the document with the density of its named material, unless it gives the mass."""
+    """Return the document with the density of its named material, if it has neither
+    mass nor density."""
     material = document.get("material")
     disk = document.get("disk")
     name = material.get("name") if isinstance(material, dict) else None
@@ -233,7 +332,8 @@ def load_scene(source: str | Path = "published") -> Scene:
     Parameters
     ----------
     source : str or Path
-        Name of a shipped scene, or path of a TOML file or of the run.json of an earlier run.
+        Name of a shipped scene, or path of a TOML file or of the run.json of an earlier
+        run.
 
     Returns
     -------
@@ -243,21 +343,27 @@ def load_scene(source: str | Path = "published") -> Scene:
     Raises
     ------
     SceneError
-        If there is no such scene, if the file cannot be read or parsed, or if a key is unknown,
-        missing or has an invalid value.
+        If there is no such scene, if the file cannot be read or parsed, or if a key is
+        unknown or missing, or its value is invalid.
     """
-    file = find_file(source, SCENES, "scene", SceneError)
+    if str(source) in FORMER_SCENES and not Path(source).is_file():
+        changes = FORMER_SCENES[str(source)]
+        return load_scene("dissipation").replace(f"name={source}", *changes)
+    file = find_file(source, SHIPPED_SCENES_FOLDER, "scene", SceneError)
     document = read_toml(file, SceneError)
     if file.suffix == ".json":
         try:
             document = _scene_of_record(document)
         except (LookupError, TypeError, AttributeError):
-            raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
+            raise SceneError(
+                f"{source}: not the run.json of a run: it contains no scene"
+            ) from None
     return from_document(_with_mesh(document, file.parent))
 
 
 def _with_mesh(document, folder):
-    """Return the document with its mesh file resolved against `folder` if the file is there."""
+    """Return the document with its mesh file as a path in `folder`, if the file exists
+    there."""
     surface = document.get("surface")
     file = surface.get("file") if isinstance(surface, dict) else None
     if isinstance(file, str) and (folder / file).is_file():
@@ -265,53 +371,72 @@ def _with_mesh(document, folder):
     return document
 
 
-def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:
-    """Return a scene, loaded if given by name or path, with `accuracy` if one is given."""
+def scene_with_accuracy(
+    scene: Scene | str | Path, accuracy: str | None = None
+) -> Scene:
+    """Return a scene, or load it by name or path, and set `accuracy` if given."""
     scene = scene if isinstance(scene, Scene) else load_scene(scene)
     return scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
 
 
 def shipped_scenes() -> dict[str, str]:
-    """Return the name and first comment line of every shipped scene."""
-    texts = {name: (SCENES / f"{name}.toml").read_text("utf-8") for name in shipped_names(SCENES)}
-    return {name: text.splitlines()[0].removeprefix("#").strip() for name, text in texts.items()}
+    """Return the first comment line of every shipped scene, by name."""
+    texts = {
+        name: (SHIPPED_SCENES_FOLDER / f"{name}.toml").read_text("utf-8")
+        for name in shipped_names(SHIPPED_SCENES_FOLDER)
+    }
+    return {
+        name: text.splitlines()[0].removeprefix("#").strip()
+        for name, text in texts.items()
+    }
 
 
 def _document(sections):
-    """Return the document of a scene from its sections, without the keys that are None."""
+    """Return the document of a scene from its sections, without None and derived
+    values."""
     document = _set_values(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
+    if "restitution" in document["contact"]:
+        del document["contact"]["loss_factor"]  # it has no effect
     _remove_typical_values(document["disk"], document["material"])
     air = document.get("air", {})
-    if "density" in air and air["density"] == dry_air_density(air["pressure"], air["temperature"]):
+    if "density" in air and air["density"] == dry_air_density(
+        air["pressure"], air["temperature"]
+    ):
         del air["density"]  # it follows from pressure and temperature
     return document
 
 
 def _remove_typical_values(disk, material):
-    """Remove from the sections what follows from the name of the material."""
+    """Remove from the sections the values that the name of the material implies."""
     if "name" not in material:
         return
     typical = MATERIALS[material["name"]]
-    for section, keys in ((material, ("young", "poisson", "loss_factor")), (disk, ("density",))):
+    for section, keys in (
+        (material, ("young", "poisson", "loss_factor")),
+        (disk, ("density",)),
+    ):
         for key in keys:
             if section.get(key) == getattr(typical, key):
                 del section[key]
 
 
 def _scene_of_record(record):
-    """Return the document of the scene in a run.json, which stores infinity as a string."""
+    """Return the document of the scene in a run.json, which stores infinity as a
+    string."""
     document = _document(record["scene"])
-    for section, key in (path.split(".") for path in MAY_BE_INFINITE):
+    for section, key in (path.split(".") for path in KEYS_ALLOWED_INFINITE):
         if document[section][key] == "inf":
             document[section][key] = inf
     return document
 
 
 def _set_values(section):
-    """Return a section without the keys that are None and with tuples as lists."""
-    return {key: _plain_value(value) for key, value in section.items() if value is not None}
+    """Return a section without None values and with tuples converted to lists."""
+    return {
+        key: _plain_value(value) for key, value in section.items() if value is not None
+    }
 
 
 def _flat_keys(section, path=""):
@@ -344,17 +469,19 @@ def _assign(document, assignment):
 
 
 def _parsed_value(path, text):
-    """Return the value of a TOML text; other text is a bare word, unless it looks like TOML."""
+    """Return the value of a TOML text, or the text itself if it is a bare word."""
     try:
         value, *more = tomllib.loads(f"value = {text}").values()
     except (ValueError, RecursionError) as error:
         if (number := _number(text)) is not None:
-            raise SceneError(f"{path} = {text}: TOML writes this number {number!r}") from None
+            raise SceneError(
+                f"{path} = {text}: in TOML this number is written {number!r}"
+            ) from None
         if "\n" in text or text[:1] in {"'", '"', "[", "{"}:
-            raise SceneError(f"{path} = {text!r}: not TOML: {error}") from None
+            raise SceneError(f"{path} = {text!r}: invalid TOML: {error}") from None
         return text
     if more:
-        raise SceneError(f"{path} = {text!r}: must be one value, and not several lines")
+        raise SceneError(f"{path} = {text!r}: must be a single value on one line")
     return value
 
 
@@ -375,6 +502,6 @@ def _refuse_non_finite(value, path=""):
     elif (
         isinstance(value, float)
         and not isfinite(value)
-        and not (path in MAY_BE_INFINITE and value > 0)
+        and not (path in KEYS_ALLOWED_INFINITE and value > 0)
     ):
         raise SceneError(f"{path} = {value}: must be finite")

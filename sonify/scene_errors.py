@@ -1,10 +1,10 @@
-"""VALIDATION ERROR -> one line that states the fault of a scene."""
+"""One-line messages for the validation errors of a scene."""
 
 from copy import deepcopy
 from dataclasses import fields, is_dataclass
 from difflib import get_close_matches
 from types import UnionType
-from typing import Annotated, get_args, get_origin
+from typing import Annotated, Union, get_args, get_origin
 
 from sonify.suggestions import did_you_mean, did_you_mean_question
 
@@ -16,7 +16,7 @@ ERROR_SENTENCES = {
     "dict_type": "must be a section, with keys of its own",
     "union_tag_not_found": "missing",
     "union_tag_invalid": "must be one of {expected_tags}",
-    "tuple_type": "must be a list, as [1.0, 2.0]",
+    "tuple_type": "must be a list such as [1.0, 2.0]",
     "too_long": "must have at most {max_length} values",
     "too_short": "must have at least {min_length} values",
     "float_type": "must be a valid number",
@@ -24,7 +24,7 @@ ERROR_SENTENCES = {
     "bool_type": "must be true or false",
     "bool_parsing": "must be true or false",
     "string_type": "must be text in quotes",
-    "string_pattern_mismatch": "must be made of letters, digits, '.', '_' and '-', and begin with "
+    "string_pattern_mismatch": "must consist of letters, digits, '.', '_' and '-', and begin with "
     "a letter or a digit",
     "literal_error": "must be {expected}",
     "greater_than": "must be greater than {gt:g}",
@@ -32,7 +32,8 @@ ERROR_SENTENCES = {
     "less_than": "must be less than {lt:g}",
     "less_than_equal": "must be less than or equal to {le:g}",
 }
-"""Message for each type of pydantic error in a scene; tests/plan/test_scene.py checks all types."""
+"""Message for each type of pydantic error in a scene; complete, as
+tests/plan/test_scene.py checks."""
 
 
 class InputError(ValueError):
@@ -40,7 +41,8 @@ class InputError(ValueError):
 
 
 class SceneError(InputError):
-    """Invalid scene; the message names the key, its value and the allowed values in one line."""
+    """Invalid scene; the message names the key, its value and the allowed values in one
+    line."""
 
 
 class ContradictionError(SceneError):
@@ -48,12 +50,16 @@ class ContradictionError(SceneError):
 
 
 def is_contradiction(error) -> bool:
-    """Return True if a pydantic ValidationError contains only values that exclude each other."""
-    return all(fault["type"] == "value_error" for fault in error.errors(include_url=False))
+    """Return True if all faults of a pydantic ValidationError are contradictions
+    between values."""
+    return all(
+        fault["type"] == "value_error" for fault in error.errors(include_url=False)
+    )
 
 
 def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
-    """Return a copy of a document with floats such as 44.1e3 as integers where keys require them.
+    """Return a copy of a document with floats such as 44.1e3 as integers where keys
+    require them.
 
     `error` is the ValidationError of the document. Returns None if no value changes.
     """
@@ -74,12 +80,13 @@ def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
 
 
 def error_sentence(error, schema: type) -> str:
-    """Return one line on the first fault of a pydantic ValidationError.
+    """Return a one-line message on the first fault of a pydantic ValidationError.
 
-    Unknown keys come first, because they may cause the other faults.
+    Unknown keys come first, because they may have caused the other faults.
     """
     faults = sorted(
-        error.errors(include_url=False), key=lambda fault: fault["type"] not in UNKNOWN_KEY_ERRORS
+        error.errors(include_url=False),
+        key=lambda fault: fault["type"] not in UNKNOWN_KEY_ERRORS,
     )
     fault = faults[0]
     context = faults[0].get("ctx", {})
@@ -91,17 +98,25 @@ def error_sentence(error, schema: type) -> str:
         value = context.get("tag")
     path = ".".join(map(str, steps))
     if fault["type"] in UNKNOWN_KEY_ERRORS:
-        siblings = [f.name for f in fields(sections_of(sections[-2])[0])]
+        siblings = [f.name for f in fields(section_types(sections[-2])[0])]
         known = ", ".join(siblings)
-        return f"{path}: unknown key; known: {known}{_meant_key(path, siblings, schema)}"
-    sentence = ERROR_SENTENCES.get(fault["type"], fault["msg"]).format(**context)
+        return (
+            f"{path}: unknown key; known: {known}{_meant_key(path, siblings, schema)}"
+        )
+    alternatives = [
+        ERROR_SENTENCES.get(other["type"], other["msg"]).format(**other.get("ctx", {}))
+        for other in faults
+        if _key_at_location(schema, other["loc"])[0] == steps or other is fault
+    ]
+    sentence = ", or ".join(dict.fromkeys(alternatives)).replace(", or must be", ", or")
     if fault["type"] in {"missing", "value_error", "union_tag_not_found"}:
         return f"{path}: {sentence}".removeprefix(": ")
     return f"{path} = {value!r}: {sentence}"
 
 
 def _meant_key(path, siblings, schema):
-    """Return a question that suggests a key of the same name elsewhere, or a similar key."""
+    """Return a question that suggests a key of the same name in another section, or a
+    similar key."""
     keys = key_paths(schema)
     section, _, name = path.rpartition(".")
     if path in keys:  # valid in a section of another kind
@@ -109,7 +124,9 @@ def _meant_key(path, siblings, schema):
     if namesakes := [key for key in keys if key.rpartition(".")[2] == name]:
         return did_you_mean_question(namesakes[:3])
     own = [f"{section}.{sibling}" if section else sibling for sibling in siblings]
-    return did_you_mean(path, own) or did_you_mean(path, keys) or _meant_name(name, keys)
+    return (
+        did_you_mean(path, own) or did_you_mean(path, keys) or _meant_name(name, keys)
+    )
 
 
 def _meant_name(name, keys):
@@ -120,11 +137,12 @@ def _meant_name(name, keys):
 
 
 def key_paths(schema: type) -> list[str]:
-    """Return the dotted path of every key of a scene; a list of sections counts as one key."""
+    """Return the dotted path of every key of a scene; a list of sections counts as one
+    key."""
     paths = []
     for key in fields(schema):
         kind = get_args(key.type)[0] if get_origin(key.type) is Annotated else key.type
-        options = [] if get_origin(kind) is tuple else sections_of(kind)
+        options = [] if get_origin(kind) is tuple else section_types(kind)
         for option in options:
             paths += [f"{key.name}.{path}" for path in key_paths(option)]
         if not options:
@@ -133,16 +151,25 @@ def key_paths(schema: type) -> list[str]:
 
 
 def _key_at_location(schema, location):
-    """Return the steps of an error location without union tags, and the type at each step."""
+    """Return the steps of an error location without union tags, and the type at each
+    step."""
     steps = []
     kinds = [schema]
     for step in location:
-        options = sections_of(kinds[-1])
+        options = section_types(kinds[-1])
         if len(options) > 1:  # the step is the tag
             kinds[-1] = next(
-                (o for o in options if step in get_args(o.__dataclass_fields__["kind"].type)),
+                (
+                    o
+                    for o in options
+                    if step in get_args(o.__dataclass_fields__["kind"].type)
+                ),
                 kinds[-1],
             )
+            continue
+        if (
+            not options and get_origin(kinds[-1]) is Union
+        ):  # the step is the tag of a number or word
             continue
         inner = {f.name: f.type for f in fields(options[0])} if options else {}
         steps.append(step)
@@ -150,9 +177,10 @@ def _key_at_location(schema, location):
     return steps, kinds
 
 
-def sections_of(kind):
-    """Return the dataclasses of `Section | None`, `Annotated[A | B, ...]` or `list[Section]`."""
+def section_types(kind):
+    """Return the dataclasses of `Section | None`, `Annotated[A | B, ...]` or
+    `list[Section]`."""
     if get_origin(kind) is Annotated:
-        return sections_of(get_args(kind)[0])
+        return section_types(get_args(kind)[0])
     inside = get_args(kind) if get_origin(kind) in (UnionType, list, tuple) else (kind,)
     return [option for option in inside if is_dataclass(option)]

@@ -1,15 +1,21 @@
-"""SCENE TYPES -> KEYS: unit, range, default and meaning of every key of a scene."""
+"""Unit, range, default and meaning of every key of a scene."""
 
 import json
 import re
+from functools import cache
 from textwrap import wrap
 from typing import NamedTuple
 
 from sonify.scene import scene_adapter
 
-DIALECT = "https://json-schema.org/draft/2020-12/schema"
-BOUND_SYMBOLS = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
-KIND_NAMES = {
+JSON_SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+BOUND_SYMBOLS = {
+    "exclusiveMinimum": ">",
+    "minimum": ">=",
+    "exclusiveMaximum": "<",
+    "maximum": "<=",
+}
+TYPE_NAMES = {
     "number": "number",
     "integer": "whole number",
     "string": "text",
@@ -27,9 +33,11 @@ class SceneKey(NamedTuple):
     meaning: str
 
 
+@cache
 def schema() -> dict:
-    """Return the JSON schema of a scene; editors use it to complete and check scene files."""
-    whole = {"$schema": DIALECT} | scene_adapter().json_schema()
+    """Return the JSON schema of a scene, which editors use to complete and check scene
+    files."""
+    whole = {"$schema": JSON_SCHEMA_DIALECT} | scene_adapter().json_schema()
     for section in (whole, *whole["$defs"].values()):
         section["additionalProperties"] = False
     return whole
@@ -42,7 +50,7 @@ def keys() -> list[SceneKey]:
 
 
 def as_json() -> str:
-    """Return the schema as a JSON text."""
+    """Return the schema as JSON text."""
     return json.dumps(schema(), indent=1)
 
 
@@ -54,13 +62,20 @@ def as_table() -> str:
 
 
 def as_lines(width: int) -> str:
-    """Return the keys in lines of at most `width` characters, with the meaning below the range."""
+    """Return the keys in lines of at most `width` characters, each followed by its
+    meaning."""
     lines = []
     for key in keys():
         unit = "" if key.unit == "-" else f" [{key.unit}]"
-        default = {"required": "; required", "-": ""}.get(key.default, f"; default {key.default}")
-        lines += wrap(f"{key.name}{unit}  {key.range}{default}", width, subsequent_indent=8 * " ")
-        lines += wrap(key.meaning, width, initial_indent=4 * " ", subsequent_indent=4 * " ")
+        default = {"required": "; required", "-": ""}.get(
+            key.default, f"; default {key.default}"
+        )
+        lines += wrap(
+            f"{key.name}{unit}  {key.range}{default}", width, subsequent_indent=8 * " "
+        )
+        lines += wrap(
+            key.meaning, width, initial_indent=4 * " ", subsequent_indent=4 * " "
+        )
     return "\n".join(lines)
 
 
@@ -72,7 +87,9 @@ def _keys(section, sections, path):
             if option.get("type") != "null"
         ]
         inner = [
-            sections[option["$ref"].rpartition("/")[2]] for option in options if "$ref" in option
+            sections[option["$ref"].rpartition("/")[2]]
+            for option in options
+            if "$ref" in option
         ]
         if inner:
             yield from _merged_sections(
@@ -81,11 +98,14 @@ def _keys(section, sections, path):
         else:
             meaning, unit = _unit_and_meaning(" ".join(key["description"].split()))
             span = " or ".join(map(_range, options))
-            yield SceneKey(f"{path}{name}", unit, span, _default(name, key, section), meaning)
+            yield SceneKey(
+                f"{path}{name}", unit, span, _default(name, key, section), meaning
+            )
 
 
 def _merged_sections(sections):
-    """Return the keys of all kinds of a section, each once and with the kinds that have it."""
+    """Return each key of all kinds of a section once, with the kinds that contain
+    it."""
     if len(sections) == 1:
         return sections[0]
     kinds = [kind.range for kind, *_ in sections]
@@ -105,13 +125,16 @@ def _merged_sections(sections):
 
 
 def _unit_and_meaning(description):
-    """Return the meaning and the unit of a description with the unit in brackets."""
+    """Split a description into its meaning and its bracketed unit, or "-" without a
+    unit."""
     unit = re.search(r" \[([^]]*)\]", description)
-    return (description.replace(unit[0], "", 1), unit[1]) if unit else (description, "-")
+    return (
+        (description.replace(unit[0], "", 1), unit[1]) if unit else (description, "-")
+    )
 
 
 def _range(key):
-    """Return the allowed values of a JSON schema type in words."""
+    """Return a description of the allowed values of a JSON schema type."""
     if "enum" in key or "const" in key:
         return ", ".join(map(str, key.get("enum", [key.get("const")])))
     if "$ref" in key:
@@ -119,14 +142,28 @@ def _range(key):
     if key["type"] == "array":
         parts = key.get("prefixItems") or [key["items"]]
         most = key.get("maxItems")
-        length = len(parts) if "prefixItems" in key else f"at most {most}" if most else "any length"
+        length = (
+            len(parts)
+            if "prefixItems" in key
+            else f"at most {most}"
+            if most
+            else "any length"
+        )
         return f"list of {length}: {_range(parts[0])}"
-    bounds = [f"{sign} {key[name]:g}" for name, sign in BOUND_SYMBOLS.items() if name in key]
-    return ", ".join(bounds) or KIND_NAMES[key["type"]]
+    bounds = [
+        f"{sign} {key[name]:g}" for name, sign in BOUND_SYMBOLS.items() if name in key
+    ]
+    return ", ".join(bounds) or TYPE_NAMES[key["type"]]
 
 
 def _default(name, key, section):
     if name in section.get("required", ()):
         return "required"
     default = key.get("default")
-    return "-" if default is None else default if isinstance(default, str) else json.dumps(default)
+    return (
+        "-"
+        if default is None
+        else default
+        if isinstance(default, str)
+        else json.dumps(default)
+    )

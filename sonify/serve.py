@@ -1,4 +1,7 @@
-"""FINISHED RUNS -> BROWSER: list the runs, show the page of each, and compare two runs."""
+"""Web application that lists finished runs, shows their pages and compares two runs.
+
+The studio adds the pages that edit and run scenes.
+"""
 
 import json
 import re
@@ -33,9 +36,12 @@ CONTENT_SECURITY_POLICY = {
     "base-uri": "'none'",
     "frame-ancestors": "'none'",
 }
-"""Content that a page may load; the page of a run embeds its scripts, styles and pictures."""
+"""Content that a page may load; the page of a run embeds its scripts, styles and
+pictures."""
 HEADERS = {
-    "Content-Security-Policy": "; ".join(map(" ".join, CONTENT_SECURITY_POLICY.items())),
+    "Content-Security-Policy": "; ".join(
+        map(" ".join, CONTENT_SECURITY_POLICY.items())
+    ),
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
 }
@@ -44,22 +50,19 @@ RUN_DATA_PATTERN = re.compile(
     r'<script type="application/json" class="run">(.*?)</script>', re.DOTALL
 )
 """Pattern for the JSON data that the page of a run embeds."""
-MAX_DEPTH = 4
-"""Number of folder levels that are searched for runs."""
 
 
 def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=print):
     """Serve the runs in `folder` until interrupted; pass the address to `note`.
 
-    Port 0 selects any free port. Raises InputError if the folder does not exist, or if the address
-    or the port is invalid or unavailable.
-    """
+    Port 0 selects any free port. Raises InputError if the folder does not exist, or if
+    the address or the port is invalid or unavailable."""
     if not Path(folder).is_dir():
-        raise InputError(
-            f"{folder}: no such folder; python -m sonify run makes one with its first run in it"
-        )
+        raise InputError(f"{folder}: no such folder; python -m sonify run creates it")
     if not host:
-        raise InputError("--host = '': must be an address; 0.0.0.0 is every one of this machine")
+        raise InputError(
+            "--host = '': must be an address; 0.0.0.0 selects all addresses of this machine"
+        )
     if not 0 <= port <= LAST_PORT:
         raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
     try:
@@ -67,7 +70,9 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
             (host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET
         )
     except OSError as error:
-        raise InputError(f"--port = {port}: cannot be had on {host}: {error.strerror}") from None
+        raise InputError(
+            f"--port = {port}: unavailable on {host}: {error.strerror}"
+        ) from None
     note(f"http://{f'[{host}]' if ':' in host else host}:{listening.getsockname()[1]}/")
     config = uvicorn.Config(
         application(folder, host),
@@ -82,24 +87,29 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
 def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
     """Return the web application for the runs in `folder`.
 
-    If `host` is a loopback address, requests with another host name are rejected.
+    If `host` is a loopback address, requests with other host names are rejected.
     """
-    root = Path(folder).resolve()
+    names = [*LOOPBACK, "[::1]"] if host in LOOPBACK else ["*"]
+    return Starlette(
+        routes=routes_of_runs(Path(folder).resolve(), "/"),
+        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=names)],
+    )
+
+
+def routes_of_runs(root: Path, list_path: str) -> list[Route]:
+    """Return the routes for the list of runs in `root`, their files and the
+    comparison."""
 
     def index(request: Request) -> Response:
         return _page(
-            "index.html", runs=finished_runs(root), root=root.name, style=page_assets()["style"]
+            "index.html",
+            runs=finished_runs(root),
+            root=root.name,
+            style=page_assets()["style"],
         )
 
     def file(request: Request) -> Response:
-        path = path_inside(root, request.path_params["path"])
-        if path.is_dir() and not request.url.path.endswith("/"):
-            return RedirectResponse(f"{request.url.path}/")
-        path = path / "report.html" if path.is_dir() else path
-        if not path.is_file():
-            raise HTTPException(404, "no such file")
-        kind = guess_type(path.name)[0] or "application/octet-stream"
-        return FileResponse(path, media_type=kind)
+        return file_response(request, root)
 
     def compare(request: Request) -> Response:
         names = [request.query_params.get(which, "") for which in "ab"]
@@ -107,17 +117,31 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
         data = [run_data(page) for page in pages]
         return _page("compare.html", names=names, data=data, **page_assets())
 
-    names = [*LOOPBACK, "[::1]"] if host in LOOPBACK else ["*"]
-    return Starlette(
-        routes=[Route("/", index), Route("/compare", compare), Route("/runs/{path:path}", file)],
-        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=names)],
+    return [
+        Route(list_path, index),
+        Route("/compare", compare),
+        Route("/runs/{path:path}", file),
+    ]
+
+
+def file_response(request: Request, root: Path) -> Response:
+    """Return the file in `root` named in a request; for the folder of a run, its
+    page."""
+    path = path_inside(root, request.path_params["path"])
+    if path.is_dir() and not request.url.path.endswith("/"):
+        return RedirectResponse(f"{request.url.path}/")
+    path = path / "report.html" if path.is_dir() else path
+    if not path.is_file():
+        raise HTTPException(404, "no such file")
+    return FileResponse(
+        path, media_type=guess_type(path.name)[0] or "application/octet-stream"
     )
 
 
 def path_inside(root: Path, name: str) -> Path:
     """Return the path of `name` in `root`.
 
-    Hidden files, and paths that leave `root` through dots or links, give status 404.
+    Raises HTTPException 404 for hidden files and for paths that lead outside `root`.
     """
     try:
         path = (root / name).resolve()
@@ -131,22 +155,24 @@ def path_inside(root: Path, name: str) -> Path:
 
 def finished_runs(root: Path) -> list[dict]:
     """Return the list entry of every finished run in `root`, newest first."""
-    records = [path for depth in range(MAX_DEPTH) for path in root.glob("*/" * depth + "run.json")]
+    records = [
+        path for depth in range(4) for path in root.glob("*/" * depth + "run.json")
+    ]
     records = sorted(records, key=lambda path: path.stat().st_mtime, reverse=True)
     return [run for run in (_run_entry(root, path) for path in records) if run]
 
 
 def _run_entry(root, path):
-    """Return the list entry of a run.json, or None if it is unreadable or of another program."""
+    """Return the list entry of a run.json, or None if the file is not a readable record
+    of a run."""
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
-        claims = [finding["holds"] for finding in record["findings"]]
         return {
             "place": path.parent.relative_to(root).as_posix(),
             "name": record["scene"]["name"],
             "outcome": record["outcome"]["sentence"],
-            "claims": f"{claims.count(True)} of {len(claims)}",
-            "failed": _failed(record["checks"]),
+            "headline": record.get("headline", ""),
+            "failed": _failed_check_lines(record["checks"]),
             "checks": len(record["checks"]),
             "page": (path.parent / "report.html").is_file(),
         }
@@ -154,26 +180,36 @@ def _run_entry(root, path):
         return None
 
 
-def _failed(checks):
+def _failed_check_lines(checks):
     """Return one line for each failed self-check of a run."""
     failed = []
     for record in checks:
         if not record["passed"]:
-            bars = {name: float(record[name]) for name in ("value", "expected", "tolerance")}
+            bars = {
+                name: float(record[name]) for name in ("value", "expected", "tolerance")
+            }
             one_sided = record["one_sided"]
-            check = Check(key="", name=record["name"], source="", one_sided=one_sided, **bars)
-            failed.append(f"{check.name}: {check.value:.4g}, expected {check.expectation}")
+            check = Check(
+                key="", name=record["name"], source="", one_sided=one_sided, **bars
+            )
+            failed.append(
+                f"{check.name}: {check.value:.4g}, expected {check.expectation}"
+            )
     return failed
 
 
 def run_data(page: Path) -> str:
     """Return the JSON data embedded in the page of a run.
 
-    The status is 404 if the page does not exist or contains no data.
+    Raises HTTPException 404 if the page does not exist or contains no data.
     """
-    held = RUN_DATA_PATTERN.search(page.read_text(encoding="utf-8")) if page.is_file() else None
+    held = (
+        RUN_DATA_PATTERN.search(page.read_text(encoding="utf-8"))
+        if page.is_file()
+        else None
+    )
     if not held:
-        raise HTTPException(404, "no such run, or one whose sound is too long for a page")
+        raise HTTPException(404, "no such run")
     return held[1]
 
 

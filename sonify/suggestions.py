@@ -1,11 +1,13 @@
-"""MISSPELT NAME -> the closest known names, as a question at the end of a message."""
+"""Suggest the known names closest to a misspelt one, as a question that ends a
+message."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """Return "; did you mean toy?" for the known name closest to `word`, or "" if none is close.
+    """Return "; did you mean toy?" for the known name closest to `word`, or "" if none
+    is close.
 
     Case, "-" and "_" are ignored.
     """

@@ -1,5 +1,4 @@
-"""What several files of tests share: the published scene and its motion, solved once; and which
-files come first."""
+"""Fixtures of several files, the published scene and its motion, and the order of the files."""
 
 import pytest
 
@@ -19,13 +18,17 @@ LONG = (
     "test_charts_stability",
     "test_charts_modes",
     "test_charts_motion",
+    "test_shipped_scenes",
+    "test_legal_scenes",
+    "test_charts_peers",
+    "test_charts_end_to_end",
+    "test_random_scenes",
 )
 """Files that compile the most, each something else, and those that take the longest."""
 
 
 def pytest_collection_modifyitems(items):
-    """Begin with these, so that what is compiled is there for all others, and both workers end at
-    about one time."""
+    """Start with these files: the others reuse their compiled code, and both workers end together."""
     first = {name: place for place, name in enumerate((*COMPILING, *LONG))}
     items.sort(key=lambda item: first.get(item.path.stem, len(first)))
 

@@ -1,1 +1,2 @@
-"""The benchmark problems: parameters, reference values and error measures, one module per chart."""
+"""Define the benchmark problems with parameters, reference values and error
+measures."""

@@ -1,8 +1,8 @@
-"""Benchmark problems of the elastic contact: a lossless impact, steady rolling on roughness, and
-three hazards.
+"""Define benchmark problems of the elastic contact: a lossless impact, steady rolling
+on roughness, and three hazards.
 
-All problems have the disk and the table of the scene `granite`. The impact has a closed form. The
-result of the rolling disk is the rms of its normal force above 200 Hz."""
+All problems have the disk and the table of the scene `granite`. The impact has a closed
+form. The result of the rolling disk is the rms of its normal force above 200 Hz."""
 
 from functools import cache
 
@@ -12,24 +12,32 @@ from scipy.integrate import trapezoid
 from scipy.interpolate import CubicSpline
 from scipy.signal import welch
 
+from benchmarks.cases.table_halt import steady_state
 from benchmarks.timed_runs import Answer, Failure
 from dynamics.compliant.law.linear_response import (
     MIN_VIBRATION_FREQUENCY,
     SAMPLES_PER_KNOT,
     MotionBlock,
-    contact_response,
+    linear_contact_force_blocks,
 )
 from dynamics.compliant.law.linearised import mobility
-from dynamics.compliant.law.roughness import edge_profile, shift_of_contact, table_profile
+from dynamics.compliant.law.roughness import (
+    edge_profile,
+    shift_of_contact,
+    table_profile,
+)
 from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 from dynamics.compliant.model_inputs import contact_law
-from dynamics.compliant.state_conversion import energy, inclination, released_state
+from dynamics.compliant.state_conversion import (
+    energy,
+    inclination,
+    preloaded_compliant_state,
+)
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.time_loop import EndReason
 from dynamics.disk import Friction
-from sonify.claims.halt import steady_state
 from sonify.scene import load_scene
 
 IMPACT_SPEED = 0.02
@@ -45,7 +53,7 @@ ROLLING_DURATION = 0.6
 """Duration of the rolling [s]."""
 
 TRANSIENT_DURATION = 0.1
-"""Initial part of the rolling that the rms of the force leaves out [s]."""
+"""Initial part of the rolling excluded from the rms of the force [s]."""
 
 ROUGHNESS_RMS = 1e-8
 """Rms height of table and edge [m]."""
@@ -59,16 +67,20 @@ NO_FRICTION = Friction(mu_static=0.0, mu_dynamic=0.0)
 
 @cache
 def contact_table(loss_factor: float = 0.02) -> LawTable:
-    """Return the tabulated contact law of the scene `granite`."""
+    """Return the tabulated contact law of the scene `granite` with another loss
+    factor."""
     scene = load_scene("granite").replace(f"contact.loss_factor={loss_factor}")
     return LawTable(law=contact_law(scene))
 
 
 def without_creep(law: LawTable):
-    """Multiply the creep lengths of a tabulated law by 1e9, so that its tangential springs do not
-    creep."""
+    """Return a tabulated law with creep lengths increased by 1e9, which suppresses
+    tangential creep."""
     factors = np.where(
-        np.isin(np.arange(7), (LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2)),
+        np.isin(
+            np.arange(len(LAW_COLUMNS)),
+            (LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2),
+        ),
         1e9,
         1.0,
     )
@@ -84,10 +96,12 @@ def height_profiles(rms: float):
 
 @cache
 def hertz_impact() -> tuple[float, float]:
-    """Return K/m [1/(s^2 m^0.5)] of the impact, and its largest approach (5 m v^2/4 K)^0.4 [m]."""
+    """Return K/m [1/(s^2 m^0.5)] of the impact, and its largest approach (5 m v^2/4
+    K)^0.4 [m]."""
     law = contact_table().law
     over_mass = float(
-        law.stiffness(IMPACT_INCLINATION) * mobility(law.disk, IMPACT_INCLINATION)[0, 2, 2]
+        law.stiffness(IMPACT_INCLINATION)
+        * mobility(law.disk, IMPACT_INCLINATION, law.rolling_fillet)[0, 2, 2]
     )
     return over_mass, (5 * IMPACT_SPEED**2 / (4 * over_mass)) ** 0.4
 
@@ -99,25 +113,30 @@ def lossless_table() -> LawTable:
 
 
 def full_model_impact(rate: float) -> Answer:
-    """Return largest approach over the exact one, and energy after over energy before the impact,
-    by the full model."""
+    """Return the ratios of largest approach to the exact one and of energy after to
+    energy before the impact.
+
+    They are computed by the full model."""
     model = CompliantModel(table=lossless_table(), friction=NO_FRICTION, rate=rate)
     vars(model)["constants"] = model.constants._replace(weight=0.0)
     start = np.zeros(11)
     start[1] = IMPACT_INCLINATION
-    y = released_state(model, start, (0.0, 0.0, 1e-12))
+    y = preloaded_compliant_state(model, start, (0.0, 0.0, 1e-12))
     y[5] = -IMPACT_SPEED
     before = energy(model, y[None])[0]
     state = np.concatenate([piece.state for piece in model.run(y, 1, 4e-4)])
     return Answer(
-        (-state[:, STATE.gap].min() / hertz_impact()[1], energy(model, state[-1:])[0] / before),
+        (
+            -state[:, STATE.gap].min() / hertz_impact()[1],
+            energy(model, state[-1:])[0] / before,
+        ),
         len(state),
     )
 
 
 def explicit_impact(step, rate: float) -> Answer:
-    """Return the same ratios by explicit steps in one dimension, which are faster than steps of the
-    disk."""
+    """Return the ratios of `full_model_impact` by explicit steps in one dimension,
+    which are faster than steps of the disk."""
     stiffness, exact_approach = hertz_impact()
     approach, energy_ratio, steps = step(IMPACT_SPEED, 1 / rate, stiffness)
     return Answer((approach / exact_approach, energy_ratio), steps)
@@ -125,8 +144,8 @@ def explicit_impact(step, rate: float) -> Answer:
 
 @njit
 def leap_frog(v, h, stiffness):
-    """Solve the impact by leap-frog steps; return largest approach, energy after over energy
-    before, steps."""
+    """Return largest approach, energy ratio (after to before) and number of leap-frog
+    steps of the impact."""
     x = 0.0
     largest = 0.0
     initial_speed = v
@@ -142,8 +161,8 @@ def leap_frog(v, h, stiffness):
 
 @njit
 def explicit_euler(v, h, stiffness):
-    """Solve the impact by explicit Euler steps; return largest approach, energy after over energy
-    before, steps."""
+    """Return largest approach, energy ratio (after to before) and number of explicit
+    Euler steps of the impact."""
     x = 0.0
     largest = 0.0
     initial_speed = v
@@ -160,16 +179,21 @@ def explicit_euler(v, h, stiffness):
 def full_model_rms(
     rate: float, beta: float = ROLLING_INCLINATION, rms: float = ROUGHNESS_RMS
 ) -> Answer:
-    """Return the rms of the force above AUDIBLE [N] by the full model. Raises Failure if the
-    solution ends early."""
+    """Return the rms of the force above AUDIBLE [N] by the full model. Raises Failure
+    if the solution ends early."""
     model = CompliantModel(
-        table=contact_table(), friction=ROLLING_FRICTION, profiles=height_profiles(rms), rate=rate
+        table=contact_table(),
+        friction=ROLLING_FRICTION,
+        profiles=height_profiles(rms),
+        rate=rate,
     )
-    y = released_state(model, steady_state(contact_table().law.disk, beta))
+    y = preloaded_compliant_state(model, steady_state(contact_table().law, beta))
     steps_per_force = max(1, round(rate / FORCE_RATE))
     pieces = list(model.run(y, steps_per_force, ROLLING_DURATION))
-    if pieces[-1].why != EndReason.CONTINUES:
-        raise Failure("the equation for the force has no solution: several contacts at once")
+    if pieces[-1].end_reason != EndReason.CONTINUES:
+        raise Failure(
+            "the equation for the force has no solution: several contacts at once"
+        )
     force = np.concatenate([piece.force[:, 2] for piece in pieces])
     return _audible_rms(force, rate / steps_per_force, int(ROLLING_DURATION * rate))
 
@@ -177,20 +201,26 @@ def full_model_rms(
 def filter_rms(
     rate: float, beta: float = ROLLING_INCLINATION, rms: float = ROUGHNESS_RMS
 ) -> Answer:
-    """Return the rms of the force above AUDIBLE [N] by the linear filter along the steady
-    motion."""
+    """Return the rms of the force above AUDIBLE [N] by the linear filter along the
+    steady motion."""
     disk = contact_table().law.disk
     knots = int(ROLLING_DURATION * rate / SAMPLES_PER_KNOT)
     t = SAMPLES_PER_KNOT / rate * np.arange(knots + 1)
     one = np.ones(knots + 1)
-    w2, w3 = steady_state(contact_table().law.disk, beta)[6:8]
-    path = disk.radius * abs(w2 - w3 / np.tan(beta)) * t
+    w2, w3 = steady_state(contact_table().law, beta)[6:8]
+    turned = abs(w2 - w3 / np.tan(beta)) * t
+    path = contact_table().law.place(beta).radius * turned
+    edge = disk.radius * turned
     course = MotionBlock(
-        t, beta * one, disk.weight * one, one > 0, path, path, np.zeros((knots + 1, 2))
+        t, beta * one, disk.weight * one, one > 0, path, edge, np.zeros((knots + 1, 2))
     )
     try:
         force = np.concatenate(
-            list(contact_response(contact_table(), [course], rate, height_profiles(rms)))
+            list(
+                linear_contact_force_blocks(
+                    contact_table(), [course], rate, height_profiles(rms)
+                )
+            )
         )[:, 1]
     except ValueError as error:
         raise Failure("a resonance turns too far in a step") from error
@@ -198,18 +228,20 @@ def filter_rms(
 
 
 def _audible_rms(force, rate, steps):
-    """Return the rms [N] above AUDIBLE of a force sampled at `rate`, without its initial
-    transient."""
-    f, power = welch(force[int(TRANSIENT_DURATION * rate) :], rate, nperseg=int(rate / 25))
+    """Return the rms [N] above AUDIBLE of a force sampled at `rate`, without its
+    initial transient."""
+    f, power = welch(
+        force[int(TRANSIENT_DURATION * rate) :], rate, nperseg=int(rate / 25)
+    )
     audible = f > MIN_VIBRATION_FREQUENCY
     return Answer((float(np.sqrt(trapezoid(power[audible], f[audible]))),), steps)
 
 
 def relative_inclination(loss_factor: float, creeps: bool) -> Answer:
-    """Return the inclination of the smooth published disk after 1.5 s with a slip, over that with
-    half the step.
+    """Return the ratio of the inclinations after 1.5 s with a step and with half of it.
 
-    Without creep the tangential springs keep their deformation.
+    The smooth published disk slips once. Without creep the tangential springs keep
+    their deformation.
     """
     found = []
     for rate in (4e5, 8e5):
@@ -229,26 +261,31 @@ def relative_inclination(loss_factor: float, creeps: bool) -> Answer:
             0,
             0,
         ]
-        *_, last = model.run(released_state(model, np.array(start)), 100, 1.5)
+        *_, last = model.run(
+            preloaded_compliant_state(model, np.array(start)), 100, 1.5
+        )
         found.append(inclination(last.state[-1:])[0])
     return Answer((found[0] / found[1],), int(1.5 * 4e5))
 
 
 def relative_energy(beta: float, rate: float = 4e5) -> Answer:
-    """Return final energy plus losses over initial energy of a smooth steady motion of 0.01 s."""
+    """Return the ratio of final energy plus losses to initial energy in 0.01 s of
+    smooth steady motion."""
     model = CompliantModel(table=contact_table(), friction=ROLLING_FRICTION, rate=rate)
-    y = released_state(model, steady_state(contact_table().law.disk, beta))
+    y = preloaded_compliant_state(model, steady_state(contact_table().law, beta))
     first = energy(model, y[None])[0]
     *_, last = model.run(y, 1, 0.01, beta / 2)
-    if last.why != EndReason.CONTINUES:
+    if last.end_reason != EndReason.CONTINUES:
         raise Failure("stops: below 5e-8 rad one ellipse is not the contact")
     lost = last.state[-1, STATE.contact_loss : STATE.film_loss].sum()
-    return Answer(((energy(model, last.state[-1:])[0] + lost) / first,), len(last.state))
+    return Answer(
+        ((energy(model, last.state[-1:])[0] + lost) / first,), len(last.state)
+    )
 
 
 def contact_shift(rms: float) -> float:
-    """Return rms(z'') R/beta of the rolling disk: how far roughness shifts the contact along the
-    edge."""
+    """Return rms(z'') R/beta of the rolling disk, a measure of the shift of the contact
+    along the edge by roughness."""
     law = contact_table().law
     half = law.semi_axes(np.array([ROLLING_INCLINATION]), law.disk.weight)[0]
     return float(

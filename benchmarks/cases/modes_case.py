@@ -1,4 +1,5 @@
-"""Benchmark modes with reference frequencies: the published disk, held on its patch or free."""
+"""Define benchmark modes with reference frequencies: the published disk, held on its
+patch or free."""
 
 import json
 from importlib import resources
@@ -8,13 +9,13 @@ import numpy as np
 
 from benchmarks.timed_runs import relative_error
 from modal import Plate
-from modal.solve import density
+from modal.solve import disk_density
 from sonify.scene import Scene, load_scene
 
 
 class ModesCase(NamedTuple):
-    """The disk of a scene as a `Plate`, half angle of the patch [rad] or None if free, reference
-    frequencies [Hz]."""
+    """Disk of a scene as a `Plate`, half angle of its patch [rad] or None if free, and
+    reference frequencies [Hz]."""
 
     name: str
     scene: Scene
@@ -29,8 +30,9 @@ class ModesCase(NamedTuple):
 
 
 def modes_case(kind: str) -> ModesCase:
-    """Return the published disk with the support 'patch' or 'free'; the data file states the origin
-    of its values."""
+    """Return the case of the published disk with the support 'patch' or 'free'.
+
+    The data file states the origin of the reference values."""
     scene = load_scene("published").replace(f"support.kind={kind}")
     document = json.loads(
         (resources.files("benchmarks") / "references" / "modes.json").read_text("utf-8")
@@ -38,6 +40,11 @@ def modes_case(kind: str) -> ModesCase:
     half_angle = np.deg2rad(scene.support.half_angle_deg) if kind == "patch" else None
     disk = scene.disk
     plate = Plate(
-        radius=disk.radius, thickness=disk.thickness, material=scene.material, density=density(disk)
+        radius=disk.radius,
+        thickness=disk.thickness,
+        material=scene.material,
+        density=disk_density(disk),
     )
-    return ModesCase(kind, scene, plate, half_angle, tuple(document["frequencies"][kind]))
+    return ModesCase(
+        kind, scene, plate, half_angle, tuple(document["frequencies"][kind])
+    )

@@ -1,8 +1,8 @@
-"""Benchmark sound with an exact pressure: the modes of the published disk under a force in closed
-form.
+"""Define a benchmark sound with exact pressure: the modes of the published disk under a
+force in closed form.
 
-The force imitates the contact force: harmonics of the nutation with amplitudes 1/n^2 and,
-optionally, one downward jump per nutation period, between two samples."""
+Like the contact force, the force contains harmonics of the nutation, with amplitudes
+1/n^2, and optionally one downward jump between samples per nutation period."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,9 +30,9 @@ FORCE_JUMP = -0.08
 class SoundCase:
     """Modes (m,) and their force.
 
-    omega is the angular frequency [rad/s], decay the decay rate [1/s], drive the modal force per
-    unit force, radiated the pressure [Pa] per unit modal acceleration, and jumps (j,) are the times
-    [s] of the jumps of the force."""
+    `omega` is the angular frequency [rad/s], `decay` the decay rate [1/s], `drive` the
+    modal force per unit force, `radiated` the pressure [Pa] per unit modal
+    acceleration, and `jumps` (j,) are the times [s] of jumps of the force."""
 
     name: str
     duration: float
@@ -44,19 +44,22 @@ class SoundCase:
 
     def smooth(self, t) -> np.ndarray:
         """Return the continuous part of the force at t (k,)."""
-        return np.sin(2 * np.pi * NUTATION_FREQUENCY * np.outer(t, HARMONICS)) @ (1 / HARMONICS**2)
+        return np.sin(2 * np.pi * NUTATION_FREQUENCY * np.outer(t, HARMONICS)) @ (
+            1 / HARMONICS**2
+        )
 
     def samples(self, rate: float) -> np.ndarray:
-        """Return the modal forces (k + 1, m) at the samples of `rate` [Hz], with all earlier
-        jumps."""
+        """Return the modal forces (k + 1, m), including jumps, at the sample rate
+        `rate` [Hz]."""
         t = np.arange(round(self.duration * rate) + 1) / rate
         return np.outer(
-            self.smooth(t) + FORCE_JUMP * np.searchsorted(self.jumps, t, side="right"), self.drive
+            self.smooth(t) + FORCE_JUMP * np.searchsorted(self.jumps, t, side="right"),
+            self.drive,
         )
 
     def knots(self, rate: float) -> Knots:
-        """Return the jumps as knots between samples at `rate` [Hz], at most one between two
-        samples."""
+        """Return the jumps as knots for the sample rate `rate` [Hz]; there is at most
+        one between two samples."""
         before = np.floor(self.jumps * rate).astype(int)
         since = self.jumps - before / rate
         until = (before + 1) / rate - self.jumps
@@ -73,17 +76,18 @@ class SoundCase:
 
     @cached_property
     def exact(self) -> np.ndarray:
-        """The pressure (k,) [Pa] at the samples of SAMPLE_RATE, by the closed form of every
-        mode."""
+        """Pressure (k,) [Pa] at SAMPLE_RATE from the closed form of every mode."""
         t = np.arange(round(self.duration * SAMPLE_RATE)) / SAMPLE_RATE
         return sum(
             factor * self._acceleration(t, w, d)
-            for factor, w, d in zip(self.drive * self.radiated, self.omega, self.decay, strict=True)
+            for factor, w, d in zip(
+                self.drive * self.radiated, self.omega, self.decay, strict=True
+            )
         )
 
     def _acceleration(self, t, w, d):
-        """Return q'' (k,) of one mode at rest at t = 0: forced part, free part, and response to
-        every jump."""
+        """Return the acceleration q'' (k,) of a mode initially at rest: forced part,
+        free part, and responses to jumps."""
         swing = 2 * np.pi * NUTATION_FREQUENCY * HARMONICS
         response = 1 / HARMONICS**2 / (w * w - swing**2 + 2j * d * swing)
         driven = (np.exp(1j * np.outer(t, swing)) @ (-(swing**2) * response)).imag
@@ -95,14 +99,16 @@ class SoundCase:
         for jump in self.jumps:
             since = np.clip(t - jump, 0, None)
             ring += np.where(
-                t >= jump, FORCE_JUMP * (free / free.imag * np.exp(free * since)).imag, 0.0
+                t >= jump,
+                FORCE_JUMP * (free / free.imag * np.exp(free * since)).imag,
+                0.0,
             )
         return driven + ring
 
 
 def sound_case(name: str, duration: float, with_jumps: bool) -> SoundCase:
-    """Return the case with the modes of the published scene below 0.45 of the sample rate, and its
-    listener."""
+    """Return the case with the modes of the published scene below 0.45 of the sample
+    rate, at its listener."""
     scene = load_scene("published")
     modes = eigenmodes(scene, below=0.45 * SAMPLE_RATE)
     listener = listener_of(scene)

@@ -1,5 +1,5 @@
-"""Campbell diagram of a disk on one table mode, and the growth of its flutter by the two-way
-steps."""
+"""Draw the Campbell diagram of a disk on one table mode, and measure its flutter by the
+two-way steps."""
 
 from functools import cache
 
@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from benchmarks.charts.chart_page import number
 from benchmarks.charts.error_time_picture import DPI, save
+from benchmarks.methods.campbell import CampbellDiagram, campbell_diagram
 from benchmarks.timed_runs import (
     Answer,
     Failure,
@@ -17,11 +18,10 @@ from benchmarks.timed_runs import (
     selected_values,
     works_over,
 )
-from dynamics.compliant.campbell import CampbellDiagram, campbell_diagram
 from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import contact_law
-from dynamics.compliant.state_conversion import columns, released_state
+from dynamics.compliant.state_conversion import columns, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.disk import Friction
@@ -38,20 +38,21 @@ assessed by the growth rate of a nutation, excited with a relative amplitude of 
 MODE = SurfaceMode(order=2, frequency=150.0, damping_ratio=0.005, modal_mass=50.0)
 
 FLUTTER_SPEED = 2 / (2 - 0.786)
-"""Value of x at which the wave against the contact has the frequency of the nutation."""
+"""Value of x at which the wave travelling against the contact has the nutation
+frequency."""
 
 SPEEDS = np.linspace(0.3, 2.2, 951)
 """Values of x in the diagram."""
 
 NUTATION_KICK = 1e-4
-"""Initial nutation rate over precession rate times inclination."""
+"""Initial nutation rate, divided by precession rate times inclination."""
 
 REVOLUTIONS = 40
 """Number of revolutions of the contact in a run."""
 
 EARLY_WINDOW = (0.35, 0.6)
 LATE_WINDOW = (0.7, 0.95)
-"""Parts of the duration whose amplitudes give the growth rate."""
+"""Fractions of the duration at which amplitudes are compared for the growth rate."""
 
 
 @cache
@@ -61,17 +62,24 @@ def contact_table() -> LawTable:
 
 
 def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
-    """Return growth rate and angular frequency [1/s] of the nutation at x as a complex number.
+    """Return growth rate and angular frequency [1/s] of the nutation at x as a complex
+    number.
 
     The steps have the given rate [1/s].
     """
     disk = contact_table().law.disk
     smooth = Friction(mu_static=0.0, mu_dynamic=0.0)
     _, (omega,), (beta,), (values,) = campbell_diagram(disk, mode, x)
-    modes = table_modes_from_numbers(ModesSurface(modes=(mode,)), disk, 2 * mode.frequency)
-    model = CompliantModel(table=contact_table(), friction=smooth, modes=modes, rate=rate)
-    y = released_state(model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0]))
-    waves = model.waves(y)
+    modes = table_modes_from_numbers(
+        ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
+    )
+    model = CompliantModel(
+        table=contact_table(), friction=smooth, modes=modes, rate=rate
+    )
+    y = preloaded_compliant_state(
+        model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0])
+    )
+    waves = model.supporting_modes(y)
     kick = NUTATION_KICK * omega * beta
     d = y[STATE.axis : STATE.axis + 2] / np.sin(beta)
     y[STATE.velocity : STATE.velocity + 3] = 0, 0, kick * disk.radius
@@ -89,8 +97,8 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
 
 
 def _amplitude(t, x, omega, begin, end):
-    """Return the middle [s] of a part of the duration, and the complex amplitude of x at the
-    frequency omega there."""
+    """Return the middle [s] of a part of the duration and the complex amplitude of x
+    there at the frequency omega."""
     within = (t > begin * t[-1]) & (t <= end * t[-1])
     hann = np.hanning(np.count_nonzero(within)) * np.exp(-1j * omega * t[within])
     return (begin + end) / 2 * t[-1], hann @ (x[within] - x[within].mean()) / len(hann)
@@ -98,16 +106,21 @@ def _amplitude(t, x, omega, begin, end):
 
 def expected_growth(mode: SurfaceMode, x: float) -> float:
     """Return the largest real part of the eigenvalues [1/s]."""
-    return float(campbell_diagram(contact_table().law.disk, mode, x).eigenvalue.real.max())
+    return float(
+        campbell_diagram(contact_table().law.disk, mode, x).eigenvalue.real.max()
+    )
 
 
 def _answer(rate):
     try:
         growth = growth_by_steps(MODE, FLUTTER_SPEED, rate).real
     except ValueError as error:
-        raise Failure("refused: a resonance of the contact turns too far in a step") from error
+        raise Failure(
+            "refused: a resonance of the contact turns too far in a step"
+        ) from error
     return Answer(
-        (growth,), int(REVOLUTIONS * MODE.order / (FLUTTER_SPEED * MODE.frequency) * rate)
+        (growth,),
+        int(REVOLUTIONS * MODE.order / (FLUTTER_SPEED * MODE.frequency) * rate),
     )
 
 
@@ -117,7 +130,8 @@ def _growth_error(values):
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the chart; `watch(fraction, note)` is called before every run."""
+    """Return the records of the chart; `watch(fraction, note)` is called before every
+    run."""
     rates = selected_values((1e4, 5e4, 1e5, 2e5, 4e5, 8e5), quick)
     works = works_over(
         "two ways",
@@ -133,7 +147,8 @@ def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
 
 
 def is_divergent(diagram: CampbellDiagram) -> np.ndarray:
-    """Return (k,) True where a non-oscillating eigenvalue grows faster than the waves decay."""
+    """Return (k,) True where a non-oscillating eigenvalue grows faster than the waves
+    decay."""
     still = np.abs(diagram.eigenvalue.imag) < 1e-9 * diagram.omega[:, None]
     return (
         np.where(still, diagram.eigenvalue.real, 0.0).max(axis=1)
@@ -142,14 +157,15 @@ def is_divergent(diagram: CampbellDiagram) -> np.ndarray:
 
 
 def flutter_growth(diagram: CampbellDiagram) -> np.ndarray:
-    """Return the largest growth rate (k,) [1/s] of the oscillating eigenvalues, 0 if none grows."""
+    """Return the largest growth rate (k,) [1/s] of the oscillating eigenvalues, 0 if
+    none grows."""
     moves = np.abs(diagram.eigenvalue.imag) > 0.05 * diagram.omega[:, None]
     return np.where(moves, diagram.eigenvalue.real, 0.0).max(axis=1).clip(0)
 
 
 def draw(records: list[Record], title: str, path):
-    """Draw frequencies over Omega and growth rates against x, and the speed at which the steps were
-    assessed."""
+    """Draw frequencies divided by Omega and growth rates against x, and mark the speed
+    of the two-way runs."""
     diagram = campbell_diagram(contact_table().law.disk, MODE, SPEEDS)
     figure = Figure(figsize=(9, 9), dpi=DPI, layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)
@@ -157,7 +173,10 @@ def draw(records: list[Record], title: str, path):
     rate = diagram.omega[:, None]
     up = diagram.eigenvalue.imag >= 0
     x = np.broadcast_to(SPEEDS[:, None], growth.shape)
-    for part, colour, label in ((growth <= 0, "0.6", "decays"), (growth > 0, "#b5367a", "grows")):
+    for part, colour, label in (
+        (growth <= 0, "0.6", "decays"),
+        (growth > 0, "#b5367a", "grows"),
+    ):
         above.plot(
             x[part & up],
             (diagram.eigenvalue.imag / rate)[part & up],
@@ -193,7 +212,8 @@ def draw(records: list[Record], title: str, path):
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return where the steady motion is unstable, and the error of the two-way steps."""
+    """Return sentences on the instability of the steady motion and the error of the
+    two-way steps."""
     diagram = campbell_diagram(contact_table().law.disk, MODE, SPEEDS)
     divergent = SPEEDS[is_divergent(diagram)]
     growth = np.where(SPEEDS > 1.1, flutter_growth(diagram), 0.0)

@@ -1,4 +1,5 @@
-"""`python -m sonify chart`: write the table, the picture and the page of a chart."""
+"""Write the table, the picture and the page of a chart, for `python -m sonify
+chart`."""
 
 from importlib import import_module
 from pathlib import Path
@@ -15,11 +16,11 @@ from sonify.scene_errors import InputError
 def write_chart(
     name: str, quick: bool, out: str | Path, stages: Stages, redraw: bool = False
 ) -> Path:
-    """Run the chart `name` of `CHARTS`, write <name>.csv, .png and .md into `out`, and return the
-    path of the page.
+    """Run the chart `name` of `CHARTS`, write <name>.csv, .png and .md into `out`, and
+    return the path of the page.
 
-    With `redraw` no method runs: picture and page are made from the records in `out`. Raises
-    InputError if `out` has no records of this chart."""
+    With `redraw`, picture and page are made from the records in `out` without running
+    any method. Raises InputError if `out` has no records of this chart."""
     chart = CHARTS[name]
     module = import_module(f"benchmarks.charts.{name}_chart")
     folder = Path(out) if redraw else create_folder(out)

@@ -1,5 +1,5 @@
-"""Markdown page of a chart, made from its records: problem, conclusion, tables, failures,
-environment."""
+"""Write the Markdown page of a chart from its records: problem, conclusion, tables,
+failures, environment."""
 
 import os
 import platform
@@ -21,15 +21,20 @@ PACKAGES = (
     "ngsolve",
 )
 ROUND_OFF = 1e-15
-"""Smaller errors are round-off; the page gives only this bound."""
+"""Bound stated on the page for smaller errors, which are round-off."""
 ENVIRONMENT_HEADING = "## Environment"
 
 
 def write_page(
-    name: str, title: str, module, records: list[Record], environment: list[str], path: Path
+    name: str,
+    title: str,
+    module,
+    records: list[Record],
+    environment: list[str],
+    path: Path,
 ):
-    """Write the page of the chart whose `module` defines PROBLEM, conclusion(records) and perhaps
-    tables(records)."""
+    """Write the page of the chart whose `module` defines PROBLEM, conclusion(records)
+    and perhaps tables(records)."""
     tables = getattr(module, "tables", methods)
     failed = [
         [r.case, f"{r.family}: {r.method}", r.setting, r.failure, _seconds(r)]
@@ -49,7 +54,9 @@ def write_page(
             for part in (f"## {heading}", table(rows))
         ),
         "## Failures",
-        table([["case", "method", "setting", "how", "seconds"], *failed]) if failed else "None.",
+        table([["case", "method", "setting", "how", "seconds"], *failed])
+        if failed
+        else "None.",
         ENVIRONMENT_HEADING,
         "\n".join(f"- {line}" for line in environment),
         f"Made by `{command}` in a checkout; with `--redraw` it makes picture and page from "
@@ -66,8 +73,8 @@ def table(rows: list[list]) -> str:
 
 
 def methods(records: list[Record]) -> dict[str, list[list]]:
-    """Return one table per case, by its heading: failures of each method, and its run of the
-    smallest error."""
+    """Return one table per case by heading, with failures and the run of the smallest
+    error of each method."""
     tables = {}
     for case in dict.fromkeys(r.case for r in records):
         case_records = [r for r in records if r.case == case and not r.left_out]
@@ -76,7 +83,11 @@ def methods(records: list[Record]) -> dict[str, list[list]]:
             runs = [r for r in case_records if (r.family, r.method) == key]
             failures = sum(bool(r.failure) for r in runs)
             best = most_accurate(runs)
-            best_columns = [number(best.error), best.setting, _seconds(best)] if best else ["-"] * 3
+            best_columns = (
+                [number(best.error), best.setting, _seconds(best)]
+                if best
+                else ["-"] * 3
+            )
             rows.append([": ".join(key), f"{failures} of {len(runs)}", *best_columns])
         tables[f"Methods, {case}"] = rows
     return tables
@@ -101,16 +112,22 @@ def environment() -> list[str]:
 
 
 def known_environment(path: Path) -> list[str]:
-    """Return the environment from an existing page: the one in which its records were measured."""
+    """Return the environment stated on an existing page, in which its records were
+    measured."""
     lines = path.read_text("utf-8").partition(ENVIRONMENT_HEADING)[2].splitlines()
     return [line.removeprefix("- ") for line in lines if line.startswith("- ")]
 
 
 def _processor():
-    """Return the model name of the processor if the system reports it, else the architecture."""
+    """Return the model name of the processor if the system reports it, else the
+    architecture."""
     cpuinfo = Path("/proc/cpuinfo")
     lines = cpuinfo.read_text("utf-8").splitlines() if cpuinfo.is_file() else []
-    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    names = [
+        line.partition(":")[2].strip()
+        for line in lines
+        if line.startswith("model name")
+    ]
     return names[0] if names else platform.processor() or platform.machine()
 
 

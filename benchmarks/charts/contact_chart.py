@@ -1,11 +1,12 @@
-"""Chart of the elastic contact: error against processor time of the filter, the full model and the
-rigid contact."""
+"""Chart error against processor time of filter, full model and rigid contact for the
+elastic contact."""
 
 from functools import cache, partial
 from math import degrees
 
 from benchmarks.cases import contact_case as case
 from benchmarks.cases.contact_case import explicit_euler, leap_frog
+from benchmarks.cases.table_halt import steady_state
 from benchmarks.charts import error_time_picture
 from benchmarks.charts.chart_page import milliseconds, number
 from benchmarks.timed_runs import (
@@ -19,7 +20,6 @@ from benchmarks.timed_runs import (
     works_over,
 )
 from dynamics import simulate
-from sonify.claims.halt import steady_state
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -65,7 +65,14 @@ def impact_works(quick: bool) -> list[Work]:
         explicit_rates = selected_values((2.5e4, *rates), quick)
         solve = partial(case.explicit_impact, step)
         runs += works_over(
-            "explicit", name, RATE_SETTING, explicit_rates, solve, IMPACT, distance_from_one, 0.1
+            "explicit",
+            name,
+            RATE_SETTING,
+            explicit_rates,
+            solve,
+            IMPACT,
+            distance_from_one,
+            0.1,
         )
     return runs
 
@@ -78,7 +85,13 @@ def rolling_works(quick: bool) -> list[Work]:
     return [
         Work("rigid", "event-driven", "-", ROLLING, _rigid, error),
         *works_over(
-            "full", FULL_METHOD, RATE_SETTING, full_rates, case.full_model_rms, ROLLING, error
+            "full",
+            FULL_METHOD,
+            RATE_SETTING,
+            full_rates,
+            case.full_model_rms,
+            ROLLING,
+            error,
         ),
         *works_over(
             "filter",
@@ -99,12 +112,16 @@ def hazard_works(quick: bool) -> list[Work]:
     for loss in selected_values((0.02, 0.002, 0.0), quick):
         for name, creeps in (("with creep", True), ("without creep", False)):
             call = partial(case.relative_inclination, loss, creeps)
-            runs.append(Work("full", name, f"{loss:g}", NO_LOSS, call, distance_from_one))
+            runs.append(
+                Work("full", name, f"{loss:g}", NO_LOSS, call, distance_from_one)
+            )
     for rms in selected_values((1e-8, 3e-8, 1e-7, 3e-7, 1e-6), quick):
         call = partial(case.filter_rms, 9.6e4, rms=rms)
         error = partial(_force_error, rms, 4e5)
         setting = f"{case.contact_shift(rms):.2g}"
-        runs.append(Work("filter", FILTER_METHOD, setting, SEVERAL_CONTACTS, call, error, 0.1))
+        runs.append(
+            Work("filter", FILTER_METHOD, setting, SEVERAL_CONTACTS, call, error, 0.1)
+        )
     inclinations = selected_values((1e-2, 1e-4, 1e-6, 1e-7, 3e-8), quick)
     return runs + works_over(
         "full",
@@ -118,10 +135,12 @@ def hazard_works(quick: bool) -> list[Work]:
 
 
 def _rigid() -> Answer:
-    """Solve the event-driven motion of the same disk; its force has no part above AUDIBLE."""
-    start = steady_state(case.contact_table().law.disk, case.ROLLING_INCLINATION)
+    """Solve the event-driven motion of the same disk, whose force has no component
+    above AUDIBLE."""
+    start = steady_state(case.contact_table().law, case.ROLLING_INCLINATION)
     scene = load_scene("granite").replace(
         "contact.law=rigid",
+        f"contact.fillet={case.contact_table().law.fillet}",
         f"release.inclination_deg={degrees(start[1])}",
         f"release.omega={start[5:8].tolist()}",
         f"numerics.time_limit={case.ROLLING_DURATION}",
@@ -135,25 +154,32 @@ def _reference(rms: float, rate: float) -> float:
 
 
 def _force_error(rms, rate, values) -> float:
-    """Return the relative error of the rms force against the full model with `rate` steps per
-    second."""
+    """Return the relative error of the rms force against the full model with `rate`
+    steps per second."""
     return abs(values[0] / _reference(rms, rate) - 1)
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the chart; `watch(fraction, note)` is called before every run."""
-    return measured(works(quick), watch, warm=lambda work: work.case in (IMPACT, ROLLING))
+    """Return the records of the chart; `watch(fraction, note)` is called before every
+    run."""
+    return measured(
+        works(quick), watch, warm=lambda work: work.case in (IMPACT, ROLLING)
+    )
 
 
 def draw(records: list[Record], title: str, path):
     """Draw error against processor time for the two cases with a reference."""
     error_time_picture.draw(
-        [r for r in records if r.case in (IMPACT, ROLLING)], title, "relative error", path
+        [r for r in records if r.case in (IMPACT, ROLLING)],
+        title,
+        "relative error",
+        path,
     )
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return at most five sentences: which method to use, and where each method fails."""
+    """Return at most five sentences: which method to use, and where each method
+    fails."""
     full = most_accurate(records, family="full", case=ROLLING)
     linear = most_accurate(records, family="filter", case=ROLLING)
     gradient = most_accurate(records, family="full", case=IMPACT)

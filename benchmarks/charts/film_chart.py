@@ -1,18 +1,25 @@
-"""Chart of the air film: error of its power against processor time, for closed form, finite
-elements and estimates."""
+"""Chart the error of the power of the air film against processor time for all
+methods."""
 
 from functools import cache, partial
 
 import numpy as np
 
 from benchmarks.charts.chart_page import number
-from benchmarks.timed_runs import Answer, Failure, Record, measured, relative_error, works_over
+from benchmarks.timed_runs import (
+    Answer,
+    Failure,
+    Record,
+    measured,
+    relative_error,
+    works_over,
+)
 from dynamics import Air
 from dynamics.disk import Disk
 from dynamics.dissipation import Dissipation, power_laws
 from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
-from dynamics.film.wedge import compressibility, film_under, layer_thickness
-from dynamics.steady_motion import flat_square
+from dynamics.film.wedge import boundary_layer_ratio, compressibility_number, film_under
+from dynamics.steady_motion import squared_rate_times_inclination
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -30,8 +37,8 @@ CASES = {"0.1 rad": 0.1, "0.01 rad": 0.01, "0.001 rad": 0.001}
 """Inclinations [rad] by the name of the case."""
 
 MAX_POWER_ERROR = 0.3
-"""Relative error of the power above which a run counts as failed; it shifts the end of a motion by
-0.1 s or more."""
+"""Relative error of the power above which a run counts as failed; it shifts the end of
+a motion by 0.1 s or more."""
 
 UNSTEADY_REFERENCE_CELLS = 32
 COMPRESSIBLE_REFERENCE_CELLS = 16
@@ -48,24 +55,35 @@ def disk_and_air() -> tuple[Disk, Air]:
 def precession_rate(beta: float) -> float:
     """Return the precession rate [rad/s] of a steady disk at a small inclination."""
     disk, _ = disk_and_air()
-    return (flat_square(disk.aspect, disk.gyration) / beta) ** 0.5 / disk.time_unit
+    return (
+        squared_rate_times_inclination(disk.aspect, disk.gyration) / beta
+    ) ** 0.5 / disk.time_unit
 
 
 def power_factor(beta: float) -> float:
     """Return the factor of the dimensionless power I in the power [W]."""
     disk, air = disk_and_air()
-    return 12 * air.viscosity * disk.radius**3 * precession_rate(beta) ** 2 / np.sin(beta)
+    return (
+        12 * air.viscosity * disk.radius**3 * precession_rate(beta) ** 2 / np.sin(beta)
+    )
 
 
 def incompressible_power(unsteady: bool, beta: float, cells: int) -> Answer:
-    """Return the power [W] of incompressible air by finite elements, for steady or unsteady
-    flow."""
+    """Return the power [W] of incompressible air by finite elements, for steady or
+    unsteady flow."""
     disk, air = disk_and_air()
     mesh = FilmMesh(cells)
     y = mesh.points.imag
-    inertia = (1 + 1j) * layer_thickness(beta, precession_rate(beta), disk.radius, air) * unsteady
+    inertia = (
+        (1 + 1j)
+        * boundary_layer_ratio(beta, precession_rate(beta), disk.radius, air)
+        * unsteady
+    )
     return Answer(
-        (-mesh.linear_responses([y], [y], inertia=inertia)[0].works[0].real * power_factor(beta),),
+        (
+            -mesh.linear_responses([y], [y], inertia=inertia)[0].works[0].real
+            * power_factor(beta),
+        ),
         mesh.basis.N,
     )
 
@@ -78,19 +96,28 @@ def compressible_power(beta: float, cells: int) -> Answer:
     mesh = FilmMesh(cells, nearest=5.0)
     try:
         share = compressible_wedge_response(
-            [compressibility(beta, precession_rate(beta), disk_and_air()[1])], mesh
+            [compressibility_number(beta, precession_rate(beta), disk_and_air()[1])],
+            mesh,
         )[1][0]
     except ArithmeticError:
         raise Failure("Newton's method does not converge") from None
-    return Answer((share * incompressible_power(False, beta, cells).values[0],), mesh.basis.N)
+    return Answer(
+        (share * incompressible_power(False, beta, cells).values[0],), mesh.basis.N
+    )
 
 
 def closed_form_power(beta: float) -> Answer:
-    """Return the power [W] by the closed form that the motion uses."""
+    """Return the power [W] by the closed form used in the motion."""
     disk, air = disk_and_air()
     w3 = precession_rate(beta) * np.sin(beta) * disk.time_unit
     unit = disk.mass * disk.radius**2 / disk.time_unit**3
-    return Answer((film_under(disk, air).powers(beta, (0.0, 0.0, w3))[0] * unit,), 0)
+    return Answer(
+        (
+            film_under(disk, air).rotation_and_fall_powers(beta, (0.0, 0.0, w3))[0]
+            * unit,
+        ),
+        0,
+    )
 
 
 def power_law_estimate(beta: float, **law) -> Answer:
@@ -111,10 +138,13 @@ def reference_power(beta: float) -> float:
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of all methods in all cases; `watch(fraction, note)` is called before
-    every run."""
+    """Return the records of all methods in all cases; `watch(fraction, note)` is called
+    before every run."""
     air = disk_and_air()[1]
-    layer = {"boundary_layer_viscosity": air.viscosity / air.density, "air_density": air.density}
+    layer = {
+        "boundary_layer_viscosity": air.viscosity / air.density,
+        "air_density": air.density,
+    }
     moffatt = partial(power_law_estimate, air_viscosity=air.viscosity)
     bildsten = partial(power_law_estimate, **layer)
     cells = (4, 8) if quick else (4, 8, 16)
@@ -122,7 +152,12 @@ def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
     for name, beta in CASES.items():
         measure = (name, relative_error((reference_power(beta),)), MAX_POWER_ERROR)
         works += works_over(
-            "closed form", "I and the fit of inertia", "", [beta], closed_form_power, *measure
+            "closed form",
+            "I and the fit of inertia",
+            "",
+            [beta],
+            closed_form_power,
+            *measure,
         )
         works += works_over("estimate", "Moffatt", "", [beta], moffatt, *measure)
         works += works_over("estimate", "Bildsten", "", [beta], bildsten, *measure)

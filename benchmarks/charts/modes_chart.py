@@ -1,4 +1,4 @@
-"""Chart of the modes: largest error of a frequency against processor time, for the disk on its
+"""Chart the largest error of a frequency against processor time for the disk on its
 patch and free."""
 
 import math
@@ -10,11 +10,23 @@ import numpy as np
 
 from benchmarks.cases.modes_case import ModesCase, modes_case
 from benchmarks.charts.chart_page import methods, number
-from benchmarks.methods.plain_finite_elements import ELEMENTS, plain_modes, strain_energy_error
+from benchmarks.methods.plain_finite_elements import (
+    ELEMENTS,
+    plain_modes,
+    strain_energy_error,
+)
 from benchmarks.peers.finite_element_programs import calculix_modes, ngsolve_modes
-from benchmarks.timed_runs import LEFT_OUT, Answer, Failure, Record, Work, measured, most_accurate
+from benchmarks.timed_runs import (
+    LEFT_OUT,
+    Answer,
+    Failure,
+    Record,
+    Work,
+    measured,
+    most_accurate,
+)
 from modal import FreeDisk, Support, eigenmodes
-from modal.synthesis.free_disk import Richness
+from modal.synthesis.free_disk import BasisSizes
 
 PROBLEM = r"""
 A steel disk is free, or held on a patch of its lateral surface ($u = 0$ on an arc of 10 degrees over the full
@@ -29,9 +41,17 @@ At the edge of the patch $u \sim r^{1/2}$; uniform elements therefore converge s
 ACCURACIES = ("draft", "standard", "reference")
 DEFAULT_ACCURACY = "standard"
 RICHNESSES = {
-    "poor": Richness(size=(8, 4), direct=12, around=3, through=2, cutoff=1.8),
-    "default": Richness(),
-    "rich": Richness(size=(12, 8), around=6, through=5, cutoff=3.2),
+    "poor": BasisSizes(
+        size=(8, 4),
+        highest_direct_order=12,
+        circumferential_tractions=3,
+        thickness_tractions=2,
+        cutoff=1.8,
+    ),
+    "default": BasisSizes(),
+    "rich": BasisSizes(
+        size=(12, 8), circumferential_tractions=6, thickness_tractions=5, cutoff=3.2
+    ),
 }
 PLAIN = "uniform scikit-fem"
 CALCULIX = "uniform CalculiX"
@@ -54,21 +74,22 @@ MESHES = {
 }
 """(Refinements, layers of the thickness) of each mesh.
 
-The refinements are the rows next to the rim, or for NGSolve the halvings of the elements at the
-edge of the patch. """
+The refinements are the rows next to the rim, or for NGSolve the halvings of the
+elements at the edge of the patch. """
 
 LONG_RUNS = [("patch", PLAIN, "Q2 hexahedra")]
-"""Runs of ten seconds, which the quick chart leaves out."""
+"""Runs of ten seconds, omitted in the quick chart."""
 
 SOLVERS = {PLAIN: plain_modes, CALCULIX: calculix_modes, NGSOLVE: ngsolve_modes}
 OPTIONAL_PROGRAMS = {
     CALCULIX: ("CalculiX", lambda: shutil.which("ccx")),
     NGSOLVE: ("NGSolve", lambda: find_spec("ngsolve")),
 }
-"""Programs that may not be installed: name, and function that finds them."""
+"""Name and detection function of programs that may not be installed."""
 
 MAX_FREQUENCY_ERROR = 0.3
-"""Relative error of a frequency (four and a half semitones) above which a run counts as failed."""
+"""Relative error of a frequency (four and a half semitones) above which a run counts as
+failed."""
 
 MAX_STRETCH_ERROR = 1e-9
 """Largest relative error of the energy of a uniform stretch in the proof."""
@@ -86,7 +107,7 @@ def our_modes(case: ModesCase, accuracy: str) -> Answer:
 
 @cache
 def solved_disk(richness: str) -> FreeDisk:
-    """Return a free disk that has already solved one patch, so that its own modes are known."""
+    """Return a free disk with computed modes, after solving one patch."""
     case = modes_case("patch")
     disk = FreeDisk(plate=case.plate, richness=RICHNESSES[richness])
     disk.frequencies(Support(), 1.1 * case.reference[-1])
@@ -94,15 +115,18 @@ def solved_disk(richness: str) -> FreeDisk:
 
 
 def synthesis_modes(case: ModesCase, richness: str, known: bool) -> Answer:
-    """Return the frequencies [Hz] by synthesis; with `known` the free disk has already solved
-    another patch."""
+    """Return the frequencies [Hz] by synthesis; with `known` the free disk has already
+    solved another patch."""
     disk = (
         solved_disk(richness)
         if known
         else FreeDisk(plate=case.plate, richness=RICHNESSES[richness])
     )
     return Answer(
-        tuple(disk.frequencies(Support(), 1.1 * case.reference[-1])[: len(case.reference)]), 0
+        tuple(
+            disk.frequencies(Support(), 1.1 * case.reference[-1])[: len(case.reference)]
+        ),
+        0,
     )
 
 
@@ -112,7 +136,8 @@ def missing_program(family: str) -> Answer:
 
 
 def works(case: ModesCase, quick: bool) -> list[Work]:
-    """Return all runs on one case; `quick` leaves out settings and long runs."""
+    """Return all runs on one case; with `quick`, some settings and long runs are
+    omitted."""
 
     def work(family, method, setting, function, *arguments):
         return Work(
@@ -131,10 +156,20 @@ def works(case: ModesCase, quick: bool) -> list[Work]:
         work("ours", method, a, our_modes, case, a)
         for a in (ACCURACIES[:2] if quick else ACCURACIES)
     ]
-    for known, name in ((False, "first patch"), (True, "further patch")) if held else ():
+    for known, name in (
+        ((False, "first patch"), (True, "further patch")) if held else ()
+    ):
         for richness in ["default"] if quick else RICHNESSES:
             runs.append(
-                work("ours", f"synthesis, {name}", richness, synthesis_modes, case, richness, known)
+                work(
+                    "ours",
+                    f"synthesis, {name}",
+                    richness,
+                    synthesis_modes,
+                    case,
+                    richness,
+                    known,
+                )
             )
     for (kind, family, element), meshes in MESHES.items():
         if kind != case.name or (quick and (kind, family, element) in LONG_RUNS):
@@ -146,16 +181,26 @@ def works(case: ModesCase, quick: bool) -> list[Work]:
         for refinements, layers in quick_meshes if quick else meshes:
             setting = f"{refinements} refinements, {layers} layers"
             runs.append(
-                work(family, element, setting, SOLVERS[family], case, element, refinements, layers)
+                work(
+                    family,
+                    element,
+                    setting,
+                    SOLVERS[family],
+                    case,
+                    element,
+                    refinements,
+                    layers,
+                )
             )
     return runs
 
 
 def prove() -> None:
-    """Raise ArithmeticError unless every method solves the same equations of elasticity.
+    """Raise ArithmeticError if a method does not solve the same equations of
+    elasticity.
 
-    The elements of scikit-fem must give the energy of a uniform stretch, the other programs the
-    modes of the free disk."""
+    The elements of scikit-fem must reproduce the energy of a uniform stretch, the other
+    programs the modes of the free disk."""
     case = modes_case("free")
     errors = {element: strain_energy_error(case, element) for element in ELEMENTS}
     wrong = [
@@ -174,28 +219,33 @@ def prove() -> None:
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the chart; `watch(fraction, note)` is called before every run."""
+    """Return the records of the chart; `watch(fraction, note)` is called before every
+    run."""
     prove()
     runs = [w for kind in ("patch", "free") for w in works(modes_case(kind), quick)]
-    return measured(runs, watch, warm=lambda work: work.family == "ours", repeats=1 if quick else 3)
+    return measured(
+        runs, watch, warm=lambda work: work.family == "ours", repeats=1 if quick else 3
+    )
 
 
 def pareto_front(records: list[Record]) -> list[Record]:
-    """Return the runs for which no other run is both faster and more accurate, in order of their
-    time."""
+    """Return the runs for which no other run is both faster and more accurate, in order
+    of their time."""
     best: list[Record] = []
-    for r in sorted((r for r in records if math.isfinite(r.error)), key=lambda r: r.seconds):
+    for r in sorted(
+        (r for r in records if math.isfinite(r.error)), key=lambda r: r.seconds
+    ):
         if not best or r.error < best[-1].error:
             best.append(r)
     return best
 
 
 def seconds_at(runs: list[Record], error: float) -> tuple[float, bool]:
-    """Return the seconds at which a Pareto front reaches an error, and whether they are
+    """Return the time [s] at which a Pareto front reaches an error, and whether it is
     extrapolated.
 
-    The extrapolation follows the regression line of the front in the logarithms of seconds and
-    error."""
+    The extrapolation follows the regression line of the front in the logarithms of
+    seconds and error."""
     x = np.log([r.seconds for r in runs])
     y = np.log([r.error for r in runs])
     if error >= runs[-1].error:
@@ -205,8 +255,8 @@ def seconds_at(runs: list[Record], error: float) -> tuple[float, bool]:
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return for every case the speed of the default against plain scikit-fem, and the most
-    accurate run."""
+    """Return sentences that compare the default with plain scikit-fem and name the most
+    accurate run of each case."""
     lines = []
     for case in dict.fromkeys(r.case for r in records):
         lines += _comparison(
@@ -222,19 +272,23 @@ def conclusion(records: list[Record]) -> list[str]:
 
 
 def tables(records: list[Record]) -> dict[str, list[list]]:
-    """Return the table of our runs, and the methods of every case, by their headings."""
+    """Return the table of our runs and those of the methods of every case, by
+    heading."""
     rows = [["case", "method", "setting", "error", "seconds"]]
     for r in records:
         if r.family == "ours":
-            rows.append([r.case, r.method, r.setting, number(r.error), f"{r.seconds:.2g}"])
+            rows.append(
+                [r.case, r.method, r.setting, number(r.error), f"{r.seconds:.2g}"]
+            )
     return {"Our methods": rows} | methods(records)
 
 
 def _comparison(case, records):
-    """Return the sentence that compares the default with plain scikit-fem at the error of the
-    default."""
+    """Return the sentence that compares the default with plain scikit-fem at the error
+    of the default."""
     default = next(
-        (r for r in records if r.family == "ours" and r.setting == DEFAULT_ACCURACY), None
+        (r for r in records if r.family == "ours" and r.setting == DEFAULT_ACCURACY),
+        None,
     )
     plain = pareto_front([r for r in records if r.family == PLAIN])
     if default is None or len(plain) < 2:

@@ -1,9 +1,15 @@
-"""Chart of the motion: error of inclination and energy against processor time, for all methods of
-the rolling disk."""
+"""Chart the error of inclination and energy of the rolling disk against processor time
+for all methods."""
 
 from functools import partial
 
-from benchmarks.cases.motion_case import EASY_SPAN, Case, conservative, published, sticking
+from benchmarks.cases.motion_case import (
+    EASY_SPAN,
+    Case,
+    conservative,
+    published,
+    sticking,
+)
 from benchmarks.charts.chart_page import methods, number
 from benchmarks.methods import event_driven
 from benchmarks.methods.moreau_time_stepping import moreau
@@ -41,22 +47,23 @@ COMPARED_ERRORS = (1e-6, 1e-9, 1e-11)
 solve_ivp."""
 
 MAX_PROOF_ERROR = 2e-3
-"""Largest relative error on the easy time span at which a method counts as computing the same
-motion."""
+"""Largest relative error on the easy time span at which a method counts as computing
+the same motion."""
 
 COMPILED_METHODS = (TAYLOR_METHOD, "our DOP853", "time-stepping")
-"""Methods that compile during their first run, which is therefore not timed."""
+"""Methods with compilation during their first run, which is therefore not timed."""
 
 MAX_MOTION_ERROR = 1.0
 """Relative error above which a run counts as failed."""
 
 AREA_CONTACT_METHOD = "Drake, contact by areas"
-"""A contact over an area instead of at a point: another model, which the proofs therefore leave
-out."""
+"""Method with a contact over an area, a different model, which is therefore excluded
+from the proofs."""
 
 
 def works(case: Case, quick: bool) -> list[Work]:
-    """Return all runs of the chart on one case; `quick` keeps all methods but fewer settings."""
+    """Return all runs of the chart on one case; `quick` keeps all methods but fewer
+    settings."""
 
     def middle(settings):
         return settings[1:2] or settings if quick else settings
@@ -75,11 +82,25 @@ def works(case: Case, quick: bool) -> list[Work]:
     runs = []
     for tol in selected_values((1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16), quick):
         runs.append(
-            work("event-driven", TAYLOR_METHOD, f"tol {tol:g}", event_driven.ours, "taylor", tol)
+            work(
+                "event-driven",
+                TAYLOR_METHOD,
+                f"tol {tol:g}",
+                event_driven.ours,
+                "taylor",
+                tol,
+            )
         )
     for tol in selected_values((1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13), quick):
         runs.append(
-            work("event-driven", "our DOP853", f"tol {tol:g}", event_driven.ours, "dop853", tol)
+            work(
+                "event-driven",
+                "our DOP853",
+                f"tol {tol:g}",
+                event_driven.ours,
+                "dop853",
+                tol,
+            )
         )
     for method, tolerances in {
         "DOP853": (1e-6, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13),
@@ -89,28 +110,58 @@ def works(case: Case, quick: bool) -> list[Work]:
         for tol in selected_values(tolerances, quick):
             name = f"solve_ivp {method}"
             runs.append(
-                work("event-driven", name, f"tol {tol:g}", event_driven.with_solve_ivp, method, tol)
+                work(
+                    "event-driven",
+                    name,
+                    f"tol {tol:g}",
+                    event_driven.with_solve_ivp,
+                    method,
+                    tol,
+                )
             )
     for method in SIGN_FRICTION_INTEGRATORS:
         for tol in selected_values((1e-4, 1e-6, 1e-8, 1e-10), quick):
-            runs.append(work("naive sign()", method, f"tol {tol:g}", naive_sign, method, tol))
+            runs.append(
+                work("naive sign()", method, f"tol {tol:g}", naive_sign, method, tol)
+            )
     for start, stop, longest in middle(
         ((1e-3, 1e-3, 0.1), (1e-4, 1e-4, 0.01), (1e-5, 1e-5, 3e-3), (1e-5, 1e-10, 0.1))
     ):
         setting = f"start {start:g}, stop {stop:g}, steps <= {longest:g}"
         runs.append(
-            work("slip tolerance", "DOP853", setting, slip_tolerance, start, stop, longest, 1e-9)
+            work(
+                "slip tolerance",
+                "DOP853",
+                setting,
+                slip_tolerance,
+                start,
+                stop,
+                longest,
+                1e-9,
+            )
         )
     for width in selected_values((1e-2, 1e-3, 1e-4, 1e-5, 1e-6), quick):
         runs.append(
             work(
-                "tanh", "LSODA", f"width {width:g}", tanh_regularised, "LSODA", width, 1e-3 * width
+                "tanh",
+                "LSODA",
+                f"width {width:g}",
+                tanh_regularised,
+                "LSODA",
+                width,
+                1e-3 * width,
             )
         )
     for width in selected_values((1e-2, 1e-3, 1e-4), quick):
         runs.append(
             work(
-                "tanh", "Radau", f"width {width:g}", tanh_regularised, "Radau", width, 1e-2 * width
+                "tanh",
+                "Radau",
+                f"width {width:g}",
+                tanh_regularised,
+                "Radau",
+                width,
+                1e-2 * width,
             )
         )
     for step in selected_values((1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4), quick):
@@ -119,19 +170,32 @@ def works(case: Case, quick: bool) -> list[Work]:
         for method, peer in engines.methods_for(case).items():
             for setting, call in middle(peer.runs(case)):
                 runs.append(
-                    Work("engine", method, setting, case.name, call, case.error, MAX_MOTION_ERROR)
+                    Work(
+                        "engine",
+                        method,
+                        setting,
+                        case.name,
+                        call,
+                        case.error,
+                        MAX_MOTION_ERROR,
+                    )
                 )
     return runs
 
 
 def proofs() -> list[Work]:
-    """Return one accurate run per method on the easy time span, to show that all methods compute
-    the same motion."""
+    """Return one accurate run per method on the easy time span, to show that all
+    methods compute the same motion."""
     case = published(EASY_SPAN)
 
     def work(family, method, function, *arguments):
         return Work(
-            family, method, "proof", case.name, partial(function, case, *arguments), case.error
+            family,
+            method,
+            "proof",
+            case.name,
+            partial(function, case, *arguments),
+            case.error,
         )
 
     scipy = [
@@ -146,13 +210,18 @@ def proofs() -> list[Work]:
         work("event-driven", TAYLOR_METHOD, event_driven.ours, "taylor", 1e-16),
         work("event-driven", "our DOP853", event_driven.ours, "dop853", 1e-12),
         *scipy,
-        *(work("naive sign()", m, naive_sign, m, 1e-8) for m in ("RK45", "DOP853", "LSODA")),
+        *(
+            work("naive sign()", m, naive_sign, m, 1e-8)
+            for m in ("RK45", "DOP853", "LSODA")
+        ),
         work("slip tolerance", "DOP853", slip_tolerance, 1e-5, 1e-5, 0.1, 1e-8),
         work("tanh", "LSODA", tanh_regularised, "LSODA", 1e-5, 1e-9),
         work("tanh", "Radau", tanh_regularised, "Radau", 1e-5, 1e-8),
         work("Moreau", "time-stepping", moreau, 1e-3),
         *(
-            Work("engine", method, "proof", case.name, peer.runs(case)[-1][1], case.error)
+            Work(
+                "engine", method, "proof", case.name, peer.runs(case)[-1][1], case.error
+            )
             for case in (conservative(EASY_SPAN), case)
             for method, peer in engines.methods_for(case).items()
             if method != AREA_CONTACT_METHOD
@@ -161,51 +230,68 @@ def proofs() -> list[Work]:
 
 
 def prove() -> list[Record]:
-    """Run the proofs and return their records. Raises ArithmeticError if a method computes another
-    motion."""
+    """Run the proofs and return their records. Raises ArithmeticError if a method
+    computes another motion."""
     records = measured(proofs(), repeats=1)
     judged = [r for r in records if not r.left_out]
     wrong = [r for r in judged if not r.error <= MAX_PROOF_ERROR]
     if wrong:
-        reasons = [f"{r.family} {r.method}: {r.failure or format(r.error, '.2g')}" for r in wrong]
-        raise ArithmeticError(f"not the same motion on the easy time span: {'; '.join(reasons)}")
+        reasons = [
+            f"{r.family} {r.method}: {r.failure or format(r.error, '.2g')}"
+            for r in wrong
+        ]
+        raise ArithmeticError(
+            f"not the same motion on the easy time span: {'; '.join(reasons)}"
+        )
     return records
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the chart; `watch(fraction, note)` is called before every run."""
+    """Return the records of the chart; `watch(fraction, note)` is called before every
+    run."""
     prove()
     cases = (conservative(), published(10.0 if quick else 50.0), sticking())
     runs = [work for case in cases for work in works(case, quick)]
     return measured(
-        runs, watch, lambda work: work.method in COMPILED_METHODS, 1 if quick else MAX_TIMINGS
+        runs,
+        watch,
+        lambda work: work.method in COMPILED_METHODS,
+        1 if quick else MAX_TIMINGS,
     )
 
 
-def cheapest(records: list[Record], case: str, method: str, error: float) -> Record | None:
-    """Return the fastest run of an event-driven method with at most this error, or None if there is
-    none."""
+def cheapest(
+    records: list[Record], case: str, method: str, error: float
+) -> Record | None:
+    """Return the fastest run of an event-driven method with at most this error, or None
+    if there is none."""
     good = [
         r
         for r in records
-        if (r.family, r.case, r.method) == ("event-driven", case, method) and r.error <= error
+        if (r.family, r.case, r.method) == ("event-driven", case, method)
+        and r.error <= error
     ]
-    return min((r for r in good if not r.failure), key=lambda r: r.seconds, default=None)
+    return min(
+        (r for r in good if not r.failure), key=lambda r: r.seconds, default=None
+    )
 
 
 def speed_ratio(records: list[Record], case: str, error: float) -> float | None:
-    """Return the time of solve_ivp's DOP853 at this error over the time of our Taylor series, on
-    the same model."""
+    """Return the ratio of the times of solve_ivp's DOP853 and of our Taylor series at
+    this error."""
     fast = cheapest(records, case, TAYLOR_METHOD, error)
     slow = cheapest(records, case, BASELINE_METHOD, error)
     return slow.seconds / fast.seconds if fast and slow else None
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return at most five sentences: which method to use, and how the others fail."""
+    """Return at most five sentences that recommend a method and state how the others
+    fail."""
     cases = list(dict.fromkeys(r.case for r in records))
     lines = []
-    known = [speed_ratio(records, case, error) for case in cases for error in COMPARED_ERRORS]
+    known = [
+        speed_ratio(records, case, error) for case in cases for error in COMPARED_ERRORS
+    ]
     if ratios := [ratio for ratio in known if ratio]:
         lines.append(
             f"Use the event-driven Taylor series: at equal errors it is {min(ratios):.0f} to "
@@ -225,7 +311,10 @@ def conclusion(records: list[Record]) -> list[str]:
             "cases with sliding or sticking; the smallest error of the others is "
             f"{number(min((r.error for r in hard if not r.failure), default=MAX_MOTION_ERROR))}."
         )
-    if any(r.family == "engine" and not r.left_out and r.case == "published" for r in records):
+    if any(
+        r.family == "engine" and not r.left_out and r.case == "published"
+        for r in records
+    ):
         lines.append(
             "Do not use a physics engine for a sliding disk: the engines have one coefficient of "
             "friction, here the "
@@ -235,18 +324,20 @@ def conclusion(records: list[Record]) -> list[str]:
 
 
 def tables(records: list[Record]) -> dict[str, list[list]]:
-    """Return the speed ratios at equal errors and the methods of every case, as tables by their
-    headings."""
+    """Return tables of the speed ratios at equal errors and of the methods of every
+    case, by heading."""
     ratios = [["case", *(f"at an error of {error:g}" for error in COMPARED_ERRORS)]]
     for case in dict.fromkeys(r.case for r in records):
         known = [speed_ratio(records, case, error) for error in COMPARED_ERRORS]
         ratios.append([case, *(f"{ratio:.0f}" if ratio else "-" for ratio in known)])
-    return {f"Time of {BASELINE_METHOD} over time of {TAYLOR_METHOD}": ratios} | methods(records)
+    return {
+        f"Time of {BASELINE_METHOD} over time of {TAYLOR_METHOD}": ratios
+    } | methods(records)
 
 
 def _accuracy_clause(records, cases):
-    """Return the clause that the Taylor series has the smallest error, or "" if it has not in every
-    case."""
+    """Return the clause that the Taylor series has the smallest error, or "" if this is
+    not true in all cases."""
     best = {most_accurate(records, case=case).method for case in cases}
     return (
         ", and its smallest error is below that of every other method"

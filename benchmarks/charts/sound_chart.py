@@ -1,8 +1,8 @@
-"""Chart of the sound: error of the pressure against processor time, for the methods that step an
-oscillator.
+"""Chart the error of the pressure against processor time for methods that integrate
+oscillators.
 
-The times contain the stepping alone. Every method reads the same samples of the force, or more of
-them if it is oversampled. The pressures are compared at 48 kHz."""
+Only the time of the integration is measured. All methods use samples of the same force,
+at a higher rate if they are oversampled. The pressures are compared at 48 kHz."""
 
 from functools import cache, partial
 
@@ -12,7 +12,15 @@ from numba import njit
 from benchmarks.cases.sound_case import SAMPLE_RATE, SoundCase, sound_case
 from benchmarks.charts.chart_page import milliseconds, number
 from benchmarks.methods.oscillator_steps import STEPS, explicit_euler, matrices
-from benchmarks.timed_runs import Answer, Failure, Record, Work, measure, measured, most_accurate
+from benchmarks.timed_runs import (
+    Answer,
+    Failure,
+    Record,
+    Work,
+    measure,
+    measured,
+    most_accurate,
+)
 from sonify.sound.oscillators import OscillatorBank
 
 PROBLEM = r"""
@@ -27,40 +35,48 @@ OUR_METHOD = "exact, first-order hold, jumps between samples"
 PLAIN_EXACT_METHOD = "exact, first-order hold"
 
 MAX_PROOF_ERROR = 2e-3
-"""Largest error on the smooth force at which an oversampled second-order method solves the same
-equation."""
+"""Largest error accepted in the proof for an oversampled second-order method on the
+smooth force."""
 
 PROOF_OVERSAMPLING = 64
 """Oversampling factor of the proof."""
 
 MAX_GROWTH = 1e3
-"""Ratio of the largest pressure to the exact one above which a method has blown up."""
+"""Ratio of the largest pressure to the exact one above which a method counts as
+unstable."""
 
 
 def pressure(case: SoundCase, method: str, factor: int) -> Answer:
-    """Return the pressure (k,) [Pa] at SAMPLE_RATE by a method that steps at `factor` times that
-    rate.
+    """Return the pressure (k,) [Pa] at SAMPLE_RATE by a method that steps at `factor`
+    times that rate.
 
     Raises Failure if the pressure grows without limit.
     """
     g = _samples(case.name, factor)
     h = 1 / (factor * SAMPLE_RATE)
     if method == OUR_METHOD:
-        bank = OscillatorBank(case.omega / (2 * np.pi), case.decay, factor * SAMPLE_RATE)
-        bank.settle(np.zeros(len(case.omega)))
-        heard = bank.advance(g, case.knots(factor * SAMPLE_RATE))[::factor] @ case.radiated
+        bank = OscillatorBank(
+            case.omega / (2 * np.pi), case.decay, factor * SAMPLE_RATE
+        )
+        bank.set_steady_state(np.zeros(len(case.omega)))
+        heard = (
+            bank.advance(g, case.knots(factor * SAMPLE_RATE))[::factor] @ case.radiated
+        )
     else:
         table = np.ascontiguousarray(matrices(STEPS[method], case.omega, case.decay, h))
         heard = _run(g, table, case.omega**2, 2 * case.decay, factor) @ case.radiated
-    if not np.isfinite(heard).all() or np.abs(heard).max() > MAX_GROWTH * np.abs(case.exact).max():
+    if (
+        not np.isfinite(heard).all()
+        or np.abs(heard).max() > MAX_GROWTH * np.abs(case.exact).max()
+    ):
         raise Failure("blows up")
     return Answer(heard, len(g) - 1)
 
 
 @njit
 def _run(g, table, stiffness, damping, factor):
-    """Step from rest through the samples g (k + 1, m); return q'' (k // factor, m) at every
-    `factor`-th sample."""
+    """Step from rest through the samples g (k + 1, m); return q'' (k // factor, m) at
+    every `factor`-th sample."""
     q = np.zeros(g.shape[1])
     v = np.zeros(g.shape[1])
     out = np.empty(((g.shape[0] - 1) // factor, g.shape[1]))
@@ -101,8 +117,8 @@ def _samples(name, factor):
 
 
 def error(name: str, heard) -> float:
-    """Return the rms of the difference from the exact pressure over the rms of the exact
-    pressure."""
+    """Return the rms of the difference from the exact pressure, divided by the rms of
+    the exact pressure."""
     exact = case_of(name).exact
     return float(np.sqrt(np.mean((heard - exact) ** 2) / np.mean(exact**2)))
 
@@ -123,51 +139,68 @@ def work(name: str, method: str, factor: int) -> Work:
 
 
 def prove() -> list[Record]:
-    """Raise ArithmeticError unless every method solves the same equation.
+    """Raise ArithmeticError if a method does not solve the same equation.
 
-    With oversampling, the stable methods must agree with the exact pressure. Explicit Euler grows
-    at all practical sample rates; one short step of it must agree with the exact step to second
-    order."""
+    With oversampling, stable methods must agree with the exact pressure. Explicit Euler
+    is unstable at all practical sample rates, so only one short step must agree with
+    the exact step to second order."""
     stable_methods = [m for m in (*STEPS, OUR_METHOD) if m != "explicit Euler"]
-    records = [measure(work("smooth force", m, PROOF_OVERSAMPLING)) for m in stable_methods]
+    records = [
+        measure(work("smooth force", m, PROOF_OVERSAMPLING)) for m in stable_methods
+    ]
     wrong = [
         f"{r.method}: {r.failure or r.error}"
         for r in records
         if not r.error <= MAX_PROOF_ERROR * _error_allowance(r.method)
     ]
-    wrong += [] if _agrees_in_a_short_step(explicit_euler) else ["explicit Euler: another step"]
+    wrong += (
+        []
+        if _agrees_in_a_short_step(explicit_euler)
+        else ["explicit Euler: another step"]
+    )
     if wrong:
-        raise ArithmeticError(f"not the same pressure on a smooth force: {'; '.join(wrong)}")
+        raise ArithmeticError(
+            f"not the same pressure on a smooth force: {'; '.join(wrong)}"
+        )
     return records
 
 
 def _agrees_in_a_short_step(step, short=1e-4) -> bool:
-    """Return True if a step with w h = short under a steady force differs from the exact step by
-    less than short^2."""
+    """Return True if a step with w h = short under a steady force differs from the
+    exact step by less than short^2."""
     tables = [
         matrices(one, np.ones(1), np.full(1, 0.01), short)
         for one in (step, STEPS[PLAIN_EXACT_METHOD])
     ]
     difference = (tables[0] - tables[1]) @ np.ones(1)
-    return bool(np.abs([*difference[:, :2].T, difference[:, 2:].sum(axis=1)]).max() < short**2)
+    return bool(
+        np.abs([*difference[:, :2].T, difference[:, 2:].sum(axis=1)]).max() < short**2
+    )
 
 
 def _error_allowance(method):
-    """Return the factor on the allowed error, which is larger for methods of first order."""
+    """Return the factor on the allowed error, which is larger for methods of first
+    order."""
     return 50 if "zero" in method or "invariant" in method or "Euler" in method else 1
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the chart; `watch(fraction, note)` is called before every run."""
+    """Return the records of the chart; `watch(fraction, note)` is called before every
+    run."""
     prove()
     factors = (1, 4) if quick else (1, 2, 4, 8, 16, 32)
-    runs = [work(name, m, k) for name in CASES for m in (*STEPS, OUR_METHOD) for k in factors]
+    runs = [
+        work(name, m, k)
+        for name in CASES
+        for m in (*STEPS, OUR_METHOD)
+        for k in factors
+    ]
     return measured(runs, watch, warm=lambda work: True)
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return two sentences per case: the best method at 48 kHz, and the most accurate approximate
-    method."""
+    """Return two sentences per case on the best method at 48 kHz and the most accurate
+    approximate method."""
     lines = []
     for case in dict.fromkeys(r.case for r in records):
         best = most_accurate(records, case=case, setting=f"1 x {SAMPLE_RATE} Hz")

@@ -1,11 +1,18 @@
-"""Map of where methods fail: for every hazard a parameter goes to its limit, and all methods solve
-the same problem.
+"""Map the failures of methods as a parameter of each hazard approaches its limit.
 
-A run fails if its method stops or its result is useless. It is degraded if its error exceeds the
-`max_fine_error` of the hazard. The setting of a record is the value of the parameter."""
+All methods solve the same problem. A run fails if its method stops or its result is
+useless. It is degraded if its error exceeds the `max_fine_error` of the hazard. The
+setting of a record is the value of the parameter."""
 
 from benchmarks.charts import stability_modes, stability_motion, stability_sound
-from benchmarks.charts.stability_picture import DEGRADED, FAILED, FINE, HAZARDS, rows, state
+from benchmarks.charts.stability_picture import (
+    DEGRADED,
+    FAILED,
+    FINE,
+    HAZARDS,
+    rows,
+    state,
+)
 from benchmarks.charts.stability_picture import draw as draw
 from benchmarks.timed_runs import MAX_ERROR, Record, measured
 
@@ -18,15 +25,15 @@ quadruple precision, and converged solutions by another method.
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the map; `quick` keeps the first and the last value of every
-    parameter."""
+    """Return the records of the map; `quick` keeps the first and the last value of
+    every parameter."""
     works = [*stability_motion.works(quick), *stability_modes.works(quick)]
     records = stability_sound.records() + measured(works, watch, repeats=1)
     return sorted(records, key=lambda r: list(HAZARDS).index(r.case))
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return how to read the map, and how many of our methods and of the others are fine at all
+    """Return sentences on how to read the map and on the methods that are fine at all
     parameter values."""
     shown = [r for r in records if not r.left_out]
     is_fine = {"ours": [], "other methods": []}
@@ -50,12 +57,14 @@ def conclusion(records: list[Record]) -> list[str]:
 
 
 def tables(records: list[Record]) -> dict[str, list[list]]:
-    """Return one table per hazard: the parameter values at which each method is degraded, and at
-    which it fails."""
+    """Return one table per hazard with the parameter values at which each method is
+    degraded or fails."""
     found = {}
     for case, hazard in HAZARDS.items():
         runs_by_method = rows([r for r in records if r.case == case and not r.left_out])
-        lines = [["method", f"degraded (error above {hazard.max_fine_error:g})", "failed"]]
+        lines = [
+            ["method", f"degraded (error above {hazard.max_fine_error:g})", "failed"]
+        ]
         for (family, method), runs in runs_by_method.items():
             lines.append(
                 [
@@ -70,8 +79,8 @@ def tables(records: list[Record]) -> dict[str, list[list]]:
 
 
 def _values_in_state(runs, wanted):
-    """Return in words the parameter values, in their order, at which a method is in the state
-    `wanted`."""
+    """Return a text with the parameter values, in order, at which a method is in the
+    state `wanted`."""
     values = [r.setting for r in runs if state(r) == wanted]
     if values and len(values) == len(runs):
         return "everywhere"

@@ -1,4 +1,5 @@
-"""Where methods for the motion fail: small inclinations, small slip speeds, sticking rotations."""
+"""Test methods for the motion at small inclinations, small slip speeds and sticking
+rotations."""
 
 from functools import partial
 
@@ -30,8 +31,16 @@ ROLLING_METHODS = OUR_METHODS | {
     ("Moreau", "step 1e-5"): (moreau, 1e-5),
 }
 STICKING_METHODS = OUR_METHODS | {
-    ("event-driven", "solve_ivp DOP853, tol 1e-12"): (event_driven.with_solve_ivp, "DOP853", 1e-12),
-    ("event-driven", "solve_ivp DOP853, tol 1e-6"): (event_driven.with_solve_ivp, "DOP853", 1e-6),
+    ("event-driven", "solve_ivp DOP853, tol 1e-12"): (
+        event_driven.with_solve_ivp,
+        "DOP853",
+        1e-12,
+    ),
+    ("event-driven", "solve_ivp DOP853, tol 1e-6"): (
+        event_driven.with_solve_ivp,
+        "DOP853",
+        1e-6,
+    ),
     **{
         ("naive sign()", f"{m}, tol 1e-8"): (naive_sign, m, 1e-8)
         for m in ("RK45", "DOP853", "LSODA", "Radau", "BDF")
@@ -47,24 +56,26 @@ MOTION_HAZARDS = {
     "nutation sticks": (nutation_arm, NUTATION_ARMS, STICKING_METHODS),
     "pivoting sticks": (pivoting_arm, PIVOTING_ARMS, STICKING_METHODS),
 }
-"""Hazards with parameters of the motion: function from the value to its case, the values, the
-methods."""
+"""Function from parameter value to case, values, and methods of each hazard of the
+motion."""
 
 SLIP_RESOLUTIONS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10, 1e-12)
-"""Slip speeds, in units of R/chi, that separate rolling from sliding, or the tolerances with the
-same role."""
+"""Slip speeds [R/chi] that separate rolling from sliding, or tolerances with the same
+role."""
 
 MAX_SCENE_TOLERANCE = 1e-9
-"""Largest tolerance of the integrators of `dynamics` that a scene may set."""
+"""Largest tolerance of the integrators of `dynamics` allowed in a scene."""
 
 MIN_TOLERANCE = 1e-13
-"""Smallest tolerance that solve_ivp accepts."""
+"""Smallest tolerance accepted by solve_ivp."""
 
 SLIP_METHODS = {
-    ("ours", "Taylor series, tolerance"): lambda case, x: event_driven.ours(case, "taylor", x),
+    ("ours", "Taylor series, tolerance"): lambda case, x: event_driven.ours(
+        case, "taylor", x
+    ),
     ("ours", "DOP853, tolerance"): lambda case, x: event_driven.ours(case, "dop853", x),
-    ("event-driven", "solve_ivp DOP853, tolerance"): lambda case, x: event_driven.with_solve_ivp(
-        case, "DOP853", x
+    ("event-driven", "solve_ivp DOP853, tolerance"): lambda case, x: (
+        event_driven.with_solve_ivp(case, "DOP853", x)
     ),
     ("slip tolerance", "starts and ends slides"): lambda case, x: slip_tolerance(
         case, x, x, 0.01, 1e-9
@@ -82,23 +93,41 @@ SLIP_METHODS = {
 
 
 def works(quick: bool) -> list[Work]:
-    """Return all runs; `quick` keeps the first and the last value of each parameter, and one kind
-    of sticking."""
+    """Return all runs; `quick` keeps the first and the last value of each parameter,
+    and one kind of sticking."""
     runs = []
     for hazard, (case_of, parameters, methods) in MOTION_HAZARDS.items():
-        if quick and hazard == "pivoting sticks":  # the methods are those of the sticking nutation
+        if (
+            quick and hazard == "pivoting sticks"
+        ):  # the methods are those of the sticking nutation
             continue
         for about, (function, *arguments) in methods.items():
             for x in selected_values(parameters, quick):
                 case = case_of(x)
                 runs.append(
-                    Work(*about, f"{x:g}", hazard, partial(function, case, *arguments), case.error)
+                    Work(
+                        *about,
+                        f"{x:g}",
+                        hazard,
+                        partial(function, case, *arguments),
+                        case.error,
+                    )
                 )
     case = published(10.0)
     for about, function in SLIP_METHODS.items():
-        allowed = [x for x in SLIP_RESOLUTIONS if about[0] != "ours" or x <= MAX_SCENE_TOLERANCE]
+        allowed = [
+            x
+            for x in SLIP_RESOLUTIONS
+            if about[0] != "ours" or x <= MAX_SCENE_TOLERANCE
+        ]
         for x in selected_values(allowed, quick):
             runs.append(
-                Work(*about, f"{x:g}", "small slip", partial(function, case, x), case.error)
+                Work(
+                    *about,
+                    f"{x:g}",
+                    "small slip",
+                    partial(function, case, x),
+                    case.error,
+                )
             )
     return runs

@@ -1,8 +1,8 @@
-"""Where oscillator steps fail: long steps for the frequency, and frequencies around half the sample
-rate.
+"""Test oscillator steps that are long for the frequency, and frequencies around the
+Nyquist frequency.
 
-An oscillator fails if it grows or if its pitch is wrong by a quarter tone. It is degraded if the
-mistuning is audible."""
+An oscillator fails if it grows or if its pitch is wrong by a quarter tone. It is
+degraded if the mistuning is audible."""
 
 import math
 
@@ -21,28 +21,32 @@ AUDIBLE_MISTUNING = 5.0
 """Smallest audible difference of pitch [cents]."""
 
 MAX_MISTUNING = 50.0
-"""Half a semitone [cents]; a method with a larger mistuning fails."""
+"""Largest mistuning [cents], half a semitone; a method with a larger one fails."""
 
 MAX_STEP_GROWTH = 1e-9
-"""Relative growth in one step that round-off may cause."""
+"""Largest relative growth in one step attributed to round-off."""
 
 MAX_STATIC_ERROR = 0.3
-"""Largest relative error of the static response, about 3 dB; a method with a larger one fails."""
+"""Largest relative error of the static response, about 3 dB; a method with a larger one
+fails."""
 
 LONG_STEPS = (0.03, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6, 1.98, 2.02, 2.4, 2.8, 2.86, 3.1)
 """Products of step and angular frequency; pi corresponds to half the sample rate."""
 
 RELATIVE_FREQUENCIES = (0.2, 0.3, 0.4, 0.45, 0.49, 0.51, 0.55, 0.6, 0.7, 0.8)
-"""Frequencies over the sample rate."""
+"""Frequencies divided by the sample rate."""
 
 SAMPLED_METHODS = (OUR_STEP, "impulse-invariant", "bilinear", "exact, zero-order hold")
 
 
 def records() -> list[Record]:
-    """Return one record per method and parameter value; they are computed from the step matrices
-    and not timed."""
+    """Return one record per method and parameter value, computed from the step matrices
+    without timing."""
     long_steps = [
-        _long_step(name, x) for name in STEPS if "zero-order" not in name for x in LONG_STEPS
+        _long_step(name, x)
+        for name in STEPS
+        if "zero-order" not in name
+        for x in LONG_STEPS
     ]
     near_nyquist = [
         _near_nyquist(name, frequency)
@@ -58,11 +62,12 @@ def _labels(name, hazard, x):
 
 
 def _long_step(name, x) -> Record:
-    """Return the record of a step of length 1 at the angular frequency x; its error is the
-    mistuning [cents]."""
+    """Return the record of a step of length 1 at the angular frequency x; its error is
+    the mistuning [cents]."""
     w = np.array([x])
     relative_growth, tuning = (
-        float(value[0]) for value in growth_and_tuning(STEPS[name], w, DAMPING_RATIO * w, 1.0)
+        float(value[0])
+        for value in growth_and_tuning(STEPS[name], w, DAMPING_RATIO * w, 1.0)
     )
     growth = relative_growth * math.exp(-DAMPING_RATIO * x)
     cents = _cents(tuning)
@@ -75,8 +80,8 @@ def _long_step(name, x) -> Record:
 
 
 def _near_nyquist(name, frequency) -> Record:
-    """Return the record of an oscillator at a frequency over the sample rate; its error is that of
-    the static gain."""
+    """Return the record of an oscillator at a frequency relative to the sample rate,
+    with the error of its static gain."""
     labels = _labels(name, "near half the sample rate", frequency)
     w = np.array([2 * math.pi * frequency])
     if name == OUR_STEP and _is_rejected(frequency):
@@ -92,8 +97,8 @@ def _near_nyquist(name, frequency) -> Record:
 
 
 def _is_rejected(frequency) -> bool:
-    """Return True if the oscillator bank rejects a mode of this frequency, so that the caller must
-    omit the mode."""
+    """Return True if the oscillator bank rejects a mode of this frequency, which must
+    then be omitted."""
     try:
         OscillatorBank([frequency], [0.0], 1.0)
     except ValueError:

@@ -1,5 +1,5 @@
-"""Chart of the table: one mode under a moving weight, by our methods, textbook methods and physics
-engines."""
+"""Chart methods, textbook methods and physics engines for one table mode under a moving
+weight."""
 
 from functools import partial
 
@@ -40,12 +40,24 @@ MAX_AMPLITUDE_ERROR = 0.1
 """Relative error of the amplitude above which a run counts as failed."""
 
 ENGINE_METHODS = {
-    "MuJoCo, Euler": EngineMethod("mujoco", "table", ("Euler",), (1e2, 1e3, 1e4), RATE_SETTING),
-    "MuJoCo, RK4": EngineMethod("mujoco", "table", ("RK4",), (1e2, 1e3, 1e4), RATE_SETTING),
-    "MuJoCo, plate of flexes": EngineMethod("mujoco", "flexes", (), (9, 17), "{} vertices a side"),
-    "Drake, TAMSI": EngineMethod("pydrake", "table", ("Tamsi",), (1e2, 1e3, 1e4), RATE_SETTING),
-    "Drake, SAP": EngineMethod("pydrake", "table", ("Sap",), (1e2, 1e3, 1e4), RATE_SETTING),
-    "Drake, contact by areas": EngineMethod("pydrake", "areas", (), (1e2, 1e3), RATE_SETTING),
+    "MuJoCo, Euler": EngineMethod(
+        "mujoco", "table", ("Euler",), (1e2, 1e3, 1e4), RATE_SETTING
+    ),
+    "MuJoCo, RK4": EngineMethod(
+        "mujoco", "table", ("RK4",), (1e2, 1e3, 1e4), RATE_SETTING
+    ),
+    "MuJoCo, plate of flexes": EngineMethod(
+        "mujoco", "flexes", (), (9, 17), "{} vertices a side"
+    ),
+    "Drake, TAMSI": EngineMethod(
+        "pydrake", "table", ("Tamsi",), (1e2, 1e3, 1e4), RATE_SETTING
+    ),
+    "Drake, SAP": EngineMethod(
+        "pydrake", "table", ("Sap",), (1e2, 1e3, 1e4), RATE_SETTING
+    ),
+    "Drake, contact by areas": EngineMethod(
+        "pydrake", "areas", (), (1e2, 1e3), RATE_SETTING
+    ),
     "PyBullet": EngineMethod("pybullet", "table", (), (1e2, 1e3, 1e4), RATE_SETTING),
 }
 
@@ -55,7 +67,12 @@ def works(quick: bool) -> list[Work]:
     runs = []
     for family, method, rates, solve in (
         (ONE_WAY, "exact hold", (25, 100, 400, 1600, 6400), case.exact_hold),
-        (TWO_WAY, "midpoint rule, with the disk", (2000, 4000, 8000, 16000), case.two_way_disk),
+        (
+            TWO_WAY,
+            "midpoint rule, with the disk",
+            (2000, 4000, 8000, 16000),
+            case.two_way_disk,
+        ),
         (
             TEXTBOOK,
             "semi-implicit Euler",
@@ -82,19 +99,28 @@ def works(quick: bool) -> list[Work]:
     for method, peer in ENGINE_METHODS.items():
         for setting, call in selected_values(peer.runs(), quick):
             runs.append(
-                Work(ENGINE, method, setting, CASE, call, distance_from_one, MAX_AMPLITUDE_ERROR)
+                Work(
+                    ENGINE,
+                    method,
+                    setting,
+                    CASE,
+                    call,
+                    distance_from_one,
+                    MAX_AMPLITUDE_ERROR,
+                )
             )
     return runs
 
 
 def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
-    """Return the records of the chart; `watch(fraction, note)` is called before every run."""
+    """Return the records of the chart; `watch(fraction, note)` is called before every
+    run."""
     return measured(works(quick), watch, warm=lambda work: work.family != ENGINE)
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return at most five sentences: the method for each kind of table, and the errors of the other
-    methods."""
+    """Return at most five sentences on the method for each kind of table and on the
+    errors of other methods."""
     one_way = most_accurate(records, family=ONE_WAY)
     two_way = most_accurate(records, family=TWO_WAY)
     textbook = most_accurate(records, family=TEXTBOOK)
@@ -111,7 +137,9 @@ def conclusion(records: list[Record]) -> list[str]:
             f"The engines compute the contact themselves; the most accurate one is "
             f"{in_words(engine)}."
         )
-    failed_flexes = [r for r in records if r.failure and not r.left_out and "flexes" in r.method]
+    failed_flexes = [
+        r for r in records if r.failure and not r.left_out and "flexes" in r.method
+    ]
     if failed_flexes:
         lines.append(
             f"A plate of MuJoCo's flexes cannot solve the case: {failed_flexes[-1].failure}."

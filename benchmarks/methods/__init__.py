@@ -1,1 +1,2 @@
-"""Methods to compare with: textbook schemes and the event-driven model on other integrators."""
+"""Provide methods for comparison: textbook schemes and the event-driven model with
+other integrators."""

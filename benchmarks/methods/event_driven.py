@@ -1,5 +1,5 @@
-"""Event-driven solution with the regimes of `dynamics`: our integrators, and scipy's solve_ivp with
-terminal events."""
+"""Solve cases event by event with the regimes of `dynamics`, by our integrators and by
+scipy's solve_ivp."""
 
 from importlib.util import find_spec
 
@@ -15,10 +15,10 @@ from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 
 FINAL_SQRT_INCLINATION = 1e-9
-"""sqrt(inclination) at which a motion ends; no case reaches it."""
+"""Value of sqrt(inclination) at which a motion ends; no case reaches it."""
 
 MAX_STEPS_PER_REGIME = 3000
-"""Steps within one regime after which a run is stopped; successful runs need a tenth of them."""
+"""Largest number of steps within one regime; successful runs require a tenth of it."""
 
 
 def follow_events(case: Case, integrate, tolerance: float) -> Answer:
@@ -36,12 +36,16 @@ def follow_events(case: Case, integrate, tolerance: float) -> Answer:
         steps += len(arc.times)
         regime_steps += len(arc.times)
         if regime_steps > MAX_STEPS_PER_REGIME:
-            raise Failure(f"never grips again: {regime_steps} steps within one {arguments[1]}")
+            raise Failure(
+                f"never grips again: {regime_steps} steps within one {arguments[1]}"
+            )
         if arc.guard is not None:
             regime_steps = 0
         return arc
 
-    system = RollingDisk(case.law, None, FINAL_SQRT_INCLINATION, integrate_and_count, tolerance)
+    system = RollingDisk(
+        case.law, None, FINAL_SQRT_INCLINATION, integrate_and_count, tolerance
+    )
     path, ended = run_events(system, scaled(case.start), case.span, keep_state)
     if ended:
         raise Failure(f"ended at tau = {path.t:.4g}: {ended}")
@@ -56,23 +60,35 @@ def ours(case: Case, name: str, tolerance: float) -> Answer:
 
 
 def with_solve_ivp(case: Case, method: str, tolerance: float) -> Answer:
-    """Solve a case with a method of scipy.integrate.solve_ivp; its terminal events are the
-    guards."""
+    """Solve a case with a method of scipy.integrate.solve_ivp; its terminal events are
+    the guards."""
     counter = [0]
-    return follow_events(case, integrator_of(method, counter), tolerance)._replace(steps=counter[0])
+    return follow_events(
+        case, resolved_integrator_name(method, counter), tolerance
+    )._replace(steps=counter[0])
 
 
-def integrator_of(method: str, counter=None):
-    """Return a flow for `dynamics.hybrid` that uses solve_ivp and adds its steps to counter[0]."""
+def resolved_integrator_name(method: str, counter=None):
+    """Return a flow for `dynamics.hybrid` that uses solve_ivp and adds its steps to
+    counter[0]."""
     counter = counter if counter is not None else [0]
 
     def integrate(y, regime, law, loads, r_end, span, tolerance):
-        solution, names = _solve_until_event(y, regime, law, r_end, span, method, tolerance)
+        solution, names = _solve_until_event(
+            y, regime, law, r_end, span, method, tolerance
+        )
         counter[0] += len(solution.t) - 1
-        fired = [name for name, times in zip(names, solution.t_events, strict=True) if len(times)]
+        fired = [
+            name
+            for name, times in zip(names, solution.t_events, strict=True)
+            if len(times)
+        ]
         end = solution.y[:, -1]
         return Arc(
-            solution.t[-1:], end[None, None].copy(), end.tolist(), fired[0] if fired else None
+            solution.t[-1:],
+            end[None, None].copy(),
+            end.tolist(),
+            fired[0] if fired else None,
         )
 
     return integrate
@@ -85,21 +101,25 @@ def _solve_until_event(y, regime, law, r_end, span, method, tolerance):
     evaluations = 0
 
     def guards(y):
-        """Return all guards; they are evaluated once per state, although solve_ivp evaluates each
+        """Return all guards, evaluated once per state although solve_ivp evaluates each
         event separately."""
         nonlocal last_state, last_guards
         if last_state is not y:
             values = y.tolist()
             contact = FLOAT_FORMULAS.contact(values, branch, regime.senses, law)
             last_state = y
-            last_guards = FLOAT_FORMULAS.guards(values, contact, branch, regime.senses, law, r_end)
+            last_guards = FLOAT_FORMULAS.guards(
+                values, contact, branch, regime.senses, law, r_end
+            )
         return last_guards
 
     def rates(_, y):
         nonlocal evaluations
         evaluations += 1
         if evaluations > MAX_EVALUATIONS:
-            raise Failure(f"never grips again: {MAX_EVALUATIONS} evaluations within one {regime}")
+            raise Failure(
+                f"never grips again: {MAX_EVALUATIONS} evaluations within one {regime}"
+            )
         y = y.tolist()
         return FLOAT_FORMULAS.rates(
             y, FLOAT_FORMULAS.contact(y, branch, regime.senses, law), branch, law

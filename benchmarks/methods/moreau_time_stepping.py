@@ -1,10 +1,10 @@
-"""Moreau's time-stepping: fixed steps without events; the set-valued laws hold for the velocities
-at the end of a step.
+"""Implement Moreau's time-stepping: fixed steps without events, with set-valued laws at
+the end of each step.
 
-The unknowns of a step are the friction, in units of mu_dynamic Phi, and the moments s_i, in units
-of k_i Phi. The friction is a vector in the unit disk and s_i is in [-1, 1]; each opposes its
-velocity at the end of the step unless that velocity is zero (Jean 1999). They are found by
-projected iteration, which is compiled."""
+The unknowns of a step are the friction, in units of mu_dynamic Phi, and the moments
+s_i, in units of k_i Phi. The friction is a vector in the unit disk and s_i is in [-1,
+1]; each opposes its velocity at the end of the step unless that velocity is zero (Jean
+1999). They are found by projected iteration, which is compiled."""
 
 import functools
 import math
@@ -15,13 +15,19 @@ from numba.extending import register_jitable
 from benchmarks.cases.motion_case import Case, answer_of
 from benchmarks.timed_runs import Answer, Failure
 from dynamics.equations import equations_of_motion
-from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
+from dynamics.kinematics import (
+    centre_velocity,
+    contact_arms,
+    contact_place,
+    precession_rate,
+)
 
 MAX_PROJECTIONS = 300
 """Largest number of projections in one step."""
 
 PROJECTION_TOLERANCE = 1e-10
-"""Change of friction and moments, in their units, at which the projections have converged."""
+"""Largest change of friction and moments, in their units, for which projections count
+as converged."""
 
 
 def moreau(case: Case, step: float) -> Answer:
@@ -31,14 +37,17 @@ def moreau(case: Case, step: float) -> Answer:
     if not 0 < state[0] < math.pi / 2:
         raise Failure("left the table or the model")
     if unconverged > count // 100:
-        raise Failure(f"the projections did not converge in {unconverged} of {count} steps")
+        raise Failure(
+            f"the projections did not converge in {unconverged} of {count} steps"
+        )
     return answer_of(state, case.law, count)
 
 
 @functools.cache
 def stepper():
-    """Return the compiled time-stepping; it is compiled once per process."""
-    for function in (contact_arms, centre_velocity, precession_rate):  # `solve` calls them
+    """Return the time-stepping function, compiled once per process."""
+    # `solve` calls them
+    for function in (contact_arms, contact_place, centre_velocity, precession_rate):
         register_jitable(function)
     solve = njit(equations_of_motion(math.sin, math.cos))
 
@@ -48,10 +57,12 @@ def stepper():
 
     @njit
     def end(state, middle, h, c, s, s1, s2, s3, law):
-        """Return the velocities at the end of a step and the normal force, with the accelerations
-        at mid-step."""
+        """Return the velocities at the end of a step and the normal force from
+        accelerations at mid-step."""
         beta, w1, w2, w3, u1, u2 = middle
-        a = solve(beta, w1, w2, w3, u1, u2, c, s, True, False, False, False, s1, s2, s3, law)
+        a = solve(
+            beta, w1, w2, w3, u1, u2, c, s, True, False, False, False, s1, s2, s3, law
+        )
         return (
             state[1] + h * a.domega1,
             state[2] + h * a.domega2,
@@ -99,10 +110,24 @@ def stepper():
                     S = s
                 turn2 = w2 * math.sin(beta) - w3 * math.cos(beta)
                 turn3 = w2 * math.cos(beta) + w3 * math.sin(beta)
-                S1 = clip(s1 + 0.25 * inertia / (law.k1 * Phi * h) * w1) if law.k1 else 0.0
-                S2 = clip(s2 + 0.25 * inertia / (law.k2 * Phi * h) * turn2) if law.k2 else 0.0
-                S3 = clip(s3 + 0.25 * inertia / (law.k3 * Phi * h) * turn3) if law.k3 else 0.0
-                change = max(abs(C - c), abs(S - s), abs(S1 - s1), abs(S2 - s2), abs(S3 - s3))
+                S1 = (
+                    clip(s1 + 0.25 * inertia / (law.k1 * Phi * h) * w1)
+                    if law.k1
+                    else 0.0
+                )
+                S2 = (
+                    clip(s2 + 0.25 * inertia / (law.k2 * Phi * h) * turn2)
+                    if law.k2
+                    else 0.0
+                )
+                S3 = (
+                    clip(s3 + 0.25 * inertia / (law.k3 * Phi * h) * turn3)
+                    if law.k3
+                    else 0.0
+                )
+                change = max(
+                    abs(C - c), abs(S - s), abs(S1 - s1), abs(S2 - s2), abs(S3 - s3)
+                )
                 c = C
                 s = S
                 s1 = S1

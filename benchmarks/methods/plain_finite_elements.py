@@ -1,9 +1,9 @@
-"""Elastic modes by plain scikit-fem: uniform straight-sided meshes of the whole disk, and scipy's
-shift-invert.
+"""Compute elastic modes by plain scikit-fem on uniform straight-sided meshes, and
+scipy's shift-invert mode.
 
-A free disk has scikit-fem's mesh of a circle with a number of refinements. A held disk has SECTORS
-sides, an integer number of which form the patch, so that its extent is exact; `refinements` is the
-number of rows next to the rim."""
+The mesh of a free disk is scikit-fem's mesh of a circle with a number of refinements. A
+held disk has SECTORS sides, an integer number of which form the patch, so that its
+extent is exact; `refinements` is the number of rows next to the rim."""
 
 import numpy as np
 from scipy.sparse.linalg import eigsh
@@ -25,7 +25,7 @@ from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 from benchmarks.cases.modes_case import ModesCase
 from benchmarks.timed_runs import Answer, Failure
-from modal.mesh.half_disk import core_blocks, right_handed, rim_blocks, sub_block
+from modal.mesh.half_disk import core_blocks, make_right_handed, rim_blocks, sub_block
 from modal.mesh.sector import extrude, hexahedra
 
 ELEMENTS = {
@@ -33,6 +33,7 @@ ELEMENTS = {
     "P2 tetrahedra": ElementTetP2,
     "Q2 hexahedra": ElementHex2,
 }
+"""Element by its name in the charts."""
 NODE_COORDINATES = np.array([0.0, 0.5, 1.0])
 """Coordinates of the nodes of a quadratic element along one side."""
 
@@ -40,14 +41,15 @@ SECTORS = 72
 """Number of sides of a held disk."""
 
 RING_DEPTH = 0.5
-"""Depth of the ring of elements next to the rim, over the radius."""
+"""Depth of the ring of elements next to the rim, divided by the radius."""
 
 FREE_SHIFT = -((2 * np.pi * 3000.0) ** 2)
 """Shift for a free body [1/s^2]; its stiffness is singular at shift 0."""
 
 
 def plain_modes(case: ModesCase, element: str, refinements: int, layers: int) -> Answer:
-    """Return the lowest frequencies [Hz] of a case. Raises Failure if the factorisation fails."""
+    """Return the lowest frequencies [Hz] of a case. Raises Failure if the factorisation
+    fails."""
     basis, segments = uniform(case, element, refinements, layers)
     stiffness, mass = matrices(basis, case)
     held = patch_unknowns(basis, case, segments)
@@ -58,7 +60,9 @@ def plain_modes(case: ModesCase, element: str, refinements: int, layers: int) ->
     )
     sigma = 0.0 if len(held) else FREE_SHIFT
     try:
-        values = eigsh(k.tocsc(), k=count, M=m.tocsc(), sigma=sigma, return_eigenvectors=False)
+        values = eigsh(
+            k.tocsc(), k=count, M=m.tocsc(), sigma=sigma, return_eigenvectors=False
+        )
     except RuntimeError as error:
         raise Failure(f"the factorisation fails: {error}") from None
     elastic = np.sort(values)[-len(case.reference) :]
@@ -66,14 +70,21 @@ def plain_modes(case: ModesCase, element: str, refinements: int, layers: int) ->
 
 
 def uniform(case: ModesCase, element: str, refinements: int, layers: int):
-    """Return the basis on a uniform mesh of the disk, and the number of sides of its rim."""
-    heights = np.linspace(-case.plate.thickness / 2, case.plate.thickness / 2, layers + 1)
+    """Return the basis on a uniform mesh of the disk, and the number of sides of its
+    rim."""
+    heights = np.linspace(
+        -case.plate.thickness / 2, case.plate.thickness / 2, layers + 1
+    )
     if case.half_angle is not None:
         segments = SECTORS
         plane = sectors(refinements) * case.plate.radius
         curved = hexahedra(extrude(plane, heights))
-        solid = MeshHex(np.ascontiguousarray(curved.doflocs[:, : curved.t.max() + 1]), curved.t)
-        solid = MeshHex2.from_mesh(solid) if "hexahedra" in element else solid.to_meshtet()
+        solid = MeshHex(
+            np.ascontiguousarray(curved.doflocs[:, : curved.t.max() + 1]), curved.t
+        )
+        solid = (
+            MeshHex2.from_mesh(solid) if "hexahedra" in element else solid.to_meshtet()
+        )
     else:
         circle = MeshTri.init_circle(refinements)
         segments = len(circle.boundary_nodes())
@@ -85,8 +96,8 @@ def uniform(case: ModesCase, element: str, refinements: int, layers: int):
 
 
 def sectors(rows: int) -> np.ndarray:
-    """Return the nodes (q, 3, 3, 2) of the unit disk in SECTORS sectors with `rows` rows next to
-    the rim."""
+    """Return the nodes (q, 3, 3, 2) of the unit disk in SECTORS sectors with `rows`
+    rows next to the rim."""
     angles = np.linspace(0, np.pi, SECTORS // 2 + 1)
     ring = [
         sub_block(b, 0, 1, i / rows, (i + 1) / rows)
@@ -95,12 +106,12 @@ def sectors(rows: int) -> np.ndarray:
     ]
     u, v = np.meshgrid(NODE_COORDINATES, NODE_COORDINATES, indexing="ij")
     cells = np.array([block(u, v) for block in ring + core_blocks(angles, RING_DEPTH)])
-    return right_handed(np.concatenate([cells, cells * [1, -1]]))
+    return make_right_handed(np.concatenate([cells, cells * [1, -1]]))
 
 
 def quadrilaterals(triangles: MeshTri) -> np.ndarray:
-    """Return the nodes (q, 3, 3, 2) of three quadrilaterals per triangle, which meet at its
-    centroid."""
+    """Return the nodes (q, 3, 3, 2) of three quadrilaterals per triangle, which meet at
+    its centroid."""
     corners = triangles.p[:, triangles.t].transpose(2, 1, 0)
     first, second = (corners[:, i] - corners[:, 0] for i in (1, 2))
     clockwise = first[:, 0] * second[:, 1] < first[:, 1] * second[:, 0]
@@ -134,8 +145,9 @@ def matrices(basis, case: ModesCase):
 
 
 def patch_unknowns(basis, case: ModesCase, segments: int):
-    """Return the unknowns of the nodes on the patch, none for a free disk; the rim nodes must be
-    equally spaced."""
+    """Return the unknowns of the nodes on the patch, or none for a free disk.
+
+    The rim nodes must be equally spaced."""
     if case.half_angle is None:
         return np.zeros(0, int)
     x, y, _ = basis.doflocs
@@ -146,8 +158,8 @@ def patch_unknowns(basis, case: ModesCase, segments: int):
 
 
 def strain_energy_error(case: ModesCase, element: str) -> float:
-    """Return the relative error of the energy of a uniform stretch along x, which every element
-    represents exactly."""
+    """Return the relative error of the energy of a uniform stretch along x, which every
+    element represents exactly."""
     basis, _ = uniform(case, element, 2, 1)
     stiffness, mass = matrices(basis, case)
     stretch = basis.project(lambda x: np.stack([x[0], 0 * x[0], 0 * x[0]]))

@@ -1,11 +1,11 @@
-"""Friction by a plain sign(): the right-hand side jumps at every change of sign, and the integrator
-has no events.
+"""Model friction by a plain sign(): the right-hand side jumps at every change of sign,
+without events.
 
-Below the slip speed ROLLING_SLIP_SPEED the contact rolls if the friction cone admits the rolling
-force; otherwise it slides against that force. The module also contains what all methods without
-events share: the rates of a state, and an integration that stops after MAX_EVALUATIONS.
-`euler_angles` uses the paper's Euler angles as the state; its angle alpha loses its digits near
-pi/2."""
+Below the slip speed ROLLING_SLIP_SPEED the contact rolls if the friction cone admits
+the rolling force; otherwise it slides against that force. The module also contains
+functions shared by all methods without events: the rates of a state, and an integration
+that stops after MAX_EVALUATIONS. `euler_angles` uses the paper's Euler angles as the
+state; the angle alpha loses precision near pi/2."""
 
 import math
 import warnings
@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 from benchmarks.cases.motion_case import Case, answer_of
 from benchmarks.timed_runs import Answer, Failure
 from dynamics.equations import DiskConstants, solve_contact
-from dynamics.regime import projections
+from dynamics.regime import contact_axis_rates
 
 ROLLING = False
 SLIDING = True
@@ -25,12 +25,12 @@ ROLLING_SLIP_SPEED = 1e-6
 """Slip speed, in units of R/chi, below which the contact counts as rolling."""
 
 MAX_EVALUATIONS = 60_000
-"""Evaluations of the right-hand side after which a run is stopped; the event-driven runs need a
-tenth of them."""
+"""Largest number of evaluations of the right-hand side; event-driven runs require a
+tenth of it."""
 
 FIRST_STEP_FRACTION = 1e-4
-"""First step over the time span: with the step that an integrator chooses itself the disk may leave
-the table."""
+"""Ratio of the first step to the time span; with the step chosen by an integrator the
+disk may leave the table."""
 
 
 def sign(x: float) -> float:
@@ -40,18 +40,25 @@ def sign(x: float) -> float:
 
 def angular_rates(state) -> tuple[float, float, float]:
     """Return omega.a_1, omega.a_2, omega.a_3 of a state."""
-    return projections(*state[:4], math.sin, math.cos)
+    return contact_axis_rates(*state[:4], math.sin, math.cos)
 
 
 def solve_sign_contact(state, sliding: bool, direction, senses, law: DiskConstants):
-    """Solve the balance laws (4.1), (4.2) for given slip direction and senses of the moments;
-    nothing sticks."""
+    """Solve the balance laws (4.1), (4.2) for given slip direction and senses of the
+    moments; nothing sticks."""
     return solve_contact(*state, *direction, sliding, *NOTHING_STICKS, *senses, law)
 
 
 def rates(state, solved) -> list[float]:
     """Return the rates of (inclination, omega_1..3, slip_1, slip_2)."""
-    return [-state[1], solved.domega1, solved.domega2, solved.domega3, solved.du1, solved.du2]
+    return [
+        -state[1],
+        solved.domega1,
+        solved.domega2,
+        solved.domega3,
+        solved.du1,
+        solved.du2,
+    ]
 
 
 def contact_by_sign(state, law: DiskConstants):
@@ -59,7 +66,9 @@ def contact_by_sign(state, law: DiskConstants):
     senses = [sign(rate) for rate in angular_rates(state)]
     speed = math.hypot(state[4], state[5])
     if speed > ROLLING_SLIP_SPEED:
-        return solve_sign_contact(state, SLIDING, (state[4] / speed, state[5] / speed), senses, law)
+        return solve_sign_contact(
+            state, SLIDING, (state[4] / speed, state[5] / speed), senses, law
+        )
     rolling = solve_sign_contact(state, ROLLING, (0.0, 0.0), senses, law)
     demand = math.hypot(rolling.F1, rolling.F2)
     if demand <= law.mu_static * rolling.Phi:
@@ -70,10 +79,10 @@ def contact_by_sign(state, law: DiskConstants):
 
 
 def integrate(rhs, case: Case, method: str, tolerance: float, first=None) -> Answer:
-    """Integrate `rhs(state)` over the time span of a case by solve_ivp, optionally with a given
-    first step.
+    """Integrate `rhs(state)` over the time span of a case by solve_ivp, optionally with
+    a given first step.
 
-    Raises Failure if the integrator stops, or needs more than MAX_EVALUATIONS evaluations.
+    Raises Failure if the integrator stops or exceeds MAX_EVALUATIONS.
     """
     evaluations = 0
     reached = 0.0
@@ -83,14 +92,20 @@ def integrate(rhs, case: Case, method: str, tolerance: float, first=None) -> Ans
         evaluations += 1
         reached = max(reached, tau)
         if evaluations > MAX_EVALUATIONS:
-            raise Failure(f"chatters: {MAX_EVALUATIONS} evaluations and only tau = {reached:.4g}")
+            raise Failure(
+                f"chatters: {MAX_EVALUATIONS} evaluations and only tau = {reached:.4g}"
+            )
         if not 0 < state[0] < math.pi / 2:
             raise Failure(f"left the table or the model at tau = {tau:.4g}")
         return rhs(state.tolist())
 
     options = {"rtol": tolerance, "atol": tolerance, "first_step": first}
-    with warnings.catch_warnings(action="ignore"):  # the status of LSODA repeats its warnings
-        solution = solve_ivp(counted_rhs, (0.0, case.span), case.start, method, **options)
+    with warnings.catch_warnings(
+        action="ignore"
+    ):  # the status of LSODA repeats its warnings
+        solution = solve_ivp(
+            counted_rhs, (0.0, case.span), case.start, method, **options
+        )
     if solution.status < 0:
         raise Failure(f"step underflow at tau = {solution.t[-1]:.4g}")
     return answer_of(solution.y[:, -1], case.law, len(solution.t) - 1)
@@ -109,7 +124,8 @@ def naive_sign(case: Case, method: str, tolerance: float) -> Answer:
 
 
 def euler_angles(case: Case, tolerance: float) -> Answer:
-    """Solve a case of pure rolling with the state (alpha, omega_1..3), by solve_ivp's DOP853."""
+    """Solve a case of pure rolling with the state (alpha, omega_1..3), by solve_ivp's
+    DOP853."""
     evaluations = 0
 
     def rate(tau, state):
@@ -144,5 +160,5 @@ def euler_angles(case: Case, tolerance: float) -> Answer:
 
 
 def _inclined(state):
-    """Return the state with inclination and zero slip, from one with alpha."""
+    """Convert a state with alpha to one with inclination and zero slip."""
     return [math.pi / 2 - state[0], *state[1:4], 0.0, 0.0]

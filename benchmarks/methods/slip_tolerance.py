@@ -1,9 +1,10 @@
-"""The paper's own method (section 6.2): a slide starts with a prescribed slip speed and ends at a
+"""Implement the method of the paper (section 6.2) with a prescribed slip speed and a
 tolerance.
 
-"At each stage the static friction criterion is examined"; a slide starts along -F_f; "in the event
-that the magnitude of the slip speed becomes lower than a prescribed tolerance, the body is assumed
-to be rolling". The moments use sign()."""
+A slide starts with the slip speed and ends at the tolerance. "At each stage the static
+friction criterion is examined"; a slide starts along -F_f; "in the event that the
+magnitude of the slip speed becomes lower than a prescribed tolerance, the body is
+assumed to be rolling". The moments use sign()."""
 
 import math
 
@@ -11,18 +12,26 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from benchmarks.cases.motion_case import Case, answer_of
-from benchmarks.methods.sign_friction import ROLLING, angular_rates, rates, sign, solve_sign_contact
+from benchmarks.methods.sign_friction import (
+    ROLLING,
+    angular_rates,
+    rates,
+    sign,
+    solve_sign_contact,
+)
 from benchmarks.timed_runs import Answer, Failure
 
 MAX_EVALUATIONS = 250_000
-"""Evaluations of the right-hand side after which a run is stopped."""
+"""Largest number of evaluations of the right-hand side in a run."""
 
 
 def slip_tolerance(
     case: Case, start: float, stop: float, longest: float, tolerance: float
 ) -> Answer:
-    """Solve a case: slides start with the slip speed `start` and end below `stop`; `longest` is the
-    largest step."""
+    """Solve a case with slides that start at the slip speed `start` and end below
+    `stop`.
+
+    `longest` is the largest step."""
     tau = 0.0
     state = np.array(case.start)
     sliding = ROLLING
@@ -36,7 +45,13 @@ def slip_tolerance(
 
     while tau < case.span:
         solver = DOP853(
-            flow, tau, state, case.span, max_step=longest, rtol=tolerance, atol=tolerance
+            flow,
+            tau,
+            state,
+            case.span,
+            max_step=longest,
+            rtol=tolerance,
+            atol=tolerance,
         )
         regime_start = tau
         switched = False
@@ -69,7 +84,8 @@ def _forces(state, sliding, law):
 
 
 def _has_ended(state, sliding, law, stop) -> bool:
-    """Return True if the slide has stopped, or if rolling needs more than the static friction."""
+    """Return True if the slide has stopped or if rolling would exceed static
+    friction."""
     if sliding:
         return math.hypot(state[4], state[5]) < stop
     solved = _forces(state.tolist(), ROLLING, law)
@@ -82,5 +98,7 @@ def _state_after_switch(state, sliding, law, start):
         state[4:] = 0.0
         return state
     solved = _forces(state.tolist(), ROLLING, law)
-    state[4:] = -start * np.array([solved.F1, solved.F2]) / math.hypot(solved.F1, solved.F2)
+    state[4:] = (
+        -start * np.array([solved.F1, solved.F2]) / math.hypot(solved.F1, solved.F2)
+    )
     return state

@@ -1,2 +1,2 @@
-"""Other programs on the benchmark problems: physics engines and finite-element programs, one module
-per engine."""
+"""Solve the benchmark problems with other programs: physics engines and finite-element
+programs."""

@@ -1,9 +1,10 @@
-"""Drake on the benchmark problems: the disk as a sharp-edged cylinder on a half space, and the
-rocking plate.
+"""Solve the benchmark problems with Drake: a sharp-edged cylinder on a half space, and
+the rocking plate.
 
-Drake solves them in discrete steps or by RK3. The contact is at points, as stiff as the method
-allows, or over areas with an elastic modulus. Drake has no law for the moments (3.3), which are
-external torques. In discrete steps it has one coefficient of friction; it is the static one here.
+Drake solves them in discrete steps or by RK3. The contact is at points, as stiff as the
+method allows, or over areas with an elastic modulus. Drake has no law for the moments
+(3.3), which are external torques. In discrete steps it has a single coefficient of
+friction, here the static one.
 """
 
 import logging
@@ -46,7 +47,7 @@ HYDROELASTIC_STEP = 1e-3
 """Dimensionless time step of the contact over areas."""
 
 TETRAHEDRON_SIZE = 0.05
-"""Edge length of the tetrahedra of the contact over areas, over R."""
+"""Edge length of the tetrahedra of the contact over areas, divided by R."""
 
 BALL_MODULUS = 1e6
 """Hydroelastic modulus of the ball on the plate [Pa]."""
@@ -69,26 +70,32 @@ def disk(case: Case, solver: str, step: float) -> Answer:
 
 
 def continuous(case: Case, slip: float) -> Answer:
-    """Solve a case without moments by RK3 with error control; friction is regularised below the
-    slip speed `slip`."""
+    """Solve a case without moments by RK3 with error control; friction is regularised
+    below the slip speed `slip`."""
     plant, body, simulator, context = _disk(case, 0.0, slip=slip)
     integrator = simulator.get_mutable_integrator()
     integrator.set_target_accuracy(1e-3)
     simulator.AdvanceTo(case.span)
-    return answer(_pose(plant, body, context), case.law, integrator.get_num_steps_taken())
+    return answer(
+        _pose(plant, body, context), case.law, integrator.get_num_steps_taken()
+    )
 
 
 def hydroelastic(case: Case, modulus: float) -> Answer:
-    """Solve a case without moments by TAMSI with contact over areas; `modulus` is in units of m
-    g/R^2."""
-    plant, body, simulator, context = _disk(case, HYDROELASTIC_STEP, "Tamsi", modulus=modulus)
+    """Solve a case without moments by TAMSI with contact over areas; `modulus` is in
+    units of m g/R^2."""
+    plant, body, simulator, context = _disk(
+        case, HYDROELASTIC_STEP, "Tamsi", modulus=modulus
+    )
     simulator.AdvanceTo(case.span)
-    return answer(_pose(plant, body, context), case.law, round(case.span / HYDROELASTIC_STEP))
+    return answer(
+        _pose(plant, body, context), case.law, round(case.span / HYDROELASTIC_STEP)
+    )
 
 
 def table(solver: str, rate: float, modulus: float = 0.0) -> Answer:
-    """Solve the rocking plate with `rate` steps per second, by point contact or, with a modulus
-    [Pa], over areas."""
+    """Solve the rocking plate with `rate` steps per second, by point contact or, with a
+    modulus [Pa], over areas."""
     plant, joints, diagram = _plate(solver, 1 / rate, modulus)
     angles, rates, _ = plate.initial_state()
     simulator = Simulator(diagram)
@@ -118,7 +125,9 @@ def _world(step, fall, solver, by_areas):
         plant.set_discrete_contact_approximation(
             getattr(DiscreteContactApproximation, f"k{solver}")
         )
-    plant.set_contact_model(ContactModel.kHydroelastic if by_areas else ContactModel.kPoint)
+    plant.set_contact_model(
+        ContactModel.kHydroelastic if by_areas else ContactModel.kPoint
+    )
     plant.mutable_gravity_field().set_gravity_vector([0, 0, -fall])
     return builder, plant
 
@@ -126,12 +135,15 @@ def _world(step, fall, solver, by_areas):
 def _matter(mu, dissipation, stiffness, size, modulus=None):
     """Return the contact properties of a body.
 
-    With a modulus the body is compliant and meshed to `size`, with only a size rigid, and without
-    both a point contact."""
+    With a modulus the body is compliant and meshed to `size`, with only a size rigid,
+    and without both a point contact."""
     matter = geometry.ProximityProperties()
     friction = CoulombFriction(mu, mu)
     geometry.AddContactMaterial(
-        dissipation=dissipation, point_stiffness=stiffness, friction=friction, properties=matter
+        dissipation=dissipation,
+        point_stiffness=stiffness,
+        friction=friction,
+        properties=matter,
     )
     if modulus:
         geometry.AddCompliantHydroelasticProperties(size, modulus, matter)
@@ -171,10 +183,12 @@ def _disk(case, step, solver=None, slip=STICTION_SPEED, modulus=None):
 
 
 def _resist(plant, body, context, law):
-    """Apply the moments for the present normal force and angular velocity."""
+    """Apply the moments for the current normal force and angular velocity."""
     contacts = plant.get_contact_results_output_port().Eval(context)
     found = range(contacts.num_point_pair_contacts())
-    normal = abs(sum(contacts.point_pair_contact_info(i).contact_force()[2] for i in found))
+    normal = abs(
+        sum(contacts.point_pair_contact_info(i).contact_force()[2] for i in found)
+    )
     pose = _pose(plant, body, context)
     moment = ExternallyAppliedSpatialForce()
     moment.body_index = body.index()
@@ -209,7 +223,9 @@ def _plate(solver, step, modulus):
     ball = body("ball", plate.LOAD, plate.NEGLIGIBLE_INERTIA)
     joints = [
         plant.AddJoint(
-            tree.RevoluteJoint(f"{i}", parent.body_frame(), child.body_frame(), axis, damping)
+            tree.RevoluteJoint(
+                f"{i}", parent.body_frame(), child.body_frame(), axis, damping
+            )
         )
         for i, (parent, child, axis, damping) in enumerate(
             (
@@ -225,7 +241,9 @@ def _plate(solver, step, modulus):
     rail = plant.AddFrame(tree.FixedOffsetFrame("rail", arm, end))
     plant.AddJoint(tree.PrismaticJoint("slide", rail, ball.body_frame(), [0, 0, 1]))
     box = geometry.Box(
-        2 * plate.PLATE_HALF_WIDTH, 2 * plate.PLATE_HALF_WIDTH, 2 * plate.PLATE_HALF_THICKNESS
+        2 * plate.PLATE_HALF_WIDTH,
+        2 * plate.PLATE_HALF_WIDTH,
+        2 * plate.PLATE_HALF_THICKNESS,
     )
     for on, depth, shape, size, soft in (
         (top, plate.PLATE_HALF_THICKNESS, box, 2 * plate.PLATE_HALF_WIDTH, None),

@@ -1,5 +1,5 @@
-"""Physics engines of the benchmarks: their methods, settings and runs. An engine that is not
-installed is left out."""
+"""Define methods, settings and runs of the physics engines; engines that are not
+installed are omitted."""
 
 from collections.abc import Callable
 from functools import partial
@@ -11,22 +11,22 @@ from benchmarks.cases.motion_case import Case
 from benchmarks.timed_runs import LEFT_OUT, Answer, Failure
 
 ENGINES = {"mujoco": "MuJoCo", "pydrake": "Drake", "pybullet": "PyBullet"}
-"""Name of each engine by its Python package."""
+"""Name of each engine, by Python package."""
 
 CASE_MODULES = {
     "mujoco": "benchmarks.peers.mujoco_case",
     "pydrake": "benchmarks.peers.drake_case",
     "pybullet": "benchmarks.peers.pybullet_case",
 }
-"""Module that solves the benchmark problems with an engine, by its Python package."""
+"""Module that solves the benchmark problems with each engine, by Python package."""
 
 
 class EngineMethod(NamedTuple):
-    """A method of an engine: Python package, function of its case module, and arguments of that
-    function.
+    """Method of an engine: Python package, function of its case module, and arguments
+    of this function.
 
-    The function is called with the case (if any), the fixed arguments, and one value of `values`
-    per run. `setting` is the format string of that value."""
+    The function is called with the case (if any), the fixed arguments, and one value of
+    `values` per run. `setting` is the format string of that value."""
 
     package: str
     function: str
@@ -35,8 +35,8 @@ class EngineMethod(NamedTuple):
     setting: str = "step {:g}"
 
     def runs(self, *case) -> list[tuple[str, Callable[[], Answer]]]:
-        """Return setting and call of every run on a case, or one call that fails if the engine is
-        not installed."""
+        """Return setting and call of every run on a case, or one call that fails if the
+        engine is not installed."""
         if not find_spec(self.package):
             return [("", self.missing)]
         return [
@@ -65,7 +65,9 @@ METHODS = {
     "PyBullet": EngineMethod("pybullet", "disk", (), (1e-2, 1e-3, 1e-4)),
 }
 METHODS_WITHOUT_MOMENTS = {
-    "Drake, RK3": EngineMethod("pydrake", "continuous", (), (1e-2, 1e-3, 1e-4), "slip speed {:g}"),
+    "Drake, RK3": EngineMethod(
+        "pydrake", "continuous", (), (1e-2, 1e-3, 1e-4), "slip speed {:g}"
+    ),
     "Drake, contact by areas": EngineMethod(
         "pydrake", "hydroelastic", (), (1e4, 1e6, 1e8), "modulus {:g}"
     ),

@@ -1,11 +1,11 @@
-"""MuJoCo on the benchmark problems: the disk as a sharp-edged cylinder on a plane, and the rocking
-plate.
+"""Solve the benchmark problems with MuJoCo: a sharp-edged cylinder on a plane, and the
+rocking plate.
 
-The contact is as stiff as the step allows: its time constant is twice the step, the shortest that
-MuJoCo accepts. MuJoCo computes the contact of plane and cylinder in closed form. The moments (3.3)
-are external torques, because MuJoCo's rolling friction (condim 6) and the sliding share one
-friction cone, which is another law. MuJoCo has one coefficient of friction; it is the static one
-here."""
+The contact is as stiff as the step allows: its time constant is twice the step, the
+shortest one accepted by MuJoCo. MuJoCo computes the contact of plane and cylinder in
+closed form. The moments (3.3) are external torques, because MuJoCo's rolling friction
+(condim 6) and the sliding share one friction cone, which is another law. MuJoCo has a
+single coefficient of friction, here the static one."""
 
 import mujoco
 import numpy as np
@@ -75,7 +75,8 @@ def model_and_data(text: str, **values):
 
 
 def disk(case: Case, integrator: str, step: float) -> Answer:
-    """Solve a case by MuJoCo's integrator 'Euler' (semi-implicit) or 'RK4' in steps of `step`."""
+    """Solve a case by MuJoCo's integrator 'Euler' (semi-implicit) or 'RK4' in steps of
+    `step`."""
     start = at_start(case)
     count = round(case.span / step)
     model, data = model_and_data(
@@ -104,7 +105,9 @@ def disk(case: Case, integrator: str, step: float) -> Answer:
     mujoco.mj_kinematics(model, data)
     rotation = data.xmat[1].reshape(3, 3)
     return answer(
-        Pose(data.qpos[:3], rotation, data.qvel[:3], rotation @ data.qvel[3:]), case.law, count
+        Pose(data.qpos[:3], rotation, data.qvel[:3], rotation @ data.qvel[3:]),
+        case.law,
+        count,
     )
 
 
@@ -138,11 +141,12 @@ def table(integrator: str, rate: float) -> Answer:
 
 
 def flexes(count: int) -> Answer:
-    """Raise a Failure: MuJoCo's plate of flexes takes no modes, and its own first frequency is
-    wrong.
+    """Raise a Failure, because modes cannot be given to MuJoCo's plate of flexes and
+    its first frequency is wrong.
 
-    The message gives the frequency of the first mode of a simply supported square plate with
-    `count` vertices per side, over the exact frequency f = pi/a^2 (B/m'')^0.5."""
+    The message states the ratio of the frequency of the first mode of a simply
+    supported square plate with `count` vertices per side to the exact one, f = pi/a^2
+    (B/m'')^0.5."""
     young = 1e9
     poisson = 0.3
     density = 1e3
@@ -150,7 +154,10 @@ def flexes(count: int) -> Answer:
     side = 1.0
     thickness = 0.01
     edge = " ".join(
-        f"{i} {j}" for i in range(count) for j in range(count) if {i, j} & {0, count - 1}
+        f"{i} {j}"
+        for i in range(count)
+        for j in range(count)
+        if {i, j} & {0, count - 1}
     )
     solid = {
         "young": young,
@@ -172,7 +179,11 @@ def flexes(count: int) -> Answer:
         height.append(data.flexvert_xpos[middle, 2])
     crossings = np.flatnonzero(np.diff(np.sign(height)))
     measured = 0.5 / step / np.diff(crossings).mean()
-    exact = np.pi / side**2 * (young * thickness**2 / (12 * (1 - poisson**2) * density)) ** 0.5
+    exact = (
+        np.pi
+        / side**2
+        * (young * thickness**2 / (12 * (1 - poisson**2) * density)) ** 0.5
+    )
     raise Failure(
         f"no modes to be given; its own plate rings at {measured / exact:.2f} of the frequency"
     )

@@ -1,10 +1,10 @@
-"""PyBullet on the benchmark problems: the disk as a sharp-edged cylinder on a plane, and the
-rocking plate.
+"""Solve the benchmark problems with PyBullet: a sharp-edged cylinder on a plane, and
+the rocking plate.
 
-Damping and collision margin are 0. The rolling and spinning friction of Bullet are the moments
-(3.3), but with one rolling arm in place of k1 and k2. Bullet has one coefficient of friction; it is
-the static one here. The springs of the plate are torques, which depend on its angles at the start
-of each step."""
+Damping and collision margin are 0. The rolling and spinning friction of Bullet are the
+moments (3.3), but with one rolling arm in place of k1 and k2. Bullet has a single
+coefficient of friction, here the static one. The springs of the plate are torques,
+which depend on its angles at the start of each step."""
 
 import math
 from contextlib import contextmanager
@@ -14,11 +14,18 @@ import pybullet
 
 from benchmarks.cases import table_case as plate
 from benchmarks.cases.motion_case import Case
-from benchmarks.peers.rigid_body import Pose, answer, at_start, gravity, inertia, quaternion
+from benchmarks.peers.rigid_body import (
+    Pose,
+    answer,
+    at_start,
+    gravity,
+    inertia,
+    quaternion,
+)
 from benchmarks.timed_runs import Answer
 
 MAX_JOINT_VELOCITY = 1e9
-"""Velocity that PyBullet admits, far above all velocities of the disk."""
+"""Velocity limit of PyBullet, far above all velocities of the disk."""
 
 ARM_MASS = 1e6
 """Mass of the arm [kg]."""
@@ -26,7 +33,8 @@ ARM_MASS = 1e6
 
 @contextmanager
 def world(fall: float, step: float):
-    """Open an empty world with steps of `step`; yield the keyword arguments that select it."""
+    """Open an empty world with steps of `step`, and yield the keyword arguments that
+    select it."""
     here = {"physicsClientId": pybullet.connect(pybullet.DIRECT)}
     try:
         pybullet.setGravity(0, 0, -fall, **here)
@@ -47,7 +55,9 @@ def disk(case: Case, step: float) -> Answer:
         centre, turned = pybullet.getBasePositionAndOrientation(body, **here)
         velocity, angular = pybullet.getBaseVelocity(body, **here)
     rotation = np.reshape(pybullet.getMatrixFromQuaternion(turned), (3, 3))
-    return answer(Pose(*map(np.array, (centre, rotation, velocity, angular))), case.law, count)
+    return answer(
+        Pose(*map(np.array, (centre, rotation, velocity, angular))), case.law, count
+    )
 
 
 def table(rate: float) -> Answer:
@@ -76,12 +86,20 @@ def _disk(case, here):
         0, pybullet.createCollisionShape(pybullet.GEOM_PLANE, **here), **here
     )
     pybullet.changeDynamics(
-        plane, -1, lateralFriction=1, rollingFriction=0, spinningFriction=0, restitution=0, **here
+        plane,
+        -1,
+        lateralFriction=1,
+        rollingFriction=0,
+        spinningFriction=0,
+        restitution=0,
+        **here,
     )
     shape = pybullet.createCollisionShape(
         pybullet.GEOM_CYLINDER, radius=1, height=2 * law.h, **here
     )
-    body = pybullet.createMultiBody(1, shape, -1, start.centre.tolist(), [*axis, w], **here)
+    body = pybullet.createMultiBody(
+        1, shape, -1, start.centre.tolist(), [*axis, w], **here
+    )
     pybullet.changeDynamics(
         body,
         -1,
@@ -97,7 +115,9 @@ def _disk(case, here):
         activationState=pybullet.ACTIVATION_STATE_DISABLE_SLEEPING,
         **here,
     )
-    pybullet.resetBaseVelocity(body, start.velocity.tolist(), start.angular.tolist(), **here)
+    pybullet.resetBaseVelocity(
+        body, start.velocity.tolist(), start.angular.tolist(), **here
+    )
     return body
 
 
@@ -106,12 +126,18 @@ def _plate(here):
     angles, rates, height = plate.initial_state()
     turns = pybullet.JOINT_REVOLUTE
     slides = pybullet.JOINT_PRISMATIC
-    half_size = [plate.PLATE_HALF_WIDTH, plate.PLATE_HALF_WIDTH, plate.PLATE_HALF_THICKNESS]
+    half_size = [
+        plate.PLATE_HALF_WIDTH,
+        plate.PLATE_HALF_WIDTH,
+        plate.PLATE_HALF_THICKNESS,
+    ]
     below = [0, 0, -plate.PLATE_HALF_THICKNESS]
     box = pybullet.createCollisionShape(
         pybullet.GEOM_BOX, halfExtents=half_size, collisionFramePosition=below, **here
     )
-    sphere = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=plate.BALL_RADIUS, **here)
+    sphere = pybullet.createCollisionShape(
+        pybullet.GEOM_SPHERE, radius=plate.BALL_RADIUS, **here
+    )
     hub = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=1.0, **here)
     links = (
         (

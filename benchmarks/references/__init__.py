@@ -1,1 +1,2 @@
-"""Reference data of the benchmarks, and the script that computes the motions."""
+"""Contain the reference data of the benchmarks and the script that computes the
+motions."""

@@ -1,9 +1,11 @@
-"""Compute benchmarks/references/motion.json: python -m benchmarks.references.make_motion_reference
+"""Compute benchmarks/references/motion.json: python -m
+benchmarks.references.make_motion_reference
 
-The integration between events uses 80-bit arithmetic, which the machine must have, and the
-tolerance 1e-19; the changes of regime are determined in double precision. The values of the
-published case come from tests/references/motion.json, an independent simulation in quadruple
-precision. The script first checks the 80-bit integration against them."""
+The integration between events uses 80-bit arithmetic, which the machine must have, and
+the tolerance 1e-19; the changes of regime are determined in double precision. The
+values of the published case come from tests/references/motion.json, an independent
+simulation in quadruple precision. The script first checks the 80-bit integration
+against them."""
 
 import functools
 import json
@@ -26,16 +28,16 @@ from benchmarks.cases.motion_case import (
     sticking,
 )
 from dynamics.hybrid import Arc, run_events
+from dynamics.integrators.taylor import STATE_SYMBOLS, SYMBOLIC_FORMULAS
 from dynamics.regime import Branch
 from dynamics.rolling import RollingDisk
-from dynamics.taylor import STATE_SYMBOLS, SYMBOLIC_FORMULAS
 
 ROOT = Path(__file__).parents[2]
 LONG = np.longdouble
 
 GUARD_OFFSET = 1e-300
-"""Offset of the guards: heyoka would detect a guard that is exactly 0 at the start and miss its
-next root."""
+"""Offset of the guards: heyoka would detect a guard that is exactly 0 at the start and
+miss its next root."""
 
 PUBLISHED_SPANS = (1, 5, 10, 50, 100, 150)
 CASES = (
@@ -78,7 +80,7 @@ def compiled(branch, senses, law):
 
 
 def advance(y, regime, law, loads, r_end, span, tolerance):
-    """Integrate one regime like `dynamics.taylor`, in 80-bit arithmetic."""
+    """Integrate one regime like `dynamics.integrators.taylor`, in 80-bit arithmetic."""
     integrator, names = compiled(Branch.of(regime, law, loads), regime.senses, law)
     integrator.state[:] = y
     integrator.time = LONG(0)
@@ -86,14 +88,20 @@ def advance(y, regime, law, loads, r_end, span, tolerance):
     outcome = heyoka.taylor_outcome.success
     while outcome == heyoka.taylor_outcome.success:
         outcome, _ = integrator.step(max_delta_t=LONG(span) - integrator.time)
-    fired = None if outcome == heyoka.taylor_outcome.time_limit else names[-int(outcome) - 1]
+    fired = (
+        None
+        if outcome == heyoka.taylor_outcome.time_limit
+        else names[-int(outcome) - 1]
+    )
     end = integrator.state.copy()
-    return Arc(np.array([float(integrator.time)]), end[None, None].copy(), end.tolist(), fired)
+    return Arc(
+        np.array([float(integrator.time)]), end[None, None].copy(), end.tolist(), fired
+    )
 
 
 class EightyBit(RollingDisk):
-    """Rolling disk that solves all slides by `advance`, because the implicit steps have double
-    precision."""
+    """Rolling disk that solves all slides by `advance`, because the implicit steps have
+    double precision."""
 
     def _is_stiff(self, y, regime):
         return False
@@ -109,10 +117,14 @@ def solved(case):
 
 def main():
     """Check the 80-bit integration on the published case, then write all cases."""
-    samples = json.loads((ROOT / "tests/references/motion.json").read_text("utf-8"))["samples"]
+    samples = json.loads((ROOT / "tests/references/motion.json").read_text("utf-8"))[
+        "samples"
+    ]
     cases = {
         "published": {
-            f"{s['tau']:g}": [s["beta"], s["E"]] for s in samples if s["tau"] in PUBLISHED_SPANS
+            f"{s['tau']:g}": [s["beta"], s["E"]]
+            for s in samples
+            if s["tau"] in PUBLISHED_SPANS
         }
     }
     for span in (50.0, 100.0):

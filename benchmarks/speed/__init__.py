@@ -1,1 +1,1 @@
-"""Scripts that print timings: python -m benchmarks.speed.<name>."""
+"""Contain scripts that print timings: python -m benchmarks.speed.<name>."""

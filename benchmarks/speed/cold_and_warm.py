@@ -1,14 +1,14 @@
-"""Time of `run published`: cold, in a process with empty caches, and warm, in a process that has
-run it before.
+"""Time `run published` cold, in a process with empty caches, and warm, in a process
+that has run it before.
 
-Run as `python -m benchmarks.speed.cold_and_warm [PAIRS]`. Cold and warm runs alternate, so that the
-load of the machine affects both. The script prints the medians by stage; some stages run in
-parallel. It also prints the processor time of all threads. For a cold run this includes the process
-that draws the pictures.
+Run as `python -m benchmarks.speed.cold_and_warm [PAIRS]`. Cold and warm runs alternate,
+so that the load of the machine affects both. The script prints the medians by stage;
+some stages run in parallel. It also prints the processor time of all threads. For a
+cold run this includes the process that draws the pictures.
 
-A cold process is in the state after `pip install -e .`: it has the byte code of the libraries but
-not that of this program, no compiled functions, no fonts, and none of the packages that only the
-tests install (heyoka would import sympy and mpmath)."""
+A cold process is in the state after `pip install -e .`: it has the byte code of the
+libraries but not that of this program, no compiled functions, no fonts, and none of the
+packages that only the tests install (heyoka would import sympy and mpmath)."""
 
 import json
 import os
@@ -49,7 +49,9 @@ def cold(folder: str) -> tuple[dict, float, float]:
             ignore=ignore_patterns("__pycache__", "node_modules"),
         )
     environment = (
-        os.environ | {name: f"{folder}/{name}" for name in CACHE_VARIABLES} | {"PYTHONPATH": folder}
+        os.environ
+        | {name: f"{folder}/{name}" for name in CACHE_VARIABLES}
+        | {"PYTHONPATH": folder}
     )
     for name in ("PYTHONDONTWRITEBYTECODE", "PYTHONPYCACHEPREFIX"):
         environment.pop(name, None)
@@ -76,7 +78,11 @@ def warm(folder: str) -> tuple[dict, float, float]:
     began = perf_counter()
     processor_before = process_time()
     seconds = run(load_scene("published"), out=f"{folder}/out").seconds
-    return {"imports": 0.0} | seconds, perf_counter() - began, process_time() - processor_before
+    return (
+        {"imports": 0.0} | seconds,
+        perf_counter() - began,
+        process_time() - processor_before,
+    )
 
 
 def measured(run_in) -> tuple[dict, float, float]:
@@ -86,9 +92,11 @@ def measured(run_in) -> tuple[dict, float, float]:
 
 
 def medians(runs) -> dict[str, float]:
-    """Return the median seconds of several runs by stage, in total, and of the processor."""
+    """Return the median seconds of several runs by stage, in total, and of the
+    processor."""
     rows = [
-        seconds | {"total": total, "processor": processor} for seconds, total, processor in runs
+        seconds | {"total": total, "processor": processor}
+        for seconds, total, processor in runs
     ]
     return {stage: median(row[stage] for row in rows) for stage in rows[0]}
 

@@ -1,14 +1,15 @@
-"""The whole published run to inclination 1e-9, warm: python -m benchmarks.speed.motion_speed
+"""Time the whole published motion to inclination 1e-9, warm: python -m
+benchmarks.speed.motion_speed
 
-The script prints elapsed time, processor time and end of the run for our Taylor series and for the
-same event-driven model on scipy's solve_ivp with DOP853. It then prints the Taylor series for
-static friction close to or equal to the dynamic one. After tau = 150 the motion amplifies
-round-off, so that only the ends are comparable."""
+The script prints elapsed time, processor time and end of the run for our Taylor series
+and for the same event-driven model on scipy's solve_ivp with DOP853. It then prints the
+Taylor series for static friction close to or equal to the dynamic one. After tau = 150
+the motion amplifies round-off, so that only the ends are comparable."""
 
 from time import perf_counter, process_time
 
 from benchmarks.cases.motion_case import PUBLISHED_LAW, PUBLISHED_RELEASE, scaled
-from benchmarks.methods.event_driven import integrator_of
+from benchmarks.methods.event_driven import resolved_integrator_name
 from dynamics.hybrid import run_events
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
@@ -17,7 +18,7 @@ RUNS = {
     "Taylor (heyoka), tol 1e-16": (chosen_integrator("taylor")[1], 1e-16),
     "Taylor (heyoka), tol 1e-12": (chosen_integrator("taylor")[1], 1e-12),
     "our DOP853, tol 1e-12": (chosen_integrator("dop853")[1], 1e-12),
-    "solve_ivp DOP853, tol 1e-12": (integrator_of("DOP853"), 1e-12),
+    "solve_ivp DOP853, tol 1e-12": (resolved_integrator_name("DOP853"), 1e-12),
 }
 
 
@@ -50,7 +51,9 @@ if __name__ == "__main__":
         )
     for ratio in (1.1, 1.03, 1.0):
         for _ in range(2):  # the first run compiles
-            elapsed, busy, end = timed(*RUNS["Taylor (heyoka), tol 1e-16"], nearly_equal(ratio))
+            elapsed, busy, end = timed(
+                *RUNS["Taylor (heyoka), tol 1e-16"], nearly_equal(ratio)
+            )
         name = f"friction ratio {ratio}"
         print(
             f"{name:28} {elapsed:8.3f} s, processor {busy:8.3f} s ({busy / first:.1f} times), {end}"

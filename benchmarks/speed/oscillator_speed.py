@@ -1,11 +1,11 @@
-"""Processor time per mode and sample of the oscillator bank, scipy, Csound and Faust for the same
-modes and force.
+"""Measure processor time per mode and sample of the oscillator bank, scipy, Csound and
+Faust for the same modes and force.
 
-Run as `python -m benchmarks.speed.oscillator_speed`. The printed differences show that all programs
-compute the same samples. scipy and Faust run the recursion of the bank. Csound's `mode` opcode has
-its own difference scheme, which scipy reproduces; its relative pitch error is (w/fs)^2/24, and
-modes near fs/pi (15 kHz at 48 kHz) and above are distorted. Csound and Faust are skipped if they
-are not installed."""
+Run as `python -m benchmarks.speed.oscillator_speed`. The printed differences show that
+all programs compute the same samples. scipy and Faust run the recursion of the bank.
+Csound's `mode` opcode has its own difference scheme, which scipy reproduces; its
+relative pitch error is (w/fs)^2/24, and modes near fs/pi (15 kHz at 48 kHz) and above
+are distorted. Csound and Faust are skipped if they are not installed."""
 
 import re
 import shutil
@@ -50,22 +50,23 @@ def smallest_time(work, repeats=5) -> float:
 
 
 def processor_time() -> float:
-    """Return the processor time [s] of this process and of its ended child processes."""
+    """Return the processor time [s] of this process and of its ended child
+    processes."""
     children = getrusage(RUSAGE_CHILDREN)
     return process_time() + children.ru_utime + children.ru_stime
 
 
 def biquads(bank) -> tuple[np.ndarray, np.ndarray]:
-    """Return numerators and denominators (3, m) of the recursion of the bank, from force to
-    acceleration."""
+    """Return numerators and denominators (3, m) of the recursion of the bank, from
+    force to acceleration."""
     through, first, trace, second, minus_det = bank.step
     b = np.array([through, first - trace * through, second - minus_det * through])
     return b, np.array([np.ones(MODE_COUNT), -trace, -minus_det])
 
 
 def by_bank(force, weight):
-    """Return the weighted sum of the responses of all modes to one force, as the program computes a
-    pressure."""
+    """Return the weighted sum of the responses of all modes to one force, as the
+    program computes a pressure."""
     bank = OscillatorBank(FREQUENCIES, DECAY_RATES, SAMPLE_RATE)
     out = np.empty((BLOCK_LENGTH, MODE_COUNT))
     total = np.empty(len(force) - 1)
@@ -123,17 +124,22 @@ int main(int, char** args) {
 
 
 def by_faust(force, b, a, folder, *options):
-    """Return samples and processor seconds of a bank compiled by Faust and g++ -O3, in double
-    precision."""
+    """Return samples and processor time [s] of a double-precision bank compiled by
+    Faust and g++ -O3."""
     sections = ", ".join(
-        f"fi.tf2({','.join(f'{x:.17g}' for x in (*b[:, m], *a[1:, m]))})" for m in range(MODE_COUNT)
+        f"fi.tf2({','.join(f'{x:.17g}' for x in (*b[:, m], *a[1:, m]))})"
+        for m in range(MODE_COUNT)
     )
     (folder / "bank.dsp").write_text(
         f'import("stdfaust.lib");\nprocess = _ <: ({sections}) :> _;\n'
     )
     command = ["faust", "-double", *options, "-lang", "cpp", "bank.dsp"]
-    code = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True).stdout
-    code = re.sub(r"virtual void (metadata|buildUserInterface)\(.*?\n\t\}\n", "", code, flags=re.S)
+    code = subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, check=True
+    ).stdout
+    code = re.sub(
+        r"virtual void (metadata|buildUserInterface)\(.*?\n\t\}\n", "", code, flags=re.S
+    )
     (folder / "bank.cpp").write_text(FAUST_MAIN % code)
     subprocess.run(
         ["g++", "-O3", "-march=native", "-ffp-contract=fast", "-o", "bank", "bank.cpp"],
@@ -167,12 +173,13 @@ def csound_scheme():
 
 
 def by_csound(force, folder):
-    """Return samples and seconds of Csound's `mode` opcodes, minus the time of the same score
-    without them."""
+    """Return samples and seconds of Csound's `mode` opcodes, minus the time of the same
+    score without them."""
     soundfile.write(folder / "force.wav", force[:-1], SAMPLE_RATE, "DOUBLE")
     quality = np.pi * FREQUENCIES / DECAY_RATES
     lines = [
-        f"aout += mode(ain, {f:.17g}, {q:.17g})" for f, q in zip(FREQUENCIES, quality, strict=True)
+        f"aout += mode(ain, {f:.17g}, {q:.17g})"
+        for f, q in zip(FREQUENCIES, quality, strict=True)
     ]
     times = []
     for body in ("\n".join(lines), "aout += ain"):
@@ -180,10 +187,22 @@ def by_csound(force, folder):
         text = f'{head}ain soundin "force.wav"\naout = 0\n{body}\nout aout\nendin\n'
         (folder / "bank.orc").write_text(text)
         (folder / "bank.sco").write_text(f"i 1 0 {DURATION}\n")
-        command = ["csound", "-d", "-m0", "-W", "-f", "-o", "out.wav", "bank.orc", "bank.sco"]
+        command = [
+            "csound",
+            "-d",
+            "-m0",
+            "-W",
+            "-f",
+            "-o",
+            "out.wav",
+            "bank.orc",
+            "bank.sco",
+        ]
         times.append(
             smallest_time(
-                lambda c=command: subprocess.run(c, cwd=folder, capture_output=True, check=True)
+                lambda c=command: subprocess.run(
+                    c, cwd=folder, capture_output=True, check=True
+                )
             )
         )
         if body.startswith("aout += mode"):
@@ -192,7 +211,8 @@ def by_csound(force, folder):
 
 
 def main():
-    """Print time per mode and sample, real-time factor, and largest difference of each program."""
+    """Print time per mode and sample, real-time factor, and largest difference of each
+    program."""
     force = np.random.default_rng(0).normal(size=int(DURATION * SAMPLE_RATE) + 1)
     force[0] = 0
     count = MODE_COUNT * int(DURATION * SAMPLE_RATE)
@@ -211,10 +231,16 @@ def main():
         )
     ]
     rows.append(
-        ("this bank, one force, sum with gains", smallest_time(lambda: by_bank(force, gain)), 0.0)
+        (
+            "this bank, one force, sum with gains",
+            smallest_time(lambda: by_bank(force, gain)),
+            0.0,
+        )
     )
     apart = np.abs(by_scipy(force, b, a) - reference).max() / scale
-    rows.append(("scipy.signal.lfilter", smallest_time(lambda: by_scipy(force, b, a)), apart))
+    rows.append(
+        ("scipy.signal.lfilter", smallest_time(lambda: by_scipy(force, b, a)), apart)
+    )
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         if shutil.which("faust") and shutil.which("g++"):
@@ -239,9 +265,13 @@ def main():
         "|\n|---|---|---|---|"
     )
     for label, seconds, apart in rows:
-        print(f"| {label} | {seconds / count * 1e9:.2f} | {DURATION / seconds:.0f} | {apart:.1e} |")
+        print(
+            f"| {label} | {seconds / count * 1e9:.2f} | {DURATION / seconds:.0f} | {apart:.1e} |"
+        )
     flat = 1200 * np.log2(1 - (2 * np.pi * 5000 / SAMPLE_RATE) ** 2 / 24)
-    print(f"\nPitch of Csound's scheme at 5 kHz: {flat:.0f} cents; of this bank: exact.")
+    print(
+        f"\nPitch of Csound's scheme at 5 kHz: {flat:.0f} cents; of this bank: exact."
+    )
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""Time and memory of a sweep of motions with one and with two processes.
+"""Measure time and memory of a sweep of motions with one and with two processes.
 
-Run as `python -m benchmarks.speed.sweep_speed [RUNS]`. The script also prints the load average of
-the machine."""
+Run as `python -m benchmarks.speed.sweep_speed [RUNS]`. The script also prints the load
+average of the machine."""
 
 import os
 import sys
@@ -24,12 +24,19 @@ def main(runs):
     for processes in (1, 2):
         memory_samples = []
         finished = threading.Event()
-        sampler = threading.Thread(target=sample_memory, args=(memory_samples, finished))
+        sampler = threading.Thread(
+            target=sample_memory, args=(memory_samples, finished)
+        )
         sampler.start()
         with TemporaryDirectory() as folder:
             axes = {key: given | {"n": runs} for key, given in AXES.items()}
             began = time.perf_counter()
-            sweep = {"name": "speed", "accuracy": "draft", "find": ["motion"], "axes": axes}
+            sweep = {
+                "name": "speed",
+                "accuracy": "draft",
+                "find": ["motion"],
+                "axes": axes,
+            }
             path = sonify.sweep(sweep, out=folder, processes=processes)
             elapsed[processes] = time.perf_counter() - began
             finished.set()
@@ -50,8 +57,8 @@ def main(runs):
 
 
 def sample_memory(samples, finished):
-    """Append the resident memory [bytes] of this process and its children to `samples` five times
-    per second."""
+    """Append the resident memory [bytes] of this process and its children to `samples`
+    five times per second."""
     process = psutil.Process()
     while not finished.wait(0.2):
         processes = [process, *process.children(recursive=True)]

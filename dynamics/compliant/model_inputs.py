@@ -1,11 +1,8 @@
-"""Contact law, table coupling and step rate of a scene, and the validation of its contact.
-
-The scene has the sections `material`, `contact` and `roughness` in addition to those of
-`MotionScene`.
-"""
+"""Contact law and step rate of a scene, and validation of its contact."""
 
 from functools import lru_cache
 from math import radians
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,47 +12,58 @@ from dynamics.compliant.law.sections import require_resolved_waves
 from dynamics.compliant.law.tabulated import LawTable
 from dynamics.film.activation import final_inclination
 
+if TYPE_CHECKING:
+    from dynamics.sections import MotionScene
 
-def contact_law(scene) -> ContactLaw:
-    """Return the elastic contact law of a scene. Raises ValueError if its fillet does not fit the
-    disk.
+
+def contact_law(scene: "MotionScene") -> ContactLaw:
+    """Return the elastic contact law of a scene.
+
+    Raises ValueError if its fillet does not fit the disk.
     """
-    return scene.contact.law_of(scene.disk, scene.material)
+    return scene.contact.contact_law(scene.disk, scene.material)
 
 
-def law_table(scene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> LawTable:
-    """Return the tabulated contact law of a scene, with the flexibility of the edge if the disk is
-    elastic.
+def law_table(
+    scene: "MotionScene",
+    kind: type[LawTable] = LawTable,
+    max_moving_frequency: float = 0.0,
+) -> LawTable:
+    """Return the tabulated contact law of a scene.
 
-    The modes below `moves` [Hz] are not part of this flexibility. The tables are cached and shared
-    by threads.
+    If the disk is elastic, it includes the flexibility of the edge without the modes
+    below `max_moving_frequency` [Hz]. The tables are cached and shared by threads.
     """
-    return _tabulated(kind, contact_law(scene), edge_flexibility(scene), moves)
+    key = contact_law(scene), edge_flexibility(scene), max_moving_frequency
+    return _tabulated(kind, *key)  # type: ignore[arg-type]
 
 
-def edge_flexibility(scene):
-    """Return the `Edge` of the disk of a scene if the disk is elastic, else None."""
-    return scene.edge if scene.contact.body == "elastic" else None
+def edge_flexibility(scene: "MotionScene") -> Any:
+    """Return the `modal.Edge` of the disk if its body is elastic, else None."""
+    return scene.elastic_edge if scene.contact.body == "elastic" else None
 
 
 @lru_cache(maxsize=16)
-def _tabulated(kind, law, edge, moves):
-    return kind(law=law, edge=edge, moves=moves)
+def _tabulated(
+    kind: type[LawTable], law: ContactLaw, edge: Any, max_moving_frequency: float
+) -> LawTable:
+    return kind(law=law, edge=edge, max_moving_frequency=max_moving_frequency)
 
 
-def final_contact_inclination(scene) -> float:
+def final_contact_inclination(scene: "MotionScene") -> float:
     """Return the final inclination [rad] of a disk on its elastic contact."""
     return max(final_inclination(scene), MIN_CONTACT_INCLINATION)
 
 
-def is_two_way(scene) -> bool:
-    """Return True if the scene asks for a table that moves with the disk (default: False)."""
+def is_two_way(scene: "MotionScene") -> bool:
+    """Return True if a scene requests two-way coupling from the release."""
     return scene.surface.action == "motion"
 
 
-def step_rate(scene) -> float:
-    """Return the steps per second of the full model: that of the accuracy, or more for a stiff
-    contact.
+def step_rate(scene: "MotionScene") -> float:
+    """Return the steps per second of the full model.
+
+    The rate is that of the accuracy level, or a higher one for a stiff contact.
     """
     return scene.numerics.contact_rate or max(
         scene.numerics.level.contact_rate,
@@ -63,69 +71,72 @@ def step_rate(scene) -> float:
     )
 
 
-def min_step_rate(scene) -> float:
-    """Return the smallest step rate [1/s] of the full model down to its last inclination.
+def min_step_rate(scene: "MotionScene") -> float:
+    """Return the smallest admissible step rate [1/s] of the full model.
 
-    On a table that moves or is wavy the disk passes through all inclinations before it rests.
+    It is determined by the last inclination. On a coupled or wavy table, the disk
+    passes through all inclinations before it comes to rest.
     """
     moves = is_two_way(scene) or scene.imperfection
     least = MIN_CONTACT_INCLINATION if moves else final_contact_inclination(scene)
     return float(required_step_rate(contact_law(scene), np.array([least]))[0])
 
 
-def check_rattling(scene) -> None:
-    """Raise ValueError with one line if a scene cannot have contact anywhere on the rim."""
+def check_rattling(scene: "MotionScene") -> None:
+    """Raise ValueError if a scene requests a rattling disk that cannot be solved."""
     many = scene.numerics.contact == "many"
     if scene.contact.restitution is not None and not many:
         raise ValueError(
-            f"contact.restitution = {scene.contact.restitution:g}: needs numerics.contact = 'many'"
+            f"contact.restitution = {scene.contact.restitution:g}: requires numerics.contact = 'many'"
         )
     grain = scene.roughness is not None and scene.roughness.grain
     if grain and scene.numerics.contact not in ("many", "auto"):
-        raise ValueError("roughness.grain = true: needs numerics.contact = 'many'")
+        raise ValueError("roughness.grain = true: requires numerics.contact = 'many'")
     obstacle = rattling_obstacle(scene)
     if obstacle and (many or grain):
         raise ValueError(f"numerics.contact = 'many': {obstacle}")
 
 
-def rattling_obstacle(scene) -> str:
-    """Return why a scene cannot have contact anywhere on the rim; "" if it can."""
+def rattling_obstacle(scene: "MotionScene") -> str:
+    """Return the reason why the disk of a scene cannot be solved as rattling, or ""."""
     if scene.contact.law == "rigid":
-        return "needs contact.law = 'elastic'"
-    if scene.surface.action == "motion":
-        return "needs surface.action = 'sound'"
+        return "requires contact.law = 'elastic'"
     others = [
         name
         for name, value in vars(scene.dissipation).items()
         if name not in ("contour_moment", "power_exponent", "air_density") and value
     ]
     if others:
-        return f"dissipation.{others[0]} does not act on it; only contour_moment does"
+        return f"dissipation.{others[0]} is not supported; only contour_moment is"
     heights = scene.roughness
     greatest = scene.disk.thickness / 10
     if heights is not None and max(heights.rms or 0.0, heights.edge_rms) > greatest:
-        return f"roughness.rms must be at most a tenth of disk.thickness, {greatest:g} m"
+        return (
+            f"roughness.rms must be at most a tenth of disk.thickness, {greatest:g} m"
+        )
     return ""
 
 
-def check_contact(scene) -> None:
-    """Raise ValueError with one line if the elastic contact of a scene cannot be solved."""
+def check_contact(scene: "MotionScene") -> None:
+    """Raise ValueError if the elastic contact of a scene cannot be solved."""
     law = contact_law(scene)
     beta = radians(scene.release.inclination_deg)
     if scene.roughness is not None:
         from dynamics.compliant.law.roughness import (
-            check_roughness,  # Numba, which a smooth contact does not need
+            check_roughness,  # loads Numba
         )
 
-        require_resolved_waves(scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0]))
+        require_resolved_waves(
+            scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0])
+        )
         check_roughness(scene.roughness, scene.disk.radius)
     if beta <= final_contact_inclination(scene):
         raise ValueError(
-            f"release.inclination_deg = {scene.release.inclination_deg:g}: ends before it begins"
+            f"release.inclination_deg = {scene.release.inclination_deg:g}: must exceed the final inclination"
         )
     rate = scene.numerics.contact_rate
     if rate is not None and rate < (least := min_step_rate(scene)):
         raise ValueError(
-            f"numerics.contact_rate = {rate:g}: too low for so stiff a contact, must be at least "
+            f"numerics.contact_rate = {rate:g}: too low for the stiffness of the contact, must be at least "
             f"{least:.4g} 1/s"
         )

@@ -1,4 +1,4 @@
-"""Modes of a table that the scene gives as numbers, for the motion."""
+"""Table modes that a scene specifies by numbers, in the form required by the motion."""
 
 from dataclasses import dataclass
 from math import ceil, pi
@@ -14,22 +14,22 @@ SPLINE_DEGREE = 3
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TableModes:
-    """Modes of a table with unit modal mass, as the motion reads them from `modal.SurfaceModes`.
+    """Table modes of unit modal mass, with the attributes of `modal.SurfaceModes`.
 
     Attributes
     ----------
     frequency, decay_rate : (m,) arrays
         Frequency [Hz] and decay rate [1/s] of each mode.
     order : (m,) array of int
-        Waves around the contact circle.
+        Number of waves around the contact circle.
     knots : two arrays
         Knots [m] of the cubic splines along x and y.
     coefficients : (a, b, m) array
         Spline coefficients of the upward mode shapes [kg^-1/2].
     place : (2,) array
-        Position [m] of the disk in the frame of the splines.
+        Position [m] of the disk centre in the frame of the splines.
     mass : float
-        Mass of the table [kg]; 0, since the numbers do not include it.
+        Mass of the table [kg]; 0, because the scene does not specify it.
     """
 
     frequency: np.ndarray
@@ -41,8 +41,9 @@ class TableModes:
     mass: float = 0.0
 
     def at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """Return the mode shapes (k, m) at the points x, y (k,) [m]; outside the rectangle, at its
-        nearest point.
+        """Return the mode shapes (k, m) at points x, y (k,) [m].
+
+        Points outside the rectangle are moved to its boundary.
         """
         inside = [
             np.clip(at, knots[0], knots[-1])
@@ -52,12 +53,12 @@ class TableModes:
                 strict=True,
             )
         ]
-        return NdBSpline(self.knots, self.coefficients, SPLINE_DEGREE)(np.column_stack(inside))
+        return NdBSpline(self.knots, self.coefficients, SPLINE_DEGREE)(
+            np.column_stack(inside)
+        )
 
     def compliance(self, radius: float = 0.0) -> float:
-        """Return the largest static deflection [m] under 1 N at 16 points of the circle of `radius`
-        [m].
-        """
+        """Return the largest static deflection [m/N] on a circle of `radius` [m]."""
         angle = np.arange(16) * pi / 8
         x, y = self.place[:, None] + radius * np.array([np.cos(angle), np.sin(angle)])
         deflection = (self.at(x, y) ** 2 / (2 * pi * self.frequency) ** 2).sum(axis=1)
@@ -65,12 +66,11 @@ class TableModes:
 
 
 def modes_from_numbers(surface: ModesSurface, radius: float) -> TableModes:
-    """Return the modes below MAX_TABLE_FREQUENCY of a table given by numbers, under a disk of
-    `radius` [m].
+    """Return the table modes below MAX_TABLE_FREQUENCY under a disk of `radius` [m].
 
-    The shapes are (r/R)^n cos(n theta) and (r/R)^n sin(n theta) over sqrt(modal mass), with splines
-    of sixteen values to the shortest wave on the contact circle. `modal.surface_modes` computes the
-    same values.
+    The shapes are (r/R)^n cos(n theta) and (r/R)^n sin(n theta), divided by sqrt(modal
+    mass), as splines with 16 values per shortest wave at the radius of the disk.
+    `modal.surface_modes` computes the same values.
     """
     below = [mode for mode in surface.modes if mode.frequency < MAX_TABLE_FREQUENCY]
     members = []
@@ -92,7 +92,9 @@ def modes_from_numbers(surface: ModesSurface, radius: float) -> TableModes:
     along_y = make_interp_spline(side, along_x.c, SPLINE_DEGREE, axis=1)
     return TableModes(
         frequency=np.array([mode.frequency for mode, _ in members]),
-        decay_rate=np.array([2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]),
+        decay_rate=np.array(
+            [2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]
+        ),
         order=order,
         knots=(along_x.t, along_y.t),
         coefficients=np.ascontiguousarray(np.moveaxis(along_y.c, 0, 1)),

@@ -1,6 +1,6 @@
-"""Conversion between the columns of a Motion and the state of the compliant model, and the energy
-of that state.
-"""
+"""Conversion between COLUMNS of a Motion and states of the compliant model."""
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,17 +12,21 @@ from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE, STATE
 from dynamics.film.forces import squeezed_air_energy
 from dynamics.switching import ImpossibleContactError
 
+if TYPE_CHECKING:
+    from dynamics.compliant.stepping.model import CompliantModel
 
-def released_state(model, state, force=None) -> np.ndarray:
-    """Return the state of a compliant model at the columns of a Motion, with the springs loaded by
-    a force.
 
-    The springs keep their force by creep, so that no free vibration is excited. A given slip
-    remains.
+def preloaded_compliant_state(
+    model: "CompliantModel", state: np.ndarray, force: np.ndarray | None = None
+) -> np.ndarray:
+    """Return the state of a compliant model with springs preloaded by a force.
+
+    If the given slip is zero, the slip is set to the creep that keeps the spring forces
+    constant, so that no free vibration is excited.
 
     Parameters
     ----------
-    model : CompliantModel
+    model : "CompliantModel"
         Disk and contact.
     state : (11,) array
         COLUMNS of a Motion.
@@ -32,7 +36,7 @@ def released_state(model, state, force=None) -> np.ndarray:
     Returns
     -------
     (STATE_SIZE,) array
-        State in the layout of state.py.
+        State in the layout of state_layout.py.
     """
     law = model.table.law
     theta = state[0]
@@ -40,7 +44,7 @@ def released_state(model, state, force=None) -> np.ndarray:
     slip = state[8:10]
     f1, f2, N = (0.0, 0.0, law.disk.weight) if force is None else force
     R = law.disk.radius
-    H = law.disk.thickness / 2
+    place = law.place(beta)
     (J1, J2) = inertias(law.disk)
     c = model.table.columns(np.array([beta]))[0]
     a1 = np.array([np.cos(theta), np.sin(theta), 0.0])
@@ -48,7 +52,7 @@ def released_state(model, state, force=None) -> np.ndarray:
     n = np.sin(beta) * a2 + [0, 0, np.cos(beta)]
     e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
     w1, w2, w3 = state[5:8]
-    speed = abs(R * (w2 - w3 / np.tan(beta)) + slip[0])
+    speed = abs(place.radius * (w2 - w3 / np.tan(beta)) + slip[0])
     deflection = np.array(
         [-f1 / c[LAW_COLUMNS.stiffness_1], -f2 / c[LAW_COLUMNS.stiffness_2]]
     )  # along a_1, a_2
@@ -61,21 +65,25 @@ def released_state(model, state, force=None) -> np.ndarray:
         )
     y = np.zeros(STATE_SIZE)
     y[STATE.roughness_heights : STATE.roughness_heights + 2] = [
-        mean_height(p, -R * state[2], c[LAW_COLUMNS.half_length]) for p in model.profiles
+        mean_height(p, -R * state[2], c[LAW_COLUMNS.half_length])
+        for p in model.profiles
     ]
     y[0], y[1] = state[3:5]
+    fixed = model.constants
     y[2] = (
-        R * np.sin(beta)
-        - 2 * H * np.sin(beta / 2) ** 2
+        fixed.core_radius * np.sin(beta)
+        - 2 * fixed.core_depth * np.sin(beta / 2) ** 2
         - delta
         + y[STATE.roughness_heights : STATE.roughness_heights + 2].sum()
     )
     y[STATE.velocity : STATE.axis] = slip @ [a1, a2] + np.cross(
         w1 * a1 + w2 * n + w3 * e3,
-        H * n + R * e3,
+        place.depth * n + place.radius * e3,
     )
     y[STATE.axis : STATE.angular_momentum] = n
-    y[STATE.angular_momentum : STATE.spring_stretch] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    y[STATE.angular_momentum : STATE.spring_stretch] = (
+        J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    )
     y[STATE.spring_stretch : STATE.spring_stretch + 2] = deflection * [
         -1,
         1,
@@ -87,48 +95,52 @@ def released_state(model, state, force=None) -> np.ndarray:
     y[STATE.previous_forces : STATE.previous_forces + 2] = N
     y[STATE.gap] = -delta
     y[[STATE.table_path, STATE.edge_path]] = -R * state[2]
-    film = model.constants
     y[STATE.squeezed_air_energy] = squeezed_air_energy(
-        np.sin(beta), w3 / np.sin(beta), film.film_number, film.film_ambient, film.film_slip
+        np.sin(beta),
+        w3 / np.sin(beta),
+        fixed.film_number,
+        fixed.film_ambient,
+        fixed.film_slip,
+        fixed.film_bowl,
     )
     return y
 
 
-def limit_energy(model, y, most: float) -> None:
-    """Slow down a disk in the state y (STATE_SIZE,) to a total energy of at most `most` [J].
+def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> None:
+    """Limit the total energy of a state y (STATE_SIZE,) to `max_energy` [J].
 
-    All velocities shrink by one factor, which preserves rolling. Springs and table keep their
-    energy. Raises ImpossibleContactError if the kinetic energy is too small.
+    All velocities are multiplied by one factor, which preserves rolling. The energies
+    of the springs and the table do not change. Raises ImpossibleContactError if the
+    kinetic energy is too small.
     """
-    excess = float(energy(model, y[None])[0]) - most
+    excess = float(energy(model, y[None])[0]) - max_energy
     if excess <= 0:
         return
     still = y.copy()
     still[STATE.velocity : STATE.axis] = 0.0
     still[STATE.angular_momentum : STATE.spring_stretch] = 0.0
-    kinetic = most + excess - float(energy(model, still[None])[0])
+    kinetic = max_energy + excess - float(energy(model, still[None])[0])
     if excess >= kinetic:
         raise ImpossibleContactError(
-            f"to bend the table under the disk takes {excess:.3g} J, more than the {kinetic:.3g} "
-            f"J of its motion"
+            f"bending the table under the disk requires {excess:.3g} J, more than the kinetic "
+            f"energy of {kinetic:.3g} J"
         )
     slower = np.sqrt(1 - excess / kinetic)
     y[STATE.velocity : STATE.axis] *= slower
     y[STATE.angular_momentum : STATE.spring_stretch] *= slower
 
 
-def inclination(y) -> np.ndarray:
-    """Return the inclinations (n,) [rad] of states (n, STATE_SIZE); accurate for the smallest
-    angles.
-    """
-    return np.arctan2(np.hypot(y[:, STATE.axis], y[:, STATE.axis + 1]), y[:, STATE.axis + 2])
+def inclination(y: np.ndarray) -> np.ndarray:
+    """Return the inclinations (n,) [rad] of states (n, STATE_SIZE)."""
+    horizontal = np.hypot(y[:, STATE.axis], y[:, STATE.axis + 1])
+    return np.arctan2(horizontal, y[:, STATE.axis + 2])
 
 
-def energy(model, y) -> np.ndarray:
-    """Return the total energy (n,) [J] of states (n, STATE_SIZE); zero for the disk lying flat.
+def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
+    """Return the total energy (n,) [J] of states (n, STATE_SIZE).
 
-    It is the sum of kinetic, potential and elastic energy, and the energies of table modes, disk
-    modes and squeezed air.
+    It is the sum of kinetic, potential and elastic energy, and of the energies of table
+    modes, disk modes and squeezed air. It is zero for a disk at rest flat on the table.
     """
     y = np.ascontiguousarray(y.T)
     (J1, J2) = inertias(model.table.law.disk)
@@ -142,30 +154,36 @@ def energy(model, y) -> np.ndarray:
         + (1 / J2 - 1 / J1) * (L * n).sum(axis=0) ** 2
     )
     x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
-    moved += 0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
+    moved += (
+        0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
+    )
     moved += (
         y[STATE.spring_stiffness : STATE.spring_stiffness + 2]
         * y[STATE.spring_stretch : STATE.spring_stretch + 2] ** 2
     ).sum(axis=0)
+    fixed = model.constants
+    offset = (y[0] + fixed.bowl_x) ** 2 + (y[1] + fixed.bowl_y) ** 2
+    bowl_energy = fixed.bowl_stiffness / 2 * offset
     return (
         moved / 2
         + model.constants.weight * (y[2] - y[STATE.table_rise])
+        + bowl_energy
         + y[STATE.table_mode_energy]
         + y[STATE.disk_mode_energy]
         + y[STATE.squeezed_air_energy]
     )
 
 
-def columns(model, y) -> np.ndarray:
-    """Return the COLUMNS (n, 11) of a Motion at states (n, STATE_SIZE); the precession is in (-pi,
-    pi].
+def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
+    """Return the COLUMNS (n, 11) of a Motion at states (n, STATE_SIZE).
+
+    The precession is in (-pi, pi].
     """
     disk = model.table.law.disk
     (J1, J2) = inertias(model.table.law.disk)
     beta = inclination(y)
     y = np.ascontiguousarray(y.T)
-    R = disk.radius
-    H = disk.thickness / 2
+    place = model.table.law.place(beta)
     s = np.sin(beta)
     c = np.cos(beta)
     d0 = y[STATE.axis] / s
@@ -174,9 +192,21 @@ def columns(model, y) -> np.ndarray:
     w1 = (L[0] * d1 - L[1] * d0) / J1
     w2 = (y[STATE.axis : STATE.angular_momentum] * L).sum(axis=0) / J2
     w3 = (L[2] * s - (L[0] * d0 + L[1] * d1) * c) / J1
-    u1 = y[3] * d1 - y[4] * d0 - R * w2 + H * w3
-    u2 = y[3] * d0 + y[4] * d1 + (R * s + H * c) * w1
+    u1 = y[3] * d1 - y[4] * d0 - place.radius * w2 + place.depth * w3
+    u2 = y[3] * d0 + y[4] * d1 + place.e * w1
     lost = y[ENERGY_LOSSES].sum(axis=0)
     return np.column_stack(
-        [np.arctan2(-d0, d1), beta, -y[STATE.edge_path] / R, y[0], y[1], w1, w2, w3, u1, u2, lost]
+        [
+            np.arctan2(-d0, d1),
+            beta,
+            -y[STATE.edge_path] / disk.radius,
+            y[0],
+            y[1],
+            w1,
+            w2,
+            w3,
+            u1,
+            u2,
+            lost,
+        ]
     )

@@ -1,21 +1,21 @@
-"""Motion that starts on a passive table and switches to two-way coupling once the table's reaction
-matters.
-"""
+"""Motion that starts on a passive table and switches to two-way coupling."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynamics.compliant.compliant_motion import CompliantMotion, solve_compliant_motion
+from dynamics.compliant.law.sections import SwitchedContact
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.disk import Disk
 from dynamics.film.wedge import Film
 from dynamics.motion import (
     CAUSES,
-    Jumps,
+    ForceJumps,
     Motion,
     MotionBase,
     MotionPart,
@@ -29,26 +29,31 @@ if TYPE_CHECKING:
 
 
 def solve_switched(
-    scene: "MotionScene", inclination: float, alone: Callable, watch, modes
+    scene: "MotionScene",
+    inclination: float,
+    solve_passive: Callable[..., Motion],
+    watch: Callable[..., None],
+    modes: Any,
 ) -> Motion:
-    """Solve a scene with `alone(scene)` down to an inclination [rad], then with two-way coupling to
-    its table.
+    """Solve a scene with two-way coupling below an inclination [rad].
 
-    A motion that does not reach this inclination is returned unchanged. A rigid contact becomes
-    elastic at the switch.
+    Above it, `solve_passive(scene)` solves the motion, which is returned unchanged if
+    it does not reach this inclination. A rigid contact becomes elastic at the switch.
     """
     short = replace(scene.numerics, final_inclination=inclination)
-    first = alone(scene.part(numerics=short))
+    first = solve_passive(scene.part(numerics=short))
     if first.outcome is not Outcome.SETTLED:
         return first
     t = float(first.t[-1])
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
-    yields = replace(scene.contact, law="elastic")
+    contact = scene.contact
+    if contact.law == "rigid":
+        contact = SwitchedContact(**{**vars(contact), "law": "elastic"})
     parts = scene.part(
         numerics=left,
-        contact=yields,
-        roughness=None,  # no effect on a rigid contact; a rough elastic contact does not switch
-        surface=replace(scene.surface, action="motion"),
+        contact=contact,
+        roughness=None,  # it has no effect on a rigid contact, and a rough elastic contact does not switch
+        surface=replace(scene.surface, action="motion"),  # type: ignore[arg-type]
     )
     state, force = first.at_and_force(t)
     held = float(first.energy(t)[0])
@@ -64,85 +69,97 @@ def solve_switched(
 
 @dataclass(frozen=True, eq=False)
 class SwitchedMotion(MotionBase):
-    """A `Motion` in two parts: `first` on a passive table, `then` with two-way coupling.
+    """A `Motion` on a passive table, followed by one with two-way coupling.
 
-    The energy difference at the switch, where table and contact begin to yield, counts as
-    dissipated.
+    The energy difference at the switch, where table and contact become compliant, is
+    counted as dissipated.
     """
 
-    first: Motion
-    then: CompliantMotion
+    passive_part: Motion
+    coupled_part: CompliantMotion
     outcome: Outcome
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """Return a one-line summary."""
-        return f"Motion({self.t[-1]:.6g} s, {self.outcome.name}, handed over at {self.handed_over:.6g} s)"
+        return f"Motion({self.t[-1]:.6g} s, {self.outcome.name}, switched at {self.switch_time:.6g} s)"
 
     @property
     def disk(self) -> Disk:
         """The disk."""
-        return self.first.disk
+        return self.passive_part.disk
 
     @property
     def parts(self) -> tuple[MotionPart, ...]:
-        """Both parts."""
-        return MotionPart(0.0, self.first), MotionPart(self.handed_over, self.then)
+        """The passive part and the coupled part."""
+        return MotionPart(0.0, self.passive_part), MotionPart(
+            self.switch_time, self.coupled_part
+        )
 
     @property
     def film(self) -> Film | None:
         """The air film that acts on the disk in both parts, or None."""
-        return self.first.film
+        return self.passive_part.film
 
     @property
     def solves_contact(self) -> bool:
-        """False: the first part may have a rigid contact."""
+        """False, because the passive part may have a rigid contact."""
         return False
 
     @property
     def moves_table(self) -> bool:
-        """False: the table moves in the second part only."""
+        """False, because the table moves only in the coupled part."""
         return False
 
     @property
     def integrator(self) -> str:
-        """Integrators of both parts."""
-        return f"{self.first.integrator}, then {self.then.integrator}"
+        """Names of the integrators of both parts."""
+        return f"{self.passive_part.integrator}, then {self.coupled_part.integrator}"
 
     @cached_property
-    def handed_over(self) -> float:
+    def switch_time(self) -> float:
         """Time of the switch [s]."""
-        return float(self.first.t[-1])
+        return float(self.passive_part.t[-1])
 
     @cached_property
     def t(self) -> np.ndarray:
-        """Ends of the pieces (n,) [s]."""
-        return read_only(np.concatenate([self.first.t, self.handed_over + self.then.t[1:]]))
+        """Breakpoints (n,) [s] of the solution."""
+        return read_only(
+            np.concatenate(
+                [self.passive_part.t, self.switch_time + self.coupled_part.t[1:]]
+            )
+        )
 
     @property
     def t_end(self) -> float:
-        """Extrapolated time [s] at which the inclination reaches zero."""
-        return self.handed_over + self.then.t_end
+        """Time [s] at which a settled disk would be flat, or end of a motion that does
+        not settle."""
+        return self.switch_time + self.coupled_part.t_end
 
     @cached_property
-    def jumps(self) -> Jumps:
-        """Jumps of the first part; an elastic contact has none."""
-        return self.first.jumps
+    def jumps(self) -> ForceJumps:
+        """Jumps of the force in the passive part; the coupled part has none."""
+        return self.passive_part.jumps
 
     @cached_property
     def transitions(self) -> tuple[Transition, ...]:
         """Transitions of both parts."""
-        later = (event._replace(t=event.t + self.handed_over) for event in self.then.transitions)
-        return (*self.first.transitions, *later)
+        later = (
+            event._replace(t=event.t + self.switch_time)
+            for event in self.coupled_part.transitions
+        )
+        return (*self.passive_part.transitions, *later)
 
     @cached_property
     def contact_losses(self) -> ContactLosses:
         """Losses of contact in both parts."""
-        later = self.then.contact_losses.array + np.array([self.handed_over, 0, 0])
+        later = self.coupled_part.contact_losses.array + np.array(
+            [self.switch_time, 0, 0]
+        )
         return ContactLosses(
             np.vstack(
                 [
                     np.reshape(
-                        list(self.first.contact_losses),
+                        list(self.passive_part.contact_losses),
                         (-1, 3),
                     ),
                     later,
@@ -151,110 +168,123 @@ class SwitchedMotion(MotionBase):
         )
 
     @cached_property
-    def _offset(self) -> np.ndarray:
-        """Offset of the columns of the second part: angles turned and energy dissipated before."""
-        end = self.first.at(self.handed_over)[0]
-        begin = self.then.at(0.0)[0]
+    def _column_offset(self) -> np.ndarray:
+        """Offset of the columns of the coupled part, in angles and dissipated energy."""
+        end = self.passive_part.at(self.switch_time)[0]
+        begin = self.coupled_part.at(0.0)[0]
         offset = np.zeros(len(end))
         offset[[0, 2]] = (end - begin)[[0, 2]]
-        offset[-1] = end[-1] + self.first.energy(self.handed_over)[0] - self.then.energy(0.0)[0]
+        offset[-1] = (
+            end[-1]
+            + self.passive_part.energy(self.switch_time)[0]
+            - self.coupled_part.energy(0.0)[0]
+        )
         return offset
 
-    def _since(self, t) -> np.ndarray:
-        """Return the times t (k,) [s] since the switch, limited to the end of the second part."""
+    def _time_since_switch(self, t: np.ndarray) -> np.ndarray:
+        """Return times t (k,) [s] since the switch, rounded into the coupled part."""
+        since = t - self.switch_time
         return np.where(
-            t <= self.t[-1],
-            np.minimum(t - self.handed_over, self.then.t[-1]),
-            t - self.handed_over,
+            t <= self.t[-1], np.minimum(since, self.coupled_part.t[-1]), since
         )
 
-    def _both(self, name, t):
-        """Evaluate the method `name` of the part to which each time belongs."""
+    def _evaluate_in_parts(self, name: str, t: ArrayLike) -> np.ndarray:
+        """Evaluate the method `name` of the part that contains each time t (k,) [s]."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
-        late = t >= self.handed_over
-        early = getattr(self.first, name)(t[~late])
-        later = getattr(self.then, name)(self._since(t[late]))
+        late = t >= self.switch_time
+        early = getattr(self.passive_part, name)(t[~late])
+        later = getattr(self.coupled_part, name)(self._time_since_switch(t[late]))
         out = np.empty((len(t), *early.shape[1:]), dtype=np.result_type(early, later))
         out[~late] = early
         out[late] = later
         return out
 
-    def at(self, t) -> np.ndarray:
-        """Return the state (k, 11) at times t (k,) [s]: COLUMNS in SI units, omega in the
-        precessing frame.
-        """
-        late = np.atleast_1d(t) >= self.handed_over
-        return self._both("at", t) + late[:, None] * self._offset
+    def at(self, t: ArrayLike) -> np.ndarray:
+        """Return the COLUMNS (k, 11) at times t (k,) [s]."""
+        late = np.atleast_1d(t) >= self.switch_time
+        return self._evaluate_in_parts("at", t) + late[:, None] * self._column_offset
 
-    def force(self, t) -> np.ndarray:
-        """Return the contact force (k, 3) [N] at times t (k,) [s]: friction along a_1 and a_2,
-        normal force.
-        """
-        return self._both("force", t)
+    def force(self, t: ArrayLike) -> np.ndarray:
+        """Return friction along a_1, a_2 and normal force (k, 3) [N] at t (k,) [s]."""
+        return self._evaluate_in_parts("force", t)
 
-    def steady_load(self, t) -> np.ndarray:
-        """Return the normal force (k,) [N] at t (k,) without the vibration of the contact."""
-        return self._both("steady_load", t)
+    def steady_load(self, t: ArrayLike) -> np.ndarray:
+        """Return the normal force (k,) [N] at t (k,) [s] without contact vibration."""
+        return self._evaluate_in_parts("steady_load", t)
 
-    def steady_nutation(self, t) -> np.ndarray:
-        """Return omega_1 (k,) [rad/s] at t (k,) without the vibration of the contact."""
-        return self._both("steady_nutation", t)
+    def steady_nutation(self, t: ArrayLike) -> np.ndarray:
+        """Return omega_1 (k,) [rad/s] at t (k,) [s] without contact vibration."""
+        return self._evaluate_in_parts("steady_nutation", t)
 
-    def energy(self, t) -> np.ndarray:
-        """Return the total energy (k,) [J] at times t (k,) [s], with that of a table with two-way
-        coupling.
-        """
-        return self._both("energy", t)
+    def energy(self, t: ArrayLike) -> np.ndarray:
+        """Return the total energy (k,) [J] at t (k,) [s], with that of a coupled table."""
+        return self._evaluate_in_parts("energy", t)
 
-    def energy_lost(self, t) -> dict[str, np.ndarray]:
-        """Return the energy (k,) [J] lost until the times t (k,) [s], by cause.
+    def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
+        """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s].
 
-        The energy difference at the switch has no cause.
+        The energy difference at the switch is not attributed to a cause.
         """
         t = np.atleast_1d(np.asarray(t, dtype=float))
-        early = self.first.energy_lost(np.minimum(t, self.handed_over))
-        late = self.then.energy_lost(np.maximum(self._since(t), 0.0))
+        early = self.passive_part.energy_lost(np.minimum(t, self.switch_time))
+        late = self.coupled_part.energy_lost(
+            np.maximum(self._time_since_switch(t), 0.0)
+        )
         return {cause: early[cause] + late[cause] for cause in CAUSES}
 
-    def dissipation(self, t) -> dict[str, np.ndarray]:
-        """Return the dissipated power (k,) [W] at times t (k,) [s], by cause."""
+    def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
+        """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
-        early = self.first.dissipation(np.minimum(t, self.handed_over))
-        late = self.then.dissipation(np.maximum(self._since(t), 0.0))
+        early = self.passive_part.dissipation(np.minimum(t, self.switch_time))
+        late = self.coupled_part.dissipation(
+            np.maximum(self._time_since_switch(t), 0.0)
+        )
         return {
             cause: np.where(
-                t < self.handed_over,
+                t < self.switch_time,
                 early[cause],
                 late[cause],
             )
             for cause in CAUSES
         }
 
-    def table_energy(self, t) -> np.ndarray:
+    def table_energy(self, t: ArrayLike) -> np.ndarray:
         """Return the energy (k,) [J] of the table modes at t (k,) [s]; 0 before the switch."""
-        late = np.atleast_1d(t) >= self.handed_over
+        late = np.atleast_1d(t) >= self.switch_time
         return np.where(
             late,
-            self.then.table_energy(np.maximum(self._since(np.atleast_1d(t)), 0.0)),
+            self.coupled_part.table_energy(
+                np.maximum(self._time_since_switch(np.atleast_1d(t)), 0.0)
+            ),
             0.0,
         )
 
-    def regime(self, t) -> np.ndarray:
-        """Return the name of the regime at times t (k,) [s]."""
-        return self._both("regime", t)
+    def regime(self, t: ArrayLike) -> np.ndarray:
+        """Return the names (k,) of the regimes at times t (k,) [s]."""
+        return self._evaluate_in_parts("regime", t)
 
-    def bandwidth(self, state) -> np.ndarray:
+    def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11)."""
-        late = state[:, -1] >= self._offset[-1]  # the dissipated energy never decreases
-        return np.where(late, self.then.bandwidth(state), self.first.bandwidth(state))
+        late = (
+            state[:, -1] >= self._column_offset[-1]
+        )  # the dissipated energy never decreases
+        return np.where(
+            late, self.coupled_part.bandwidth(state), self.passive_part.bandwidth(state)
+        )
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of the dissipated energy between two instants."""
-        where_they_meet = float(self.first.at(self.handed_over)[0, -1] - self._offset[-1])
-        return max(self.first.largest_regain(), self.then.largest_regain(), where_they_meet)
+        """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
+        decrease_at_switch = float(
+            self.passive_part.at(self.switch_time)[0, -1] - self._column_offset[-1]
+        )
+        return max(
+            self.passive_part.largest_regain(),
+            self.coupled_part.largest_regain(),
+            decrease_at_switch,
+        )
 
     def friction_excess(self) -> float:
-        """Return the largest excess of the friction over its law in either part, divided by the
-        weight.
-        """
-        return max(self.first.friction_excess(), self.then.friction_excess())
+        """Return the larger `friction_excess` of both parts."""
+        return max(
+            self.passive_part.friction_excess(), self.coupled_part.friction_excess()
+        )

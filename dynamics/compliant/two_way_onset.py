@@ -1,23 +1,29 @@
-"""Inclination from which the reaction of the table on the disk matters."""
+"""Predict the inclination below which the table affects the motion of the disk."""
 
 from math import radians
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from dynamics.compliant.model_inputs import contact_law
-from dynamics.compliant.model_selection import steady_rate
+from dynamics.compliant.model_selection import (
+    choose_contact_model,
+    steady_precession_rate,
+)
 from dynamics.compliant.modes_from_scene import modes_from_numbers
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.dissipation import resistance_of
-from dynamics.equations import disk_constants
 from dynamics.quasi_steady import steady_power
+from dynamics.scene_constants import scene_constants
 from dynamics.surface import MIN_TWO_WAY_SHARE, ModesSurface
 
+if TYPE_CHECKING:
+    from dynamics.sections import MotionScene
+
 INCLINATION_COUNT = 200
-"""Inclinations at which the reaction of the table is evaluated."""
-RIM_POINTS = 64
-"""Points of the rim at which the table modes are evaluated."""
+"""Number of inclinations at which the reaction of the table is evaluated."""
+RIM_POINT_COUNT = 64
+"""Number of points of the rim at which the table modes are evaluated."""
 
 
 class TableReaction(NamedTuple):
@@ -25,63 +31,62 @@ class TableReaction(NamedTuple):
 
     Attributes
     ----------
-    acts : bool
+    is_two_way : bool
         True if the motion is solved with two-way coupling.
     inclination : float
-        Inclination [rad] below which the reaction matters; 0 if it never does.
+        Inclination [rad] below which the reaction is relevant; 0 if it never is.
     reason : str
-        Reason of the result.
-    unsolved : str
-        Reason for no two-way coupling in spite of the reaction; else empty.
+        Reason for the result.
+    reason_unsolved : str
+        Reason why a relevant reaction is not solved, or "".
     """
 
-    acts: bool
+    is_two_way: bool
     inclination: float
     reason: str
-    unsolved: str = ""
+    reason_unsolved: str = ""
 
 
-def table_reaction(scene, modes) -> TableReaction:
-    """Return the `TableReaction` of a scene on a table with these modes (`modal.SurfaceModes`).
+def table_reaction(scene: "MotionScene", modes: Any) -> TableReaction:
+    """Return the `TableReaction` of a scene on a table with `modal.SurfaceModes`.
 
-    It applies to surface.action = 'auto' and follows from the steady motion, with the centre of the
-    disk at its place at the release and the weight as force. From this inclination on the motion is
-    solved with an elastic contact.
+    It applies to surface.action = 'auto'. It is predicted for steady motion about the
+    position of the centre at the release, with the weight as force.
     """
-    beta, energy, power = reaction_shares(scene, modes)
+    beta, energy, power = table_energy_power_shares(scene, modes)
     more = np.flatnonzero((energy > MIN_TWO_WAY_SHARE) | (power > MIN_TWO_WAY_SHARE))
     if not len(more):
-        reason = f"its energy and wave drag stay below {MIN_TWO_WAY_SHARE:.0%} of those of disk and friction"
+        reason = (
+            f"its energy and wave drag remain below {MIN_TWO_WAY_SHARE:.0%} of those of disk "
+            f"and friction"
+        )
         return TableReaction(False, 0.0, reason)
     since = more[0]
     what = "energy" if energy[since] > MIN_TWO_WAY_SHARE else "wave drag"
     reference = "disk's" if what == "energy" else "friction's"
-    reason = (
-        f"its {what} exceeds {MIN_TWO_WAY_SHARE:.0%} of the {reference} below {beta[since]:.2g} rad"
-    )
+    reason = f"its {what} exceeds {MIN_TWO_WAY_SHARE:.0%} of the {reference} below {beta[since]:.2g} rad"
     wrong = reason_against_two_way(scene)
     return TableReaction(not wrong, float(beta[since]), reason, wrong)
 
 
 def may_be_two_way(scene: Any) -> bool:
-    """Return True if the motion of a scene is solved with the modes of its table."""
+    """Return True if the motion of a scene may be coupled to the modes of its table."""
     action = scene.surface.action
-    return action == "motion" or (action == "auto" and not reason_against_two_way(scene))
+    return action == "motion" or (
+        action == "auto" and not reason_against_two_way(scene)
+    )
 
 
-def needs_table_modes(scene: Any) -> bool:
-    """Return True if the motion of a scene needs table modes that the scene does not contain as
-    numbers.
-    """
+def must_compute_table_modes(scene: Any) -> bool:
+    """Return True if the motion of a scene requires computed table modes."""
     return may_be_two_way(scene) and not isinstance(scene.surface, ModesSurface)
 
 
-def table_modes(scene, given=None):
-    """Return the table modes for the motion of a scene: those `given`, or those in the scene; None
-    if not needed.
+def table_modes(scene: "MotionScene", given: Any = None) -> Any:
+    """Return the table modes required by the motion of a scene, or None.
 
-    Raises ValueError where the table cannot act back although the scene asks for it, and where its
-    modes are missing.
+    They are those `given`, or those contained in the scene. Raises ValueError if modes
+    are missing, or if the requested two-way coupling is impossible.
     """
     if not may_be_two_way(scene):
         return None
@@ -91,41 +96,51 @@ def table_modes(scene, given=None):
         raise ValueError(f"surface.action = 'motion' with {why}")
     if given is not None:
         return given
-    if needs_table_modes(scene):
+    if not isinstance(scene.surface, ModesSurface):
         raise ValueError(
             f"surface.kind = '{scene.surface.kind}' with surface.action = "
-            f"'{scene.surface.action}': the table may "
-            f"act on the motion, give surface_modes=modal.surface_modes(scene), or set "
-            f"surface.action = 'sound'"
+            f"'{scene.surface.action}': the table may affect the motion; give "
+            f"surface_modes=modal.surface_modes(scene), or set surface.action = 'sound'"
         )
     return modes_from_numbers(scene.surface, scene.disk.radius)
 
 
-def reason_against_full_model(scene) -> str:
-    """Return the reason why the contact of a scene is not solved in full from the release; empty if
-    it is.
-    """
+def reason_against_full_model(scene: "MotionScene") -> str:
+    """Return the reason why the contact of a scene is not solved in full, or ""."""
     if scene.contact.law == "rigid":
-        return "contact.law = 'rigid': such a table needs an elastic contact"
+        return "contact.law = 'rigid': two-way coupling requires an elastic contact"
     filtered = scene.numerics.contact == "filter"
-    return "numerics.contact = 'filter': such a table needs 'full'" if filtered else ""
-
-
-def reason_against_two_way(scene) -> str:
-    """Return the reason why the table of a scene cannot have two-way coupling; empty if it can."""
-    if scene.surface.kind in ("rigid", "infinite"):
-        return f"surface.kind = '{scene.surface.kind}': a table that acts back must have modes"
-    if scene.roughness and scene.contact.law == "elastic" and scene.surface.action == "auto":
-        return "roughness: a rough contact is not handed over, surface.action = 'motion' solves it from the release on"
     return (
-        "imperfection: a table is wavy or acts back"
+        "numerics.contact = 'filter': two-way coupling requires 'full'"
+        if filtered
+        else ""
+    )
+
+
+def reason_against_two_way(scene: "MotionScene") -> str:
+    """Return the reason why two-way coupling to a table is impossible, or ""."""
+    if scene.surface.kind in ("rigid", "infinite"):
+        return f"surface.kind = '{scene.surface.kind}': two-way coupling requires table modes"
+    rolls_on_roughness = (
+        scene.roughness is not None
+        and scene.contact.law == "elastic"
+        and scene.surface.action == "auto"
+        and choose_contact_model(scene).kind != "many"
+    )
+    if rolls_on_roughness:
+        return (
+            "roughness: a rough contact cannot switch to two-way coupling; surface.action = "
+            "'motion' couples it from the release"
+        )
+    return (
+        "imperfection: two-way coupling is not available for a wavy table"
         if scene.imperfection
         else reason_against_contact_law(scene)
     )
 
 
-def reason_against_contact_law(scene) -> str:
-    """Return the reason why the disk of a scene has no elastic contact; empty if it has one."""
+def reason_against_contact_law(scene: "MotionScene") -> str:
+    """Return the reason why an elastic contact of the disk is impossible, or ""."""
     try:
         contact_law(scene)
     except ValueError as error:
@@ -133,36 +148,41 @@ def reason_against_contact_law(scene) -> str:
     return ""
 
 
-def reaction_shares(scene, modes):
-    """Return the shares of the table in energy and power along the steady motion.
+def table_energy_power_shares(
+    scene: "MotionScene", modes: Any
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the energy of the table in steady motion and the power that it absorbs,
+    relative to those of the disk.
 
-    The force drives each mode with the Fourier series of its shape round the rim, at multiples of
-    the precession rate.
+    The contact force excites each mode by the Fourier series of its shape around the
+    rim, at multiples of the precession rate.
 
     Returns
     -------
     inclination : (k,) array
-        Inclinations from the release down [rad].
+        Decreasing inclinations from the release [rad].
     energy : (k,) array
         Energy of the table divided by that of the disk, 3/2 m g R beta.
     power : (k,) array
-        Power of the waves in the table divided by that of friction.
+        Power dissipated by the waves in the table divided by that of friction and the
+        dissipation laws.
     """
     disk = scene.disk
-    law = disk_constants(scene.disk, scene.friction)
+    law = scene_constants(scene)
     loads = resistance_of(scene.dissipation, disk)
     beta = np.geomspace(
         min(radians(scene.release.inclination_deg), 0.3),
         FLAT_INCLINATION,
         INCLINATION_COUNT,
     )
-    rate = np.array([steady_rate(disk, b) for b in beta])[:, None, None]
-    angle = 2 * np.pi * np.arange(RIM_POINTS) / RIM_POINTS
+    rate = np.array([steady_precession_rate(scene, b) for b in beta])[:, None, None]
+    angle = 2 * np.pi * np.arange(RIM_POINT_COUNT) / RIM_POINT_COUNT
+    radius = disk.radius - scene.contact.rolling_fillet(disk)
     shapes = modes.at(
-        *(disk.radius * np.array([np.cos(angle), np.sin(angle)]) + modes.place[:, None])
+        *(radius * np.array([np.cos(angle), np.sin(angle)]) + modes.place[:, None])
     )
-    parts = np.fft.fft(shapes, axis=0) / RIM_POINTS
-    order = np.fft.fftfreq(RIM_POINTS, 1 / RIM_POINTS)[:, None]
+    parts = np.fft.fft(shapes, axis=0) / RIM_POINT_COUNT
+    order = np.fft.fftfreq(RIM_POINT_COUNT, 1 / RIM_POINT_COUNT)[:, None]
     stiff = (2 * np.pi * modes.frequency) ** 2
     moved = (
         np.abs(

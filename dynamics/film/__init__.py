@@ -1,1 +1,1 @@
-"""Air film under the disk: Reynolds' equation, forces in closed form, and when the film acts."""
+"""Air film under the disk: Reynolds' equation, closed-form forces, and activation."""

@@ -1,43 +1,49 @@
-"""Decide from a scene alone whether the air film acts, so that every scene has a unique motion."""
+"""Decide from a scene whether its motion includes the air film."""
 
 from functools import lru_cache
 from math import asin, inf, isfinite, radians, sin
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from dynamics.air import Air
 from dynamics.disk import Disk, Release
-from dynamics.dissipation import OwnLaw, combined_loads, resistance_of
-from dynamics.equations import disk_constants
+from dynamics.dissipation import Dissipation, OwnLaw, combined_loads, resistance_of
+from dynamics.equations import DiskConstants
 from dynamics.film.wedge import Film, film_under
 from dynamics.kinematics import energy
 from dynamics.quasi_steady import steady_power
-from dynamics.steady_motion import steady_precession, steepest_steady
+from dynamics.scene_constants import scene_constants
+from dynamics.steady_motion import max_steady_inclination, steady_omega
+
+if TYPE_CHECKING:
+    from dynamics.sections import MotionScene
 
 MIN_FILM_SHARE = 0.01
-"""Share of the power above which the film is part of the motion."""
+"""Fraction of the dissipated power above which the film is included in the motion."""
 MAX_KNUDSEN = 100.0
-"""Knudsen number (mean free path divided by mean gap) at which a motion with a film ends.
+"""Knudsen number (mean free path divided by mean gap) at which a motion with a film
+ends.
 
-At this number, a model with wall slip alone underestimates the air flow by a factor of 3.4 compared
-with the kinetic theory of Fukui & Kaneko (1990), whose table ends there.
+It is the upper limit of the tables of the kinetic theory of Fukui & Kaneko (1990).
+There, a model with wall slip alone underestimates the air flow by a factor of 3.4.
 """
 INCLINATION_COUNT = 200
-"""Number of inclinations in the predicted motion."""
+"""Number of inclinations at which quasi-steady motion is evaluated."""
 
 
 class FilmDecision(NamedTuple):
-    """Decision whether the air film acts on a motion.
+    """Whether a motion includes the air film, with the reason.
 
     Attributes
     ----------
     film : Film or None
-        The film, if it acts.
+        The film, or None if it is not included.
     reason : str
-        Reason of the decision.
+        Reason for the decision.
     time : float
-        Predicted time [s] from which the film dissipates MIN_FILM_SHARE of the power.
+        Predicted time [s] at which the film starts to dissipate MIN_FILM_SHARE of the
+        power.
     inclination : float
         Inclination [rad] at this time.
     """
@@ -48,8 +54,8 @@ class FilmDecision(NamedTuple):
     inclination: float = 0.0
 
 
-def decide_film(scene) -> FilmDecision:
-    """Decide whether the air film acts in a scene.
+def decide_film(scene: "MotionScene") -> FilmDecision:
+    """Decide whether the motion of a scene includes the air film.
 
     Raises ValueError if the film is requested but impossible.
     """
@@ -64,31 +70,41 @@ def decide_film(scene) -> FilmDecision:
     if rarefied := _rarefaction_warning(disk, air, scene.release):
         if air.film == "acts":
             raise ValueError(
-                f"{rarefied}; take air.film = 'none', or a greater pressure or inclination"
+                f"{rarefied}; set air.film = 'none', or increase the pressure or the inclination"
             )
         return FilmDecision(None, rarefied)
     time, inclination = _film_onset(
-        disk, air, scene.friction, dissipation, scene.release, numerics.stopping_inclination(disk)
+        scene_constants(scene),
+        disk,
+        air,
+        dissipation,
+        scene.release,
+        numerics.stopping_inclination(disk),
     )
     if air.film == "acts":
-        return FilmDecision(film_under(disk, air), "air.film = 'acts'", time, inclination)
+        return FilmDecision(
+            film_under(disk, air, scene.surface.curvature),
+            "air.film = 'acts'",
+            time,
+            inclination,
+        )
     forecast = (
-        f"it is predicted to take {MIN_FILM_SHARE:.0%} of the power from {time:.3g} s on, "
+        f"it is predicted to dissipate {MIN_FILM_SHARE:.0%} of the power from {time:.3g} s on, "
         f"below {inclination:.2g} rad"
     )
     if not isfinite(time):
-        return FilmDecision(None, "its share stays smaller", time)
-    # Impacts bring a rattling disk to rest earlier than predicted.
+        reason = f"its predicted share of the power remains below {MIN_FILM_SHARE:.0%}"
+        return FilmDecision(None, reason, time)
+    # Impacts bring a rattling disk to rest earlier than predicted
     if time >= numerics.time_limit and numerics.contact != "many":
         return FilmDecision(None, f"{forecast}, after the time limit", time)
-    return FilmDecision(film_under(disk, air), forecast, time, inclination)
+    return FilmDecision(
+        film_under(disk, air, scene.surface.curvature), forecast, time, inclination
+    )
 
 
 def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
-    """Return a warning if the air under the disk is too rarefied for a film at the release.
-
-    The warning is empty if a film is possible.
-    """
+    """Return a warning if the air at the release is too rarefied for a film, else ""."""
     gap = disk.radius * sin(radians(release.inclination_deg))
     if not air.pressure or air.mean_free_path <= gap:
         return ""
@@ -100,11 +116,11 @@ def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
     )
 
 
-def final_inclination(scene) -> float:
+def final_inclination(scene: "MotionScene") -> float:
     """Return the inclination [rad] at which the motion of a scene counts as settled.
 
-    It follows from the numerics of the scene. With an acting film it is at least the inclination at
-    which the Knudsen number reaches MAX_KNUDSEN.
+    It is determined by the numerics of the scene. With an air film, it is at least the
+    inclination at which the Knudsen number equals MAX_KNUDSEN.
     """
     settled = scene.numerics.stopping_inclination(scene.disk)
     if decide_film(scene).film is None:
@@ -113,15 +129,15 @@ def final_inclination(scene) -> float:
 
 
 def rarefied_inclination(disk: Disk, air: Air, knudsen: float) -> float:
-    """Return the inclination [rad] at which the air has the Knudsen number `knudsen`."""
+    """Return the inclination [rad] at which the Knudsen number is `knudsen`."""
     return asin(min(1.0, air.mean_free_path / (knudsen * disk.radius)))
 
 
-def non_contact_loads(scene, own: OwnLaw | None = None):
-    """Return the loads on the disk of a scene other than those of the contact, or None.
+def non_contact_loads(scene: "MotionScene", own: OwnLaw | None = None) -> Any:
+    """Return the loads on the disk other than those of the contact, or None.
 
-    They are the air film and the dissipation of the scene, or an `own` law in place of the
-    dissipation.
+    They are those of the air film and of the dissipation of the scene, which an `own`
+    law replaces.
     """
     return combined_loads(
         own or resistance_of(scene.dissipation, scene.disk),
@@ -129,33 +145,36 @@ def non_contact_loads(scene, own: OwnLaw | None = None):
     )
 
 
-def _film_free_reason(disk: Disk, air: Air, dissipation) -> str:
-    """Return the reason for which a scene has no film in the mode 'auto'; "" if it may have one."""
+def _film_free_reason(disk: Disk, air: Air, dissipation: Dissipation | None) -> str:
+    """Return the reason why air.film = 'auto' excludes the film, or "" if it does not."""
     if not air.pressure:
-        return "a vacuum has no film"
+        return "there is no film in a vacuum"
     if disk.shape != "solid":
-        return "only the film under a solid disk is known"
-    if dissipation and (dissipation.air_viscosity or dissipation.boundary_layer_viscosity):
-        return "the scene has another law of the air, and they do not add"
+        return "the model of the film is limited to solid disks"
+    if dissipation and (
+        dissipation.air_viscosity or dissipation.boundary_layer_viscosity
+    ):
+        return "the scene already includes a dissipation law for the air"
     return ""
 
 
 @lru_cache(64)
 def _film_onset(
+    law: DiskConstants,
     disk: Disk,
     air: Air,
-    friction,
-    dissipation,
+    dissipation: Dissipation,
     release: Release,
     end: float,
 ) -> tuple[float, float]:
-    """Return time [s] and inclination [rad] at which the film takes MIN_FILM_SHARE of the power in
-    a steady decline.
+    """Return the time [s] and inclination [rad] at which MIN_FILM_SHARE is reached.
 
-    The decline starts from the steady motion with the energy of the release, or from the steepest
-    one.
+    They are predicted by quasi-steady motion that starts with the energy of the
+    release, or from the steepest steady motion if that energy is larger.
     """
-    law, _, beta, _, energies, film_power, power = _decline(disk, air, friction, dissipation, end)
+    _, beta, _, energies, film_power, power = _quasi_steady_descent(
+        law, disk, air, dissipation, end
+    )
     release_energy = energy(
         radians(release.inclination_deg),
         np.array(release.omega) * disk.time_unit,
@@ -165,52 +184,50 @@ def _film_onset(
     time = np.concatenate(
         [[0.0], np.cumsum(np.diff(-energies) * (1 / power[1:] + 1 / power[:-1]) / 2)]
     )
-    index = np.argmax((film_power >= MIN_FILM_SHARE * power) & (energies <= release_energy))
+    index = np.argmax(
+        (film_power >= MIN_FILM_SHARE * power) & (energies <= release_energy)
+    )
     if film_power[index] < MIN_FILM_SHARE * power[index]:
         return inf, 0.0
     delay = time[index] - np.interp(-release_energy, -energies, time)
     return float(max(delay, 0.0) * disk.time_unit), float(beta[index])
 
 
-def airborne_inclination(scene) -> float:
-    """Return the inclination [rad] below which the film of a falling disk supports its weight.
+def airborne_inclination(scene: "MotionScene") -> float:
+    """Return the predicted inclination [rad] below which the film supports the disk.
 
-    The value is a prediction; it is 0 if the film never supports the weight.
+    It is 0 if the film never supports the weight.
     """
     if decide_film(scene).film is None:
         return 0.0
     end = scene.numerics.stopping_inclination(scene.disk)
-    law, film, beta, turning, held, _, power = _decline(
-        scene.disk,
-        scene.air,
-        scene.friction,
-        scene.dissipation,
-        end,
+    law = scene_constants(scene)
+    film, beta, turning, held, _, power = _quasi_steady_descent(
+        law, scene.disk, scene.air, scene.dissipation, end
     )
-    lift = film.at(beta, (power / np.gradient(held, beta), None, turning))[2]
+    lift = film.moments_at(beta, (power / np.gradient(held, beta), None, turning))[2]
     return float(beta[lift > (law.K + 4) / 4].max(initial=0.0))
 
 
-def _decline(disk, air, friction, dissipation, end):
-    """Return a steady decline at decreasing inclinations (INCLINATION_COUNT,).
+def _quasi_steady_descent(
+    law: DiskConstants, disk: Disk, air: Air, dissipation: Dissipation, end: float
+) -> tuple[Any, ...]:
+    """Return quasi-steady motion at decreasing inclinations (INCLINATION_COUNT,).
 
-    The result contains the law, the film, the inclinations, omega_3, the energy, the power of the
-    film
-    and the total power.
+    The results are the film, the inclinations [rad], and the dimensionless omega_3,
+    energy, power dissipated by the film, and total power.
     """
-    law = disk_constants(disk, friction)
-    film = film_under(disk, air)
+    film = film_under(disk, air, law.bowl / disk.radius)
     others = resistance_of(dissipation, disk)
-    steepest = 0.9 * steepest_steady(law.h, law.K)
+    steepest = 0.9 * max_steady_inclination(law.h, law.K, law.fillet)
     beta = np.geomspace(steepest, min(end, steepest / 2), INCLINATION_COUNT)
-    rate = np.array([steady_precession(b, law.h, law.K) * sin(b) for b in beta])
-    energies = energy(beta, (0.0, law.h * rate, rate), (0.0, 0.0), law)
-    film_power = film.powers(beta, (0.0, law.h * rate, rate))[0]
+    omega = np.array([steady_omega(b, law) for b in beta]).T
+    energies = energy(beta, omega, (0.0, 0.0), law)
+    film_power = film.rotation_and_fall_powers(beta, omega)[0]
     return (
-        law,
         film,
         beta,
-        rate,
+        omega[2],
         energies,
         film_power,
         film_power + np.array([steady_power(b, law, others) for b in beta]),

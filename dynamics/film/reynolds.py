@@ -1,52 +1,49 @@
-"""Reynolds' equation for the film under the disk, by finite elements graded to the contact.
+"""Finite-element solution of Reynolds' equation for the air film under the disk.
 
-Lengths are divided by the radius R, and gaps by the mean gap g = R sin(beta). The wedge h = 1 + x
-closes at the contact x = -1. The inversion z = 2/(X + i Y) - 1 maps the half plane X > 1 to the
-disk, its edge to the rim and infinity to the contact; the gap becomes h = 2 X/(X^2 + Y^2). The mesh
-is uniform in b and sqrt(a), with X = exp(a) and Y = sinh(b). It is therefore fine at the contact,
-where the gap nearly closes, and at the rim, where the flow of a stiff film is concentrated.
-tests/film/test_film_constants.py compares the solutions with known ones.
+Lengths are divided by the radius R, and gaps by the mean gap g = R sin(beta). The wedge
+h = 1 + x closes at the contact x = -1. The inversion z = 2/(X + i Y) - 1 maps the half
+plane X > 1 to the disk, its boundary to the rim and infinity to the contact; the gap
+becomes h = 2 X/(X^2 + Y^2). The mesh is uniform in b and sqrt(a), where X = exp(a) and
+Y = sinh(b). It is therefore fine at the contact, where the gap nearly closes, and at
+the rim, where the flow of a stiff film is concentrated.
+tests/film/test_film_constants.py compares the results with known solutions.
 """
 
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import csc_array
+from scipy.sparse import csc_array, csr_array
 from scipy.sparse.linalg import splu
 from skfem import Basis, ElementQuad2, MeshQuad
 
-from dynamics.air import HEAT_RATIO
+from dynamics.air import HEAT_CAPACITY_RATIO
 
-MIN_DRIVING_PRESSURE = 0.01
-"""Pressure that drives the flow where the solution is zero, divided by the ambient pressure.
-
-A smooth positive function of the pressure drives the flow, because the solution may oscillate
-below zero near the contact.
-"""
 UPWIND_GAPS = (0.005, 0.05)
-"""Gaps, divided by the mean gap, below which artificial diffusion stabilises the solution.
+"""Gaps, divided by the mean gap, below which artificial diffusion stabilises the
+solution.
 
-The second value is used if the solution with the first one does not converge.
+The second value is used if the solution does not converge with the first.
 """
 
 
 def wedge_gap(x, y):
-    """Return the gap under a flat disk on its edge, divided by the mean gap."""
+    """Return the gap between disk and plane table, divided by the mean gap."""
     return 1 + x
 
 
 class FilmResponse(NamedTuple):
-    """Response of a film to a gap that opens at a velocity V.
+    """Response of a film to the opening of its gap at a velocity V.
 
     Attributes
     ----------
     pressure : (n,) array
         Pressure at the nodes of the mesh, in units of 12 mu R^2 V/g^3.
     works : array
-        Work on the given shapes W, int p W dA/R^2.
+        Work int p W dA/R^2 on each of the given shapes W.
     rim : (2 k + 1,) array
-        Flow out of the rim, int q exp(-i n theta) ds/(R^2 V), for n = 0, 1, .., k, -k, .., -1.
+        Outflow at the rim, int q exp(-i n theta) ds/(R^2 V), for n = 0, 1, .., k, -k,
+        .., -1.
     """
 
     pressure: np.ndarray
@@ -55,7 +52,7 @@ class FilmResponse(NamedTuple):
 
 
 class FilmMesh:
-    """Quadratic finite elements for an air film, refined towards the contact and the rim.
+    """Quadratic finite elements for an air film, refined at the contact and the rim.
 
     The pressure at the rim is the ambient pressure.
 
@@ -66,17 +63,18 @@ class FilmMesh:
     height : callable
         Function of (x, y) that returns the gap divided by the mean gap.
     nearest : float
-        The mesh ends at the distance R exp(-nearest) from the contact.
+        Negative logarithm of the distance from the contact, divided by R, at which the
+        mesh ends.
     parity : int
-        1 for fields that are even in y, -1 for odd fields, 0 for all fields. With 1 or -1 the
-        mesh covers half of the film, and the gap must be even in y.
+        1 for fields that are even in y, -1 for odd fields, 0 for all fields. For 1 and
+        -1 the mesh covers one half of the film, and the gap must be even in y.
 
     Attributes
     ----------
     points : (e, q) array
         Quadrature points x + i y, at which velocities and shapes are given.
     area : (e, q) array
-        Quadrature weights of an integral over the face.
+        Quadrature weights for integrals over the face.
     """
 
     def __init__(
@@ -96,7 +94,8 @@ class FilmMesh:
         dX = np.exp(a)
         dY = np.cosh(b)
         self._dx = (2 if parity else 1) * self.basis.dx
-        self.points, self.area = 2 / t - 1, 4 / np.abs(t) ** 4 * dX * dY * self._dx
+        self.points = 2 / t - 1
+        self.area = 4 / np.abs(t) ** 4 * dX * dY * self._dx
         around = 1j * self.points * np.conj(-2 / t**2)
         self._metric = {"first": dY / dX, "second": dX / dY}
         self._around = {"first": around.real * dY, "second": around.imag * dX}
@@ -111,7 +110,9 @@ class FilmMesh:
                 strict=True,
             )
         )
-        self._upwind_angle = 1 / (4 * rate)  # a quarter of the angle that one element covers
+        self._upwind_angle = 1 / (
+            4 * rate
+        )  # a quarter of the angle covered by one element
         self.height = height(self.points.real, self.points.imag)
         each = [shape[0] for shape in self.basis.basis]
         self._shapes = (
@@ -130,18 +131,26 @@ class FilmMesh:
         self._find_sparsity_pattern()
 
     def _find_sparsity_pattern(self):
-        """Compute the sparsity pattern of the inner nodes and the slots of the pairs (e, i, j)."""
+        """Compute the sparsity pattern, the positions of the pairs (e, i, j) in it, and
+        the matrix that sums element contributions at the nodes."""
         count = len(self._inner)
         place = np.full(self.basis.N, -1)
         place[self._inner] = np.arange(count)
         row, column = (
-            place[self.basis.element_dofs.T][at] for at in (np.s_[:, :, None], np.s_[:, None, :])
+            place[self.basis.element_dofs.T][at]
+            for at in (np.s_[:, :, None], np.s_[:, None, :])
         )
         key, self._slot = np.unique(
-            np.where((row < 0) | (column < 0), count**2, column * count + row), return_inverse=True
+            np.where((row < 0) | (column < 0), count**2, column * count + row),
+            return_inverse=True,
         )
         key = key[key < count**2]
         self._sparse = key % count, np.searchsorted(key, count * np.arange(count + 1))
+        node = self.basis.element_dofs.T.ravel()
+        self._gather = csr_array(
+            (np.ones(len(node)), (node, np.arange(len(node)))),
+            shape=(self.basis.N, len(node)),
+        )
 
     def linear_responses(
         self,
@@ -153,26 +162,29 @@ class FilmMesh:
         slip: float = 0.0,
         heat: complex = 0.0,
     ) -> list[FilmResponse]:
-        """Solve the linearised film for gaps that open at velocities proportional to exp(i w t).
+        """Solve the linearised equation for opening velocities that vary as exp(i w t).
 
-        The equation for small changes of pressure is div(m(h) grad p) - i sigma s(h) p = V.
+        The equation for small pressure changes p is div(m(h) grad p) - i sigma s(h) p =
+        V.
 
         Parameters
         ----------
         velocities, shapes : (v, e, q) arrays
-            Opening velocities V, and shapes W for the work, at `points`.
+            Values at `points` of the opening velocities V and of the shapes W for the
+            work.
         sigma : float
             Squeeze number 12 mu w R^2/(p_a g^2).
         inertia : complex
-            Parameter g sqrt(i w rho/mu) of unsteady flow. The mobility m is h^3 if it is 0.
+            Parameter g sqrt(i w rho/mu) of unsteady flow; if 0, the mobility m is h^3.
         orders : int
-            Highest order of the flow out of the rim.
+            Highest order of the outflow at the rim.
         slip : float
             Mean free path divided by g. Maxwell's slip adds 6 slip h^2 to the mobility.
         heat : complex
-            Parameter k = g sqrt(i w rho c_p/kappa) of heat conduction to the faces. The storage
-            is s = h - (1 - 1/c) (h - 2/k tanh(k h/2)) with the ratio c of the specific heats
-            (Tijdeman 1975). The air is isothermal, s = h, if k is 0.
+            Parameter k = g sqrt(i w rho c_p/kappa) of heat conduction to the faces. The
+            storage is s = h - (1 - 1/c) (h - 2/k tanh(k h/2)), where c is the ratio of
+            the specific heats (Tijdeman 1975). If k is 0, the air is isothermal and s =
+            h.
 
         Returns
         -------
@@ -183,40 +195,49 @@ class FilmMesh:
         warmed = film_mobility(self.height, heat) * heat * heat / 12
         pairs, matrix = self._stiffness(
             mobility,
-            1j * sigma * (self.height - (1 - 1 / HEAT_RATIO) * warmed),
+            1j * sigma * (self.height - (1 - 1 / HEAT_CAPACITY_RATIO) * warmed),
         )
-        loads = self._loads(velocities)
-        works = loads if shapes is velocities else self._loads(shapes)
+        loads = self._load_vectors(velocities)
+        works = loads if shapes is velocities else self._load_vectors(shapes)
         inner = self._inner
         p = np.zeros(loads.shape, complex)
         factors = splu(matrix)
         rest = loads.astype(complex)
         p[:, inner] = [factors.solve(-row[inner]) for row in rest]
         rim = -(rest + self._matrix_product(pairs, p.T).T) @ self._waves(orders)
-        return [FilmResponse(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
+        return [
+            FilmResponse(*answer) for answer in zip(p, p @ works.T, rim, strict=True)
+        ]
 
     def rim_flow_matrices(
         self, mobility, storage, velocities, orders: int
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return two matrices of the flow out of the rim, int q W ds.
+        """Return two matrices of the outflow int q W ds at the rim.
 
-        The waves W are cos n theta, n = 0, .., `orders`, followed by sin n theta, n = 1, ..,
-        `orders`. The film obeys div(m grad p) = V + storage p. The first matrix (w, v) is the flow
-        for each of the `velocities` V (v, e, q) with zero pressure at the rim. The second matrix
-        (w, w) is the reduction of the flow by a pressure at the rim equal to each wave.
+        The waves W are cos n theta, n = 0, .., `orders`, followed by sin n theta, n =
+        1, .., `orders`. The film obeys div(m grad p) = V + storage p. The first matrix
+        (w, v) is the outflow for each of the `velocities` V (v, e, q) with zero
+        pressure at the rim. The second matrix (w, w) is the reduction of the outflow if
+        the pressure at the rim equals each wave.
         """
         (pairs, matrix) = self._stiffness(mobility, storage)
         inner = self._inner
         waves = self._waves(orders)
-        p = np.hstack([waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]]).astype(complex)
+        p = np.hstack(
+            [waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]]
+        ).astype(complex)
         p[inner] -= splu(matrix).solve(self._matrix_product(pairs, p)[inner])
-        return -p.T @ self._loads(velocities).T, p.T @ self._matrix_product(pairs, p)
+        return -p.T @ self._load_vectors(velocities).T, p.T @ self._matrix_product(
+            pairs, p
+        )
 
-    def steady_rotating_pressure(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:
-        """Return the pressure (n,) in a steadily rotating gap, divided by the ambient pressure.
+    def steady_rotating_pressure(
+        self, Lam: float, guess=None, falling: float = 0.0
+    ) -> np.ndarray:
+        """Return the pressure (n,) over the ambient one in a steadily rotating gap.
 
-        Newton's method solves div(P h^3 grad P) = -Lam d(P h)/dtheta - falling P h for isothermal
-        air in the rotating frame. It starts from `guess`.
+        Newton's method solves div(P h^3 grad P) = -Lam d(P h)/dtheta - falling P h for
+        isothermal air in the rotating frame.
 
         Parameters
         ----------
@@ -232,51 +253,76 @@ class FilmMesh:
         ArithmeticError
             If the method does not converge.
         """
-        for near in UPWIND_GAPS:
-            P = self._newton(np.ones(self.basis.N) if guess is None else guess, Lam, falling, near)
+        for upwind_gap in UPWIND_GAPS:
+            P = self._newton(
+                np.ones(self.basis.N) if guess is None else guess,
+                Lam,
+                falling,
+                upwind_gap,
+            )
             if P is not None:
                 return P
         raise ArithmeticError(
             f"the compressible film does not converge at Lam = {Lam:g}, falling = {falling:g}"
         )
 
-    def _newton(self, P, Lam, falling, near, tolerance=1e-9, max_steps=30, max_step_lengths=6):
-        """Return the pressure (n,) by damped Newton steps, or None if they do not converge.
+    def _newton(
+        self,
+        P,
+        Lam,
+        falling,
+        upwind_gap,
+        tolerance=1e-9,
+        max_steps=30,
+        max_step_lengths=6,
+    ):
+        """Return the pressure (n,) from damped Newton steps; None if they diverge.
 
-        Each step tries up to `max_step_lengths` lengths; each is half the previous one.
+        Each step is halved, at most `max_step_lengths` - 1 times, until the error
+        decreases.
         """
         inner = self._inner
-        rest = self._nodal_residual(P, Lam, falling, near)[self._inner]
+        rest = self._nodal_residual(P, Lam, falling, upwind_gap)[self._inner]
         for _ in range(max_steps):
-            factors = splu(self._residual_jacobian(P, Lam, falling, near))
+            factors = splu(self._residual_jacobian(P, Lam, falling, upwind_gap))
             step = factors.solve(-rest)
             for part in 0.5 ** np.arange(max_step_lengths):
                 ahead = P.copy()
                 ahead[inner] += part * step
-                rest = self._nodal_residual(ahead, Lam, falling, near)[inner]
-                if np.abs(factors.solve(rest)).max() <= (1 - part / 4) * np.abs(step).max():
+                rest = self._nodal_residual(ahead, Lam, falling, upwind_gap)[inner]
+                if (
+                    np.abs(factors.solve(rest)).max()
+                    <= (1 - part / 4) * np.abs(step).max()
+                ):
                     break
             P = ahead
             if np.abs(step).max() < tolerance * P.max():
                 return P
         return None
 
-    def rim_mass_flow(self, P, Lam: float, orders: int = 3, falling: float = 0.0) -> np.ndarray:
-        """Return the mass flow out of the rim under `steady_rotating_pressure`, as FilmResponse.rim, over p_a
-        g^3/(12 mu).
+    def rim_mass_flow(
+        self, P, Lam: float, orders: int = 3, falling: float = 0.0
+    ) -> np.ndarray:
+        """Return the mass outflow at the rim for a `steady_rotating_pressure` P.
 
-        It is the residual at the rim of the equation that P solves, for the gap of UPWIND_GAPS that
-        fits.
+        It is ordered as FilmResponse.rim, in units of p_a g^3/(12 mu). It is computed
+        as the residual at the rim, with the value of UPWIND_GAPS for which P was
+        solved.
         """
-        left = (self._nodal_residual(P, Lam, falling, near) for near in UPWIND_GAPS)
-        return -min(left, key=lambda rest: np.abs(rest[self._inner]).max()) @ self._waves(orders)
+        left = (
+            self._nodal_residual(P, Lam, falling, upwind_gap)
+            for upwind_gap in UPWIND_GAPS
+        )
+        return -min(
+            left, key=lambda rest: np.abs(rest[self._inner]).max()
+        ) @ self._waves(orders)
 
     def integral(self, p, shape=1.0) -> float:
-        """Return int p W dA over the face, for a nodal field p (n,) and a shape W at the points."""
+        """Return int p W dA for nodal values p (n,) and a shape W at `points`."""
         return float((self.area * np.asarray(self.basis.interpolate(p)) * shape).sum())
 
     def _waves(self, orders):
-        """Return the nodal values (n, 2 k + 1) of exp(-i n theta), continued inwards as z^n."""
+        """Return nodal values (n, 2 k + 1) of exp(-i n theta), extended inwards as z^n."""
         if orders in self._wave_cache:
             return self._wave_cache[orders]
         n = np.concatenate([np.arange(orders + 1), np.arange(-orders, 0)])
@@ -284,14 +330,17 @@ class FilmMesh:
         other = np.conj(self.nodes)[:, None] ** np.abs(n)
         waves = np.where(n > 0, other, z)
         mirrored = np.where(n > 0, z, other)
-        self._wave_cache[orders] = (waves + self.parity * mirrored) / 2 if self.parity else waves
+        self._wave_cache[orders] = (
+            (waves + self.parity * mirrored) / 2 if self.parity else waves
+        )
         return self._wave_cache[orders]
 
     def _stiffness(self, mobility, storage):
         """Assemble the bilinear form int m grad p . grad q + storage p q dA.
 
-        Returns the element matrices (e, i, j) and the sparse matrix of the inner nodes. A form of
-        scikit-fem is evaluated pair by pair, which would take longer than the solution.
+        Returns the element matrices (e, i, j) and the sparse matrix of the inner nodes.
+        A form of scikit-fem would be evaluated pair by pair, which would take longer
+        than the solution.
         """
         first, second = self._metric.values()
         fields = np.hstack(
@@ -312,36 +361,54 @@ class FilmMesh:
         return self._sum_at_nodes(pairs @ p[self.basis.element_dofs.T])
 
     def _sum_at_nodes(self, parts):
-        """Sum element contributions (e, i, k) at the nodes; return (n, k)."""
-        out = np.zeros((self.basis.N, parts.shape[2]), parts.dtype)
-        np.add.at(out, self.basis.element_dofs.T, parts)
-        return out
+        """Return the sums (n, k) at the nodes of element contributions (e, i, k)."""
+        return self._gather @ parts.reshape(self._gather.shape[1], parts.shape[2])
 
-    def _loads(self, shapes):
+    def _load_vectors(self, shapes):
         """Return the load vectors int q W dA (s, n) of shapes W (s, e, q)."""
         values = self._shapes[:, :, -self.area.shape[1] :].real
-        parts = values @ (self.area * np.reshape(shapes, (-1, *self.area.shape))).transpose(1, 2, 0)
+        parts = values @ (
+            self.area * np.reshape(shapes, (-1, *self.area.shape))
+        ).transpose(1, 2, 0)
         return self._sum_at_nodes(parts).T
 
-    def _flow(self, P, Lam, falling, near):
-        """Return the fluxes and sources (3, e, q) of the equation of `steady_rotating_pressure` and their
-        derivatives (3, 3, e, q).
+    def _flow(self, P, Lam, falling, upwind_gap):
+        """Return fluxes and source (3, e, q), and their derivatives (3, 3, e, q).
 
-        The rows belong to the slopes and the value of a test function, the columns to those of P.
-        Both include the artificial diffusion near the contact.
+        The rows are multiplied by the slopes and the value of a test function, the
+        columns by those of the change of P. They include the artificial diffusion near
+        the contact.
         """
+        # Driving pressure where the solution is zero, divided by the ambient pressure. The
+        # driving pressure is a smooth positive function of the solution, because the solution
+        # may oscillate below zero near the contact.
+        min_driving_pressure = 0.01
         p, h = (self.basis.interpolate(field) for field in (P, self._node_height))
-        along, around = (np.array([*parts.values()]) for parts in (self._metric, self._around))
+        along, around = (
+            np.array([*parts.values()]) for parts in (self._metric, self._around)
+        )
         along = self.height**3 * along
         turn = around / self._measure
         around = Lam * self.height * around
         source = falling * self.height * self._measure
-        spread = Lam * self._upwind_angle / (1 + (self.height / near) ** 2) * self._measure * turn
-        root = np.sqrt(p * p + 4 * MIN_DRIVING_PRESSURE**2)  # keeps the driving pressure positive
+        spread = (
+            Lam
+            * self._upwind_angle
+            / (1 + (self.height / upwind_gap) ** 2)
+            * self._measure
+            * turn
+        )
+        root = np.sqrt(
+            p * p + 4 * min_driving_pressure**2
+        )  # keeps the driving pressure positive
         driven = (p + root) / 2
         slope = (1 + p / root) / 2
         turned_p, turned_h = ((turn * field.grad).sum(axis=0) for field in (p, h))
-        flow = driven * along * p.grad + p * around + spread * (h * turned_p + p * turned_h)
+        flow = (
+            driven * along * p.grad
+            + p * around
+            + spread * (h * turned_p + p * turned_h)
+        )
         by = np.zeros((3, 3, *self.height.shape))
         by[[0, 1], [0, 1]] = driven * along
         by[:2, :2] += spread[:, None] * h * turn
@@ -349,22 +416,23 @@ class FilmMesh:
         by[2, 2] = -source
         return np.array([*flow, -source * p]), by
 
-    def _nodal_residual(self, P, Lam, falling, near):
-        """Return the residual (n,) of the equation of `steady_rotating_pressure` at the nodes for a pressure
-        (n,)."""
-        flow = self._flow(P, Lam, falling, near)[0] * self._dx
+    def _nodal_residual(self, P, Lam, falling, upwind_gap):
+        """Return the nodal residual (n,) of `steady_rotating_pressure`."""
+        flow = self._flow(P, Lam, falling, upwind_gap)[0] * self._dx
         return self._sum_at_nodes(self._shapes.real @ np.hstack(flow)[:, :, None])[:, 0]
 
-    def _residual_jacobian(self, P, Lam, falling, near):
+    def _residual_jacobian(self, P, Lam, falling, upwind_gap):
         """Return the Jacobian (k, k) of the residual at the inner nodes."""
         shapes = self._shapes.real
-        by = self._flow(P, Lam, falling, near)[1] * self._dx
-        moved = np.einsum("abeq,eibq->eiaq", by, shapes.reshape(*shapes.shape[:2], 3, -1))
+        by = self._flow(P, Lam, falling, upwind_gap)[1] * self._dx
+        moved = np.einsum(
+            "abeq,eibq->eiaq", by, shapes.reshape(*shapes.shape[:2], 3, -1)
+        )
         return self._inner_matrix(shapes @ moved.reshape(shapes.shape).swapaxes(1, 2))
 
 
 def film_mobility(height, inertia: complex):
-    """Return the mobility of air in a gap of height h.
+    """Return the mobility of the air in a gap of height h.
 
     It is 12/k^2 (h - 2/k tanh(k h/2)) with k = `inertia`, and h^3 for k = 0.
     """
@@ -378,11 +446,13 @@ def film_mobility(height, inertia: complex):
     )
 
 
-def compressible_wedge_response(numbers: Sequence[float], mesh: FilmMesh, orders: int = 3):
-    """Return lift, power and rim flow of a rotating wedge at ascending numbers Lam (l,).
+def compressible_wedge_response(
+    numbers: Sequence[float], mesh: FilmMesh, orders: int = 3
+):
+    """Return lift, power and rim flow of a rotating wedge at ascending Lam (l,).
 
-    The dipole int V (x + i y) dA equals i pi/4. The last column of the flow, of exp(i theta), is
-    therefore g1, and its phase is the lead of the flow.
+    The dipole int V (x + i y) dA equals i pi/4. The last column of the flow, for exp(i
+    theta), is therefore g1; its phase is the phase lead of the flow.
 
     Returns
     -------
@@ -391,7 +461,7 @@ def compressible_wedge_response(numbers: Sequence[float], mesh: FilmMesh, orders
     power : (l,) array
         Power divided by the power for incompressible air.
     flow : (l, 2 k + 1) array
-        Flow out of the rim by order, divided by the dipole of the face.
+        Outflow at the rim by order, divided by the dipole of the face.
     """
     y = mesh.points.imag
     P = None

@@ -1,1 +1,1 @@
-"""Integrators of the event-driven rigid motion."""
+"""Integrators for the event-driven motion of a rigid disk."""

@@ -1,4 +1,4 @@
-"""Formulas of one branch of the flow for compilers, with symbolic state and constants."""
+"""Equations of motion of one branch with symbolic state and constants, for compilation."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -7,37 +7,56 @@ from itertools import count, islice
 import numpy as np
 
 from dynamics.equations import DiskConstants
+from dynamics.pivoting import COEFFICIENT_COUNT
 from dynamics.regime import Branch, FlowFormulas, Regime
 
 
-def flow_constants(regime: Regime, law: DiskConstants, loads, r_end: float) -> tuple[float, ...]:
-    """Return the run-time constants (n,) of a flow, in the order of their symbols in `rates_and_guards`."""
-    return *law, *regime.senses, r_end, *(loads.runtime_parameters if loads else ())
+def flow_constants(
+    regime: Regime, law: DiskConstants, loads, r_end: float
+) -> tuple[float, ...]:
+    """Return the run-time constants (n,) of a flow, ordered as in `rates_and_guards`."""
+    own = loads.runtime_parameters if loads else ()
+    return *law[:-1], *regime.senses, r_end, *law.pivoting, *own
 
 
 def branch_to_compile(regime: Regime, law: DiskConstants, loads) -> Branch:
-    """Return the branch to compile, which contains none of the `flow_constants`."""
+    """Return the branch of a regime without any of the `flow_constants`."""
     return Branch.of(regime, law, loads and loads.compiled_form)
 
 
 @lru_cache(64)
-def compiled_flow(
-    compiled: Callable, regime: Regime, law: DiskConstants, loads, r_end: float, *how
+def compiled_flow_and_constants(
+    compiled: Callable,
+    regime: Regime,
+    law: DiskConstants,
+    loads,
+    r_end: float,
+    *options,
 ):
-    """Return `compiled(branch, *how)` for a regime, and the constants (n,) of its flow."""
-    return compiled(branch_to_compile(regime, law, loads), *how), np.array(
+    """Return `compiled(branch, *options)` of a regime, and the constants of its flow."""
+    return compiled(branch_to_compile(regime, law, loads), *options), np.array(
         flow_constants(regime, law, loads, r_end)
     )
 
 
 def rates_and_guards(flow: FlowFormulas, y, branch: Branch, symbol):
-    """Return the rates (k,) and the guards of a branch, for a state y (k,) and the symbol(i) of
-    constant i."""
+    """Return the rates (k,) and the guards of a branch at a state y (k,).
+
+    `symbol(i)` is the symbol of run-time constant i.
+    """
     following = map(symbol, count())
-    law = DiskConstants(*islice(following, len(DiskConstants._fields)))
+    law = DiskConstants(*islice(following, len(DiskConstants._fields) - 1))
     senses = tuple(islice(following, 3))
     r_end = next(following)
+    if not branch.has_fillet:
+        law = law._replace(fillet=0.0)
+    if not branch.has_bowl:
+        law = law._replace(bowl=0.0, bowl_x=0.0, bowl_y=0.0)
+    if branch.has_spin_friction:
+        law = law._replace(pivoting=tuple(islice(following, 2 * COEFFICIENT_COUNT)))
     if branch.loads:
         branch = branch._replace(loads=branch.loads.with_parameters(following))
     contact = flow.contact(y, branch, senses, law)
-    return flow.rates(y, contact, branch, law), flow.guards(y, contact, branch, senses, law, r_end)
+    return flow.rates(y, contact, branch, law), flow.guards(
+        y, contact, branch, senses, law, r_end
+    )

@@ -1,8 +1,8 @@
-"""Steps of DOP853 with dense output, in machine code, up to a guard: Hairer, Norsett & Wanner
-(1993), II.5, II.6.
+"""Compiled DOP853 integration with dense output, up to the first crossing of a guard.
 
-The coefficients are scipy's. A flow, of the type FLOW of codegen.py, computes the rates and the
-guards of a state."""
+See Hairer, Norsett & Wanner (1993), II.5 and II.6; the coefficients are those of SciPy.
+A flow (FLOW_SIGNATURE in codegen.py) computes the rates and the guards of a state.
+"""
 
 import numpy as np
 from numba import njit, types
@@ -12,33 +12,31 @@ from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.regime import V1, V2, W1, W2, W3, R
 
 STAGE_WEIGHTS = np.zeros((16, 16))
-"""Weights of the preceding rates: 12 stages, the end of the step, and three stages for the dense
-output."""
-STAGE_WEIGHTS[:12, :12], STAGE_WEIGHTS[12, :12], STAGE_WEIGHTS[13:] = (
-    DOP853.A,
-    DOP853.B,
-    DOP853.A_EXTRA,
-)
+"""Weights of the preceding rates for 12 stages, the end of the step, and three stages
+of the dense output."""
+STAGE_WEIGHTS[:12, :12] = DOP853.A
+STAGE_WEIGHTS[12, :12] = DOP853.B
+STAGE_WEIGHTS[13:] = DOP853.A_EXTRA
 ERROR_WEIGHTS = np.zeros((2, 13))
 ERROR_WEIGHTS[:] = DOP853.E5, DOP853.E3
 GUARD_EVALUATIONS_PER_STEP = 4
-BISECTIONS = 54  # to locate a guard crossing
+BISECTION_COUNT = 54  # for the location of a guard crossing
 STEP_SAFETY = 0.9
-"""Length of the next step as a fraction of the length that the error allows."""
+"""Length of the next step as a fraction of the length allowed by the error."""
 MIN_STEP_RATIO = 0.2
 MAX_STEP_RATIO = 10.0
 MAX_STEPS_PER_CALL = 1000
 MIN_STEP = 1e-13
-"""Length in units of r below which a step is abandoned."""
+"""Shortest step, in units of r."""
 MAX_GUARDS = 16
-"""Array size that suffices for the guards of any branch."""
+"""Array size that is sufficient for the guards of any branch."""
 
 
 def dense_output_coefficients():
-    """Return the Taylor coefficients (8, 16) of the dense output, of degree 7 on [0, 1], from the
-    rates of the stages.
+    """Return the matrix (8, 16) from stage rates to the powers of the dense output.
 
-    It is F_0 x + F_1 x (1 - x) + F_2 x^2 (1 - x) + F_3 x^2 (1 - x)^2 + ...
+    On [0, 1] the dense output is F_0 x + F_1 x (1 - x) + F_2 x^2 (1 - x) + F_3 x^2 (1 -
+    x)^2 + ...
     """
     start = np.eye(16)[0]
     mean = STAGE_WEIGHTS[12]
@@ -46,7 +44,9 @@ def dense_output_coefficients():
     x = np.polynomial.Polynomial([0, 1])
     powers = np.zeros((8, 16))
     shape = x
-    for i, weights in enumerate((mean, start - mean, 2 * mean - end - start, *DOP853.D)):
+    for i, weights in enumerate(
+        (mean, start - mean, 2 * mean - end - start, *DOP853.D)
+    ):
         powers[: len(shape.coef)] += np.outer(shape.coef, weights)
         shape = shape * (x if i % 2 else 1 - x)
     return powers
@@ -57,15 +57,17 @@ DENSE_OUTPUT = dense_output_coefficients()
 
 @njit(cache=True, error_model="numpy")
 def max_step(y):
-    """Return the longest step in which a guard cannot have two roots: 1/4 radian of rotation."""
-    return 0.25 * y[R] / (1e-3 + max(abs(y[W1]), abs(y[W2]), abs(y[W3]), abs(y[V1]), abs(y[V2])))
+    """Return the step of 1/4 rad of rotation, in which no guard has two roots."""
+    turning = max(abs(y[W1]), abs(y[W2]), abs(y[W3]))
+    slipping = max(abs(y[V1]), abs(y[V2]))
+    return 0.25 * y[R] / (1e-3 + max(turning, slipping))
 
 
 @njit(cache=True, error_model="numpy")
 def copy_into(values, out):
-    """Write values (k,) into out (k,).
+    """Copy values (k,) into out (k,).
 
-    For `out[:] = values`, numba spends seconds on compiling an error message.
+    The statement `out[:] = values` would add seconds to the compilation time of numba.
     """
     for a in range(len(out)):
         out[a] = values[a]
@@ -73,7 +75,7 @@ def copy_into(values, out):
 
 @njit(cache=True, error_model="numpy")
 def evaluate_polynomial(c, x, y):
-    """Evaluate the polynomials c (order + 1, k) at x into y (k,)."""
+    """Write the values of polynomials c (order + 1, k) at x into y (k,)."""
     copy_into(c[-1], y)
     for j in range(len(c) - 2, -1, -1):
         for a in range(len(y)):
@@ -82,10 +84,11 @@ def evaluate_polynomial(c, x, y):
 
 @njit(cache=True, error_model="numpy")
 def step_and_error(flow, y, p, h, rates, y_end, guards):
-    """Fill the rates (16, k) of a step of length h from y, and y_end (k,); return its error.
+    """Fill the rates (16, k) and the end (k,) of a step of length h; return its error.
 
-    The first row of the rates must be given. The error is that of scipy's DOP853 for relative and
-    absolute tolerances of 1."""
+    The first row of the rates must be given. The error norm is that of SciPy for
+    relative and absolute tolerances of 1.
+    """
     for i in range(1, 16):
         state = y + h * (STAGE_WEIGHTS[i, :i] @ rates[:i])
         flow(state, p, rates[i], guards)
@@ -99,25 +102,31 @@ def step_and_error(flow, y, p, h, rates, y_end, guards):
 
 @njit(cache=True, error_model="numpy")
 def guard_root(flow, p, c, i, low, high):
-    """Return the place in [low, high] on the curve c (8, k) at which guard i falls, rounded to the
-    far side."""
+    """Return the position in [low, high] on the curve c at which guard i falls to zero.
+
+    The result is rounded to the side on which the guard is not positive.
+    """
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
     guards = np.empty(MAX_GUARDS)
-    for _ in range(BISECTIONS):
+    for _ in range(BISECTION_COUNT):
         middle = (low + high) / 2
         evaluate_polynomial(c, middle, y)
         flow(y, p, rates, guards)
-        low, high = (middle, high) if guards[i] > 0 else (low, middle)
+        if guards[i] > 0:
+            low = middle
+        else:
+            high = middle
     return high
 
 
 @njit(cache=True, error_model="numpy")
 def guard_crossing_between(flow, p, c, count, before, now, low, high):
-    """Return the place of the first fall of one of `count` guards in [low, high] on the curve c,
-    and its index.
+    """Return position and index of the first guard that falls in [low, high].
 
-    If none falls, return 1, -1. `before` and `now` are the guards at both ends."""
+    If none of the `count` guards falls on the curve c, return 1, -1. `before` and `now`
+    are the guards at both ends.
+    """
     place = 1.0
     fired = -1
     for i in range(count):
@@ -131,11 +140,12 @@ def guard_crossing_between(flow, p, c, count, before, now, low, high):
 
 @njit(cache=True, error_model="numpy")
 def first_guard_crossing(flow, p, c, count, before):
-    """Return the place in [0, 1] of the first fall of one of `count` guards on the curve c (8, k),
-    and its index.
+    """Return position and index of the first guard that falls in [0, 1] on the curve c.
 
-    If none falls, return 1, -1. `before` contains the guards at 0, and is overwritten by their last
-    values. A guard that is not positive at 0 cannot fall."""
+    If none of the `count` guards falls, return 1, -1. `before` contains the guards at 0
+    and is overwritten by their last values. A guard that is not positive at 0 cannot
+    fall.
+    """
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
     now = np.empty(MAX_GUARDS)
@@ -160,7 +170,9 @@ def first_guard_crossing(flow, p, c, count, before):
     return place, fired
 
 
-RESULT_TYPE = types.Tuple((ARRAY_TYPE, types.float64[:, :, ::1], ARRAY_TYPE, types.int64))
+RESULT_TYPE = types.Tuple(
+    (ARRAY_TYPE, types.float64[:, :, ::1], ARRAY_TYPE, types.int64)
+)
 INTEGRATE_SIGNATURE = RESULT_TYPE(
     types.FunctionType(FLOW_SIGNATURE),
     ARRAY_TYPE,
@@ -169,21 +181,23 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
     types.float64,
     types.float64,
 )
-"""Signature of `integrate`."""
+"""Signature of `integrate_dop853`."""
 
 
-def integrate(flow, y, p, count, span, tolerance):
-    """Integrate from y (k,) for `span`, for MAX_STEPS_PER_CALL steps or until one of `count` guards falls.
+def integrate_dop853(flow, y, p, count, span, tolerance):
+    """Integrate from y (k,) until one of `count` guards falls, at most for `span`.
 
-    Returns the ends of the steps (n,), their Taylor coefficients (n, 8, k), the last state (k,) and
-    the index of the guard (-1 if none). If no step is short enough, it returns the steps before
-    this point, possibly none."""
+    It takes at most MAX_STEPS_PER_CALL steps. Returns the end times of the steps (n,),
+    their Taylor coefficients (n, 8, k), the last state (k,) and the index of the guard
+    (-1 if none). The integration also ends, possibly without a step, if no step is
+    short enough.
+    """
     times = np.empty(MAX_STEPS_PER_CALL)
     coefficients = np.empty((MAX_STEPS_PER_CALL, 8, len(y)))
     rates = np.empty((16, len(y)))
     y_end = np.empty(len(y))
     guards = np.empty(MAX_GUARDS)
-    spare = np.empty(MAX_GUARDS)
+    guard_values = np.empty(MAX_GUARDS)
     flow(y, p, rates[0], guards)
     t = 0.0
     h = max_step(y)
@@ -193,7 +207,7 @@ def integrate(flow, y, p, count, span, tolerance):
         h = min(h, max_step(y), span - t)
         if not h > MIN_STEP * y[R]:
             break
-        error = step_and_error(flow, y, p, h, rates, y_end, spare) / tolerance
+        error = step_and_error(flow, y, p, h, rates, y_end, guard_values) / tolerance
         if not error < 1:  # NaN if the step leaves the domain of the formulas
             h *= (
                 max(MIN_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8))
@@ -213,5 +227,9 @@ def integrate(flow, y, p, count, span, tolerance):
         copy_into(rates[12], rates[0])
         if fired >= 0:
             evaluate_polynomial(c, place, y)
-        h *= min(MAX_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8)) if error > 0 else MAX_STEP_RATIO
+        h *= (
+            min(MAX_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8))
+            if error > 0
+            else MAX_STEP_RATIO
+        )
     return times[:n].copy(), coefficients[:n].copy(), y, fired

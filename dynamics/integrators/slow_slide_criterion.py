@@ -1,26 +1,24 @@
-"""Criterion for slow slides, whose direction is stiff; see slow_slides.py."""
+"""Criterion for slow slides, in which the equation for the slip direction is stiff."""
 
 import math
 
 from dynamics.regime import V1, V2
 
-MAX_SLOW_SPEED = 0.05
-MAX_SLOW_ACCELERATION = 0.05
-"""Limits below which a slide is stiff, as fractions of friction.
-
-They apply to the slip speed divided by r and to its rate. Faster slides use explicit steps, which
-are cheaper. The number of explicit steps would grow without bound as a slide comes to rest.
-"""
-
 
 def is_slow(speed, product, friction):
     """Return True if a slide is slow and its speed changes slowly.
 
-    `speed` is the slip speed divided by r; `product` is this speed times its rate.
+    `speed` is the slip speed divided by r; `product` is this speed times its time
+    derivative.
     """
+    # Limits of the slip speed divided by r, and of its time derivative, as fractions of the
+    # friction. Below them, the number of explicit steps would grow without bound as a slide
+    # comes to rest. Above them, explicit steps are cheaper.
+    max_slow_acceleration = 0.05
+    max_slow_speed = 0.05
     return (
-        speed < MAX_SLOW_SPEED * friction
-        and abs(product) < MAX_SLOW_ACCELERATION * friction * speed
+        speed < max_slow_speed * friction
+        and abs(product) < max_slow_acceleration * friction * speed
     )
 
 

@@ -1,10 +1,11 @@
-"""Implicit high-order steps for slow slides, whose direction is stiff.
+"""Implicit high-order integration of slow slides, in which the slip direction is stiff.
 
-The slip direction relaxes at a rate of friction divided by slip speed. If the slip speed hardly
-changes during this relaxation, for example after a start without acceleration (mu_dynamic =
-mu_static), explicit steps of any order would have to be as short as the relaxation time. With the
-slip in polar coordinates, only the direction is stiff. The slow solution is smooth through rest if
-the speed becomes negative there; this locates the end of a slide.
+The slip direction relaxes at a rate equal to friction divided by slip speed. If the
+slip speed hardly changes during this relaxation, for example after a start without
+acceleration (mu_dynamic = mu_static), explicit steps of any order would have to be as
+short as the relaxation time. In polar coordinates of the slip, only the direction is
+stiff. If the speed may become negative, the solution is smooth through rest, which
+locates the end of a slide.
 """
 
 import math
@@ -13,13 +14,13 @@ import numpy as np
 
 from dynamics.guards import GRIP, LIFT_OFF, guard_named
 from dynamics.hybrid import Arc, StalledError
-from dynamics.integrators.branch_formulas import compiled_flow
-from dynamics.integrators.codegen import compile_branch, machine_code
+from dynamics.integrators.branch_formulas import compiled_flow_and_constants
+from dynamics.integrators.codegen import compile_branch, compiled_function
 from dynamics.integrators.gauss_collocation import (
     INTEGRATE_SIGNATURE,
     MAX_STEPS_PER_CALL,
     REST_SLIP_SPEED,
-    integrate,
+    integrate_slow_slide,
 )
 from dynamics.regime import V1, V2, FlowFormulas, R, describe_state
 
@@ -27,20 +28,23 @@ NUTATION_REVERSAL = guard_named("nutation reverses")
 
 
 class PolarSlipFormulas(FlowFormulas):
-    """The flow with the slip in polar coordinates: signed speed divided by r at V1, direction at V2.
+    """Equations of motion with the slip in polar coordinates.
 
-    The rate at V2 is that of the direction times the speed, which is regular at rest."""
+    The state contains the signed slip speed divided by r at V1, and the slip direction
+    at V2. The rate at V2 is that of the direction times the speed, which is regular at
+    rest.
+    """
 
     def contact(self, y, branch, senses, law):
-        """Solve the balance laws at state y."""
-        along, across = direction = self.cos(y[V2]), self.sin(y[V2])
+        """Solve the balance laws at state y with its slip direction."""
+        along = self.cos(y[V2])
+        across = self.sin(y[V2])
         speed = y[R] * y[V1]
-        return self.contact_along(
-            y, (speed * along, speed * across), direction, branch, senses, law
-        )
+        slip = (speed * along, speed * across)
+        return self.contact_along(y, slip, (along, across), branch, senses, law)
 
     def rates(self, y, contact, branch, law):
-        """Return dy/dtau from the solved contact."""
+        """Return dy/dtau for the solved contact."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
         rates = super().rates(
@@ -52,14 +56,16 @@ class PolarSlipFormulas(FlowFormulas):
         rates[V2] = dv2 * along - dv1 * across
         return rates
 
-    def grip(self, y):
-        """Return the guard of a slide that comes to rest slowly."""
+    def excess_slip_speed(self, y):
+        """Return slip speed/r minus REST_SLIP_SPEED, the value of the guard GRIP."""
         return y[V1] - REST_SLIP_SPEED
 
 
-def with_polar_slip(branch):
-    """Return the compiled flow of a slow slide, its guards, and the indices of grip, lift-off and
-    the reversal of nutation (-1 if absent)."""
+def compile_polar_slip(branch):
+    """Return the compiled flow of a slow slide, its guards, and three of their indices.
+
+    They are those of grip, lift-off and the reversal of nutation (-1 if absent).
+    """
     flow, names = compile_branch(branch, PolarSlipFormulas)
     return (
         flow,
@@ -71,40 +77,48 @@ def with_polar_slip(branch):
 
 
 def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
-    """Integrate a stiff slide until a guard falls, for `span`, or for MAX_STEPS_PER_CALL steps.
+    """Integrate a stiff slide until a guard falls, at most for `span`.
 
-    The integration ends early if the slide is no longer stiff. It continues through clear reversals
-    of the nutation. Returns None if the slide is not stiff at the start,
-    or if no step length converges. The function is safe to call from several threads at once.
+    It takes at most MAX_STEPS_PER_CALL steps and ends early if the slide is no longer
+    stiff. It continues through clear reversals of the nutation. Returns None if the
+    slide is not stiff at the start, or if no step length converges. The function is
+    thread-safe.
     """
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
-    arc = _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, MAX_STEPS_PER_CALL)
-    return arc if len(arc.times) else None
-
-
-def advance_from_grazing(y, nu, regime, law, loads, r_end, most) -> Arc | None:
-    """Integrate a slide from rest along nu with almost no acceleration, for at most `most` steps.
-
-    Returns None if the slip speed returns to zero before it exceeds STOP_SPEED, because there is no
-    slide in this case. Raises StalledError if no step length converges.
-    """
-    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, most)
-    if not len(arc.times) and arc.guard is None:
-        raise StalledError(f"{describe_state(y)}: the slide that starts here could not be followed")
-    return arc if len(arc.times) else None
-
-
-def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, most):
-    (flow, names, *of), parameters = compiled_flow(with_polar_slip, regime, law, loads, r_end)
-    start = np.array([*y[:V1], speed, direction, *y[V2 + 1 :]])
-    times, powers, end, fired, turns = machine_code(integrate, INTEGRATE_SIGNATURE)(
-        flow, start, parameters, len(names), *of, law.mu_dynamic, span, most
+    arc = _integrate_slide(
+        y, speed, direction, regime, law, loads, r_end, span, MAX_STEPS_PER_CALL
     )
+    return arc if len(arc.times) else None
+
+
+def advance_grazing_slide(y, nu, regime, law, loads, r_end, max_steps) -> Arc | None:
+    """Integrate a slide that starts along nu [rad] with almost no acceleration.
+
+    It takes at most `max_steps` steps. Returns None if the slip speed returns to zero
+    before it exceeds STOP_SLIP_SPEED, since the contact does not slide then. Raises
+    StalledError if no step length converges.
+    """
+    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, max_steps)
+    if not len(arc.times) and arc.guard is None:
+        raise StalledError(
+            f"{describe_state(y)}: the slide that starts here cannot be integrated"
+        )
+    return arc if len(arc.times) else None
+
+
+def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, max_steps):
+    (flow, names, *of), parameters = compiled_flow_and_constants(
+        compile_polar_slip, regime, law, loads, r_end
+    )
+    start = np.array([*y[:V1], speed, direction, *y[V2 + 1 :]])
+    times, powers, end, fired, turns = compiled_function(
+        integrate_slow_slide, INTEGRATE_SIGNATURE
+    )(flow, start, parameters, len(names), *of, law.mu_dynamic, span, max_steps)
     guard = names[fired] if fired >= 0 else None
-    passed = []
+    regime_changes = []
     for steps in turns.tolist():
         sense, *others = regime.senses
         regime = regime._replace(senses=(-sense, *others))
-        passed.append((steps, NUTATION_REVERSAL, regime))
-    return Arc(times, powers, end.tolist(), guard, tuple(passed))
+        regime_changes.append((steps, NUTATION_REVERSAL, regime))
+    return Arc(times, powers, end.tolist(), guard, tuple(regime_changes))

@@ -1,1 +1,1 @@
-"""A disk that rattles: contact anywhere on its rim, at several places at once."""
+"""Motion of a rattling disk, which may touch the table at several points of its rim."""

@@ -1,10 +1,19 @@
-"""Time steps of a disk with springs all round its rim.
+"""Time steps of a disk with contact springs along its whole rim.
 
-A step is half a free flight, the impulse of the contacts, and half a free flight. The flight is
-exact: the centre falls, the disk turns as a symmetric top, and its modes ring. The rim rests on
-points with springs whose force is linear in the depth and whose sum is Hertz's force of the smooth
-contact. Adjacent points in contact form a patch. A dashpot acts on the mean approach speed of a
-patch, weighted by the depth, because dashpots of single points would resist rolling.
+A step consists of half a free flight, the impulse of the contacts, and half a free
+flight. The flight is exact: the centre falls, the disk rotates as a symmetric top, and
+its modes vibrate freely. The rim rests on points with springs whose force is linear in
+the depth and whose sum is Hertz's force of the smooth contact. Adjacent points in
+contact form a patch. A dashpot acts on the mean approach speed of a patch, weighted by
+the depth, because dashpots of single points would resist rolling.
+
+High above the table, a step lasts until the last one before the next sample.
+
+A table with modes rises under the rim by W = sum q_m w_m, and each contact force N drives
+its modes by -N w_m. Between contacts they vibrate freely and are advanced exactly, like
+those of the disk. W is evaluated at nodes around the rim and interpolated linearly. The
+model is valid while the table is nearly level, because its slopes do not change the
+direction of the force. Waves above the highest mode are neglected.
 """
 
 from typing import NamedTuple
@@ -12,11 +21,14 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
+from dynamics.compliant.stepping.table_modes import store_table_shapes
 from dynamics.numba_kernels import outermost
+from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT, friction_limited_arm
 from dynamics.rattling import film_force
 from dynamics.rattling.film_force import AirFilm, film_capacity, film_pressure
 
 kernel = njit(error_model="numpy")
+limited_arm_kernel = kernel(friction_limited_arm)
 
 CENTRE = 0
 """Position of the centre in the state [m]."""
@@ -24,8 +36,8 @@ VELOCITY = 3
 """Velocity of the centre [m/s]."""
 AXIS = 6
 """Unit vector along the axis of the disk, upwards."""
-MARK = 9
-"""Unit vector from the centre to the point of the rim with the angle zero."""
+RIM_REFERENCE_VECTOR = 9
+"""Unit vector in the plane of the disk towards the point of the rim at angle zero."""
 MOMENTUM = 12
 """Angular momentum about the centre [kg m^2/s]."""
 STATE_SIZE = 15
@@ -46,34 +58,42 @@ BODY_LOSS = 8
 OPEN_SINCE = 9
 """Time at which the contact was last lost [s]; negative while there is contact."""
 GREATEST_GAP = 10
-"""Greatest height of the lowest point of the rim above the table since the contact was lost [m]."""
+"""Largest height of the lowest rim point above the table since the loss of contact [m]."""
 FILM_LOSS = 11
 """Energy lost to the air film [J]."""
-AIR_ENERGY = 12
+COMPRESSED_AIR_ENERGY = 12
 """Energy of the compressed air in the film [J]."""
 FLIGHT_LIFT = 13
-"""Impulse of the film's pressure since the contact was lost [N s]."""
-RECORD_SIZE = 14
+"""Impulse of the film pressure since the loss of contact [N s]."""
+TABLE_LOSS = 14
+"""Energy lost by the damping of the table modes [J]."""
+RECORD_SIZE = 15
 TORQUE = 3
-"""First of the three torques about the centre in a sum of contact forces."""
+"""Index of the first of three torques about the centre in a sum of contact forces."""
 LOAD_SIZE = 6
 ELASTIC, DASHPOT, FRICTION, RESISTANCE, FILM = range(5)
 """Rows of an array (5, 6) of the force [N] and the torque about the centre [N m] of springs,
 dashpots, friction, resisting moment and air film."""
 CREEP_COEFFICIENT = 4.5
-"""Kalker's coefficient of the longitudinal creep of a circle, near that of a long ellipse."""
+"""Kalker's coefficient of longitudinal creep for a circle, close to that of a long
+ellipse."""
+PARABOLA_LENGTH = 1.2
+"""Length of a parabola times the sum of its squares, over the square of its sum."""
 SLIP_LIMIT = 0.25
-"""Largest impulse of friction in a step over mass times slip velocity: friction stops no slip
-faster."""
-MIN_UPRIGHT = 0.05
-"""Cosine of the inclination below which the disk stands upright."""
+"""Largest friction impulse in a step divided by mass times slip velocity."""
+BLOCK_SIZE = 32
+"""Number of adjacent points of the rim with a common bound of their heights."""
+NODE_REFRESH_TIME = 1e-4
+"""Time [s] for which the table mode shapes at a node of the rim are kept."""
+UPRIGHT_COSINE_LIMIT = 0.05
+"""Cosine of the inclination below which the disk is considered upright."""
 MIN_AIRBORNE_TIME = 2e-3
-"""Shortest loss of contact [s] after which the air film may carry the disk."""
+"""Shortest loss of contact [s] after which the air film may support the disk."""
 MIN_AIRBORNE_LIFT = 0.5
-"""Mean pressure of the film in a loss of contact, over the weight, from which it carries the
-disk."""
+"""Mean film force in a loss of contact, divided by the weight, above which it supports
+the disk."""
 CONTINUES, LIES_FLAT, STANDS_UPRIGHT, JUMPS, FLOATS = range(5)
-"""Reasons for which the steps end."""
+"""Reasons for the end of the time steps."""
 
 
 class RattlingDisk(NamedTuple):
@@ -90,14 +110,20 @@ class RattlingDisk(NamedTuple):
     fillet : float
         Radius of the rounded edge [m].
     damping_ratio : float
-        Damping ratio of a patch that carries a rigid disk.
+        Damping ratio of a rigid disk on a patch.
     friction : float
         Coefficient of sliding friction.
     contour_moment : float
         Moment that resists the rolling of the contact under the weight [N m].
+    bowl : (3,) tuple of float
+        Restoring acceleration of a concave table divided by the distance from its
+        middle [1/s^2], and position of the origin relative to its middle [m].
+    spin_friction : (15,) tuple of float
+        1 or 0, whether slip and creep in the contact resist pivoting, and the
+        coefficients of `pivoting_arm` in units of the radius.
     arms : (3,) tuple of float
-        Resisting moments against the rotation about a_1, a_2 and the vertical, over the normal
-        force [m].
+        Moments that resist the rotations about a_1, a_2 and the vertical, divided by
+        the normal force [m].
     film : AirFilm
         The air film under the disk.
     """
@@ -113,31 +139,82 @@ class RattlingDisk(NamedTuple):
     damping_ratio: float
     friction: float
     contour_moment: float
+    bowl: tuple[float, float, float]
+    spin_friction: tuple[float, ...]
     arms: tuple[float, float, float]
     film: AirFilm
 
 
+class MovingTable(NamedTuple):
+    """Modes of a table of unit modal mass at k nodes round the rim.
+
+    Attributes
+    ----------
+    coefficients : (a, b, t) array
+        Spline coefficients of the upward mode shapes.
+    knots_x, knots_y : arrays
+        Knots of the splines [m].
+    place : (2,) array
+        Origin [m] in the frame of the splines.
+    is_fixed : float
+        0 if the modes move with the centre of the disk, as modes given by numbers do; else 1.
+    mean_factor : (t,) array
+        sin(x)/x with x = w h/2: average over the free vibration in a step.
+    shapes : (k, t) array
+        Mode shapes at the nodes [kg^-1/2], times `mean_factor`.
+    known_since : (k,) array
+        Time [s] at which the shapes of a node were last evaluated; negative if never.
+    motion : (3, k) array
+        Deflection [m], speed [m/s] and change of the speed in the step [m/s] of the nodes.
+    force : (2, k) array
+        Force [N] of springs and dashpots on the nodes.
+    displacement : (t,) array
+        Mean displacements of the modes at both ends of the step.
+    """
+
+    coefficients: np.ndarray
+    knots_x: np.ndarray
+    knots_y: np.ndarray
+    place: np.ndarray
+    is_fixed: float
+    mean_factor: np.ndarray
+    shapes: np.ndarray
+    known_since: np.ndarray
+    motion: np.ndarray
+    force: np.ndarray
+    displacement: np.ndarray
+
+
+DEFLECTION, SPEED, CHANGE = range(3)
+"""Rows of `MovingTable.motion`."""
+
+
 class Edge(NamedTuple):
-    """Lower edge of the disk: p points with the heights of the unevenness, and m modes.
+    """Lower edge of the disk, with p points and d modes, on a table with t modes; m = d + t.
 
     Attributes
     ----------
     heights : (p,) array
         Heights [m] of table minus edge.
+    block_heights : (ceil(p/BLOCK_SIZE),) array
+        Greatest height [m] of each block of points.
     angles : (2, p) array
         Cosine and sine of the angles of the points.
-    axial, radial : (m, p) arrays
-        Displacement along the axis and the radius by modes of unit modal mass [kg^-1/2], averaged
-        over the free vibration in a step: times sin(x)/x with x = w h/2.
+    axial, radial : (d, p) arrays
+        Displacement along the axis and the radius by modes of unit modal mass
+        [kg^-1/2], times sin(x)/x with x = w h/2, which is the average over the free
+        vibration in a step.
     place_factor : (m,) array
-        x/tan(x): gives the mean of the displacements at both ends of the step.
+        Factor x/tan(x), for the mean of the displacements at both ends of the step.
     frequency, decay : (m,) arrays
-        Angular frequency [rad/s] and decay rate [1/s] of the edge.
-    highest : (1 + m,) array
-        Greatest height [m], and greatest displacement by each mode [kg^-1/2].
+        Angular frequency [rad/s] and decay rate [1/s] of the modes of disk and table.
+    highest : (2 + d,) array
+        Greatest height [m], greatest displacement by each mode of the disk, and greatest norm of
+        the mode shapes of the table [kg^-1/2].
     """
 
     heights: np.ndarray
+    block_heights: np.ndarray
     angles: np.ndarray
     axial: np.ndarray
     radial: np.ndarray
@@ -163,38 +240,81 @@ def rotate(state, place, x, y, z, angle):
 
 @kernel
 def fly(disk, gravity, edge, motion, propagator, h):
-    """Advance the disk and its modes without contact by a time h, exactly."""
+    """Advance the disk and its modes exactly by a time h without contact."""
     state = motion.disk
     ring = motion.modes
     for i in range(3):
         state[CENTRE + i] += h * state[VELOCITY + i]
     state[CENTRE + 2] -= 0.5 * gravity * h * h
     state[VELOCITY + 2] -= gravity * h
+    if disk.bowl[0] > 0:
+        for i in range(2):
+            state[VELOCITY + i] -= (
+                h * disk.bowl[0] * (state[CENTRE + i] + disk.bowl[1 + i])
+            )
     momentum_x = state[MOMENTUM]
     momentum_y = state[MOMENTUM + 1]
     momentum_z = state[MOMENTUM + 2]
     size = np.sqrt(momentum_x**2 + momentum_y**2 + momentum_z**2)
     if size > 0:
         axial = (
-            momentum_x * state[AXIS] + momentum_y * state[AXIS + 1] + momentum_z * state[AXIS + 2]
+            momentum_x * state[AXIS]
+            + momentum_y * state[AXIS + 1]
+            + momentum_z * state[AXIS + 2]
         )
         own = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial * h
-        rotate(state, MARK, state[AXIS], state[AXIS + 1], state[AXIS + 2], own)
+        rotate(
+            state,
+            RIM_REFERENCE_VECTOR,
+            state[AXIS],
+            state[AXIS + 1],
+            state[AXIS + 2],
+            own,
+        )
         turn = size / disk.diametral_inertia * h
         x = momentum_x / size
         y = momentum_y / size
         z = momentum_z / size
-        rotate(state, MARK, x, y, z, turn)
+        rotate(state, RIM_REFERENCE_VECTOR, x, y, z, turn)
         rotate(state, AXIS, x, y, z, turn)
-    for j in range(ring.shape[0]):
-        place = ring[j, 0]
-        speed = ring[j, 1]
-        ring[j, 0] = propagator[j, 0] * place + propagator[j, 1] * speed
-        ring[j, 1] = propagator[j, 2] * place + propagator[j, 3] * speed
+    lost = motion.mode_loss
+    for j in range(ring.shape[1]):
+        place = ring[0, j]
+        speed = ring[1, j]
+        later = propagator[0, j] * place + propagator[1, j] * speed
+        faster = propagator[2, j] * place + propagator[3, j] * speed
         squared = edge.frequency[j] ** 2
-        motion.record[BODY_LOSS] += (
-            squared * (place**2 - ring[j, 0] ** 2) + speed**2 - ring[j, 1] ** 2
-        ) / 2
+        lost[j] += (squared * (place**2 - later**2) + speed**2 - faster**2) / 2
+        ring[0, j] = later
+        ring[1, j] = faster
+
+
+@kernel
+def record_mode_losses(edge, motion):
+    """Move the energies lost by the modes since the last sample to the record."""
+    for j in range(motion.mode_loss.size):
+        sink = BODY_LOSS if j < edge.axial.shape[0] else TABLE_LOSS
+        motion.record[sink] += motion.mode_loss[j]
+        motion.mode_loss[j] = 0.0
+
+
+@kernel
+def scalar_product(a, b):
+    """Return the scalar product of two arrays from four partial sums, whose operations
+    a processor executes at once."""
+    s0 = 0.0
+    s1 = 0.0
+    s2 = 0.0
+    s3 = 0.0
+    whole = a.size - a.size % 4
+    for i in range(0, whole, 4):
+        s0 += a[i] * b[i]
+        s1 += a[i + 1] * b[i + 1]
+        s2 += a[i + 2] * b[i + 2]
+        s3 += a[i + 3] * b[i + 3]
+    for i in range(whole, a.size):
+        s0 += a[i] * b[i]
+    return (s0 + s1) + (s2 + s3)
 
 
 @kernel
@@ -207,14 +327,16 @@ def write_velocity(disk, motion, out):
         axial += state[MOMENTUM + i] * state[AXIS + i]
     extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
     for i in range(3):
-        out[TORQUE + i] = state[MOMENTUM + i] / disk.diametral_inertia + extra * state[AXIS + i]
-    for j in range(motion.modes.shape[0]):
-        out[LOAD_SIZE + j] = motion.modes[j, 1]
+        out[TORQUE + i] = (
+            state[MOMENTUM + i] / disk.diametral_inertia + extra * state[AXIS + i]
+        )
+    for j in range(motion.modes.shape[1]):
+        out[LOAD_SIZE + j] = motion.modes[1, j]
 
 
 @kernel
 def add_force(load, x, y, z, arm_x, arm_y, arm_z):
-    """Add a force at an arm from the centre to a sum of force and torque (6,)."""
+    """Add a force with an arm from the centre to the sum of forces and torques (6,)."""
     load[0] += x
     load[1] += y
     load[2] += z
@@ -229,16 +351,19 @@ class MotionState(NamedTuple):
     Attributes
     ----------
     disk : (15,) array
-        Position, velocity, axis, mark and angular momentum.
-    modes : (m, 2) array
-        Displacement [kg^1/2 m] and velocity of each mode.
-    record : (14,) array
+        Position, velocity, axis, reference vector of the rim, angular momentum.
+    modes : (2, m) array
+        Displacements [kg^1/2 m] and velocities of the modes.
+    record : (15,) array
         Sums since the start.
+    mode_loss : (m,) array
+        Energy lost by the damping of each mode since the last sample [J].
     """
 
     disk: np.ndarray
     modes: np.ndarray
     record: np.ndarray
+    mode_loss: np.ndarray
 
 
 class RimGeometry(NamedTuple):
@@ -246,7 +371,7 @@ class RimGeometry(NamedTuple):
 
     Attributes
     ----------
-    mark_2 : (3,) array
+    quarter_turn_vector : (3,) array
         Unit vector from the centre to the point of the rim at the angle pi/2.
     upright : float
         Cosine of the inclination.
@@ -255,12 +380,12 @@ class RimGeometry(NamedTuple):
     inclination : float
         Inclination [rad], at least 1e-6.
     height : float
-        Height of the centre of the lower face above the table [m].
+        Height [m] above the table of the point of the axis in the plane of the edge.
     tilt : float
-        Height of the centre of the lower face above its lowest point [m].
+        Height of that point above the lowest point of the edge [m].
     """
 
-    mark_2: np.ndarray
+    quarter_turn_vector: np.ndarray
     upright: float
     sine: float
     inclination: float
@@ -269,12 +394,12 @@ class RimGeometry(NamedTuple):
 
 
 class Contacts(NamedTuple):
-    """Forces and places of all contacts.
+    """Forces and positions of all contacts.
 
     Attributes
     ----------
     load : (5, 6) array
-        Force and torque by origin.
+        Force and torque by cause.
     pull : (2, m) array
         Force of springs and dashpots on each mode.
     depth, speed : (p,) arrays
@@ -288,58 +413,222 @@ class Contacts(NamedTuple):
 
 
 @kernel
-def rim_geometry(disk, state, mark_2):
-    """Return the RimGeometry of a state, which keeps the array `mark_2`."""
-    mark_2[0] = state[AXIS + 1] * state[MARK + 2] - state[AXIS + 2] * state[MARK + 1]
-    mark_2[1] = state[AXIS + 2] * state[MARK] - state[AXIS] * state[MARK + 2]
-    mark_2[2] = state[AXIS] * state[MARK + 1] - state[AXIS + 1] * state[MARK]
-    sine = np.hypot(state[MARK + 2], mark_2[2])
+def rim_geometry(disk, state, quarter_turn_vector):
+    """Return the RimGeometry of a state; the array `quarter_turn_vector` is reused."""
+    quarter_turn_vector[0] = (
+        state[AXIS + 1] * state[RIM_REFERENCE_VECTOR + 2]
+        - state[AXIS + 2] * state[RIM_REFERENCE_VECTOR + 1]
+    )
+    quarter_turn_vector[1] = (
+        state[AXIS + 2] * state[RIM_REFERENCE_VECTOR]
+        - state[AXIS] * state[RIM_REFERENCE_VECTOR + 2]
+    )
+    quarter_turn_vector[2] = (
+        state[AXIS] * state[RIM_REFERENCE_VECTOR + 1]
+        - state[AXIS + 1] * state[RIM_REFERENCE_VECTOR]
+    )
+    sine = np.hypot(state[RIM_REFERENCE_VECTOR + 2], quarter_turn_vector[2])
     upright = state[AXIS + 2]
     return RimGeometry(
-        mark_2,
+        quarter_turn_vector,
         upright,
         max(sine, 1e-6),
         max(np.arctan2(sine, upright), 1e-6),
-        state[CENTRE + 2] - disk.half_thickness * upright,
-        disk.radius * sine,
+        state[CENTRE + 2] - (disk.half_thickness - disk.fillet) * upright - disk.fillet,
+        (disk.radius - disk.fillet) * sine,
     )
 
 
 @kernel
+def horizontal_offset(state, rim, cosine, sine, below):
+    """Return the horizontal coordinates [m], from the centre of the disk, of a point.
+
+    `cosine` and `sine` [m] are its coordinates along the reference vector of the rim and a
+    quarter turn ahead; `below` [m] is its distance below the middle plane.
+    """
+    x = (
+        cosine * state[RIM_REFERENCE_VECTOR]
+        + sine * rim.quarter_turn_vector[0]
+        - below * state[AXIS]
+    )
+    y = (
+        cosine * state[RIM_REFERENCE_VECTOR + 1]
+        + sine * rim.quarter_turn_vector[1]
+        - below * state[AXIS + 1]
+    )
+    return x, y
+
+
+@kernel
+def table_at_point(table, row, i, points):
+    """Return `MovingTable.motion` in a row at point i of the rim, linear between the nodes."""
+    nodes = table.known_since.size
+    place = i * nodes / points
+    node = int(place)
+    share = place - node
+    return (1 - share) * table.motion[row, node] + share * table.motion[
+        row, (node + 1) % nodes
+    ]
+
+
+@kernel
+def push_nodes(table, depth, left, points, spring, damping):
+    """Add the forces of a patch to the nodes of the table.
+
+    `spring` and `damping` are the forces over the sum of the depths [N/m].
+    """
+    force = table.force
+    nodes = table.known_since.size
+    for m in range(left, left + points):
+        i = m % depth.size
+        place = i * nodes / depth.size
+        node = int(place)
+        after = (node + 1) % nodes
+        share = place - node
+        force[ELASTIC, node] += (1 - share) * spring * depth[i]
+        force[ELASTIC, after] += share * spring * depth[i]
+        force[DASHPOT, node] += (1 - share) * damping * depth[i]
+        force[DASHPOT, after] += share * damping * depth[i]
+
+
+@kernel
+def nodes_of_arc(table, first, number, points):
+    """Return the first node and the number of nodes around `number` of `points` from `first` on."""
+    nodes = table.known_since.size
+    begin = int(np.floor(first * nodes / points))
+    end = int(np.floor((first + number) * nodes / points)) + 1
+    return begin, min(end - begin + 1, nodes)
+
+
+@kernel
+def move_nodes(
+    disk, table, own, place_factor, motion, rim, velocity, change, now, begin, count
+):
+    """Evaluate deflection and speed of the table at `count` nodes from `begin` on, and clear their
+    forces. `own` is the number of modes of the disk, which come first.
+    """
+    state = motion.disk
+    modes = table.mean_factor.size
+    for m in range(modes):
+        table.displacement[m] = place_factor[own + m] * motion.modes[0, own + m]
+    basis_x = np.empty((3, 4))
+    basis_y = np.empty((3, 4))
+    for place in range(begin, begin + count):
+        node = place % table.known_since.size
+        if now - table.known_since[node] > NODE_REFRESH_TIME:
+            table.known_since[node] = now
+            angle = 2 * np.pi * node / table.known_since.size
+            c = (disk.radius - disk.fillet) * np.cos(angle)
+            s = (disk.radius - disk.fillet) * np.sin(angle)
+            below = disk.half_thickness - disk.fillet
+            x, y = horizontal_offset(state, rim, c, s, below)
+            x += table.is_fixed * state[CENTRE]
+            y += table.is_fixed * state[CENTRE + 1]
+            store_table_shapes(table, x, y, basis_x, basis_y, table.shapes[node])
+            for m in range(modes):
+                table.shapes[node, m] *= table.mean_factor[m]
+        shapes = table.shapes[node]
+        table.motion[DEFLECTION, node] = scalar_product(shapes, table.displacement)
+        table.motion[SPEED, node] = scalar_product(shapes, velocity[LOAD_SIZE + own :])
+        table.motion[CHANGE, node] = scalar_product(shapes, change[LOAD_SIZE + own :])
+        table.force[ELASTIC, node] = 0.0
+        table.force[DASHPOT, node] = 0.0
+
+
+@kernel
+def pull_table(table, own, begin, count, pull):
+    """Add the forces on `count` nodes from `begin` on to those on the modes of the table."""
+    for place in range(begin, begin + count):
+        node = place % table.known_since.size
+        for origin in range(2):
+            force = table.force[origin, node]
+            if force != 0:
+                for m in range(table.mean_factor.size):
+                    pull[origin, own + m] -= force * table.shapes[node, m]
+
+
+@kernel
 def point_depth(disk, edge, motion, rim, i):
-    """Return the depth [m] of point i of the rim in the table; negative above it."""
-    rise = edge.angles[0, i] * motion.disk[MARK + 2] + edge.angles[1, i] * rim.mark_2[2]
-    depth = edge.heights[i] - rim.height - disk.radius * rise
-    for j in range(edge.frequency.size):
+    """Return the depth [m] of point i of the rim in a table at rest; negative above it."""
+    rise = (
+        edge.angles[0, i] * motion.disk[RIM_REFERENCE_VECTOR + 2]
+        + edge.angles[1, i] * rim.quarter_turn_vector[2]
+    )
+    depth = edge.heights[i] - rim.height - (disk.radius - disk.fillet) * rise
+    for j in range(edge.axial.shape[0]):
         shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
-        depth -= motion.modes[j, 0] * edge.place_factor[j] * shape
+        depth -= motion.modes[0, j] * edge.place_factor[j] * shape
     return depth
 
 
 @kernel
 def point_speed(disk, edge, motion, rim, velocity, i):
-    """Return the speed [m/s] at which point i of the rim approaches the table."""
+    """Return the speed [m/s] at which point i of the rim approaches a table at rest."""
     state = motion.disk
     c = edge.angles[0, i]
     s = edge.angles[1, i]
-    rise = c * state[MARK + 2] + s * rim.mark_2[2]
-    arm_x = disk.radius * (c * state[MARK] + s * rim.mark_2[0])
-    arm_y = disk.radius * (c * state[MARK + 1] + s * rim.mark_2[1])
+    rise = c * state[RIM_REFERENCE_VECTOR + 2] + s * rim.quarter_turn_vector[2]
+    radius = disk.radius - disk.fillet
+    below = disk.half_thickness - disk.fillet
     speed = -velocity[2]
-    speed -= velocity[TORQUE] * (arm_y - disk.half_thickness * state[AXIS + 1])
-    speed += velocity[TORQUE + 1] * (arm_x - disk.half_thickness * state[AXIS])
-    for j in range(edge.frequency.size):
+    for j in range(edge.axial.shape[0]):
         shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
         speed -= velocity[LOAD_SIZE + j] * shape
-    return speed
+        place = motion.modes[0, j] * edge.place_factor[j]
+        radius += place * edge.radial[j, i]
+        below -= place * edge.axial[j, i]
+    arm_x = (
+        radius * (c * state[RIM_REFERENCE_VECTOR] + s * rim.quarter_turn_vector[0])
+        - below * state[AXIS]
+    )
+    arm_y = (
+        radius * (c * state[RIM_REFERENCE_VECTOR + 1] + s * rim.quarter_turn_vector[1])
+        - below * state[AXIS + 1]
+    )
+    return speed - velocity[TORQUE] * arm_y + velocity[TORQUE + 1] * arm_x
+
+
+@kernel
+def block_depth(disk, edge, motion, rim, block):
+    """Return an upper bound of the depth [m] of the points of a block.
+
+    Disk and table are taken as undeformed.
+    """
+    count = edge.heights.size
+    first = block * BLOCK_SIZE
+    last = min(first + BLOCK_SIZE, count) - 1
+    x = motion.disk[RIM_REFERENCE_VECTOR + 2]
+    y = rim.quarter_turn_vector[2]
+    rise = min(
+        edge.angles[0, first] * x + edge.angles[1, first] * y,
+        edge.angles[0, last] * x + edge.angles[1, last] * y,
+    )
+    rise -= rim.sine * (BLOCK_SIZE * 2 * np.pi / count) ** 2 / 8
+    return edge.block_heights[block] - rim.height - (disk.radius - disk.fillet) * rise
+
+
+@kernel
+def arc_below(edge, motion, rim, room):
+    """Return half the angle [rad] of the arc of the rim less than `room` [m] above its
+    lowest point, its first point, and its number of points."""
+    count = edge.heights.size
+    cell = 2 * np.pi / count
+    half = np.pi
+    if room < 2 * rim.tilt:
+        half = 2 * np.arcsin(np.sqrt(room / (2 * rim.tilt)))
+    lowest = np.arctan2(
+        -rim.quarter_turn_vector[2], -motion.disk[RIM_REFERENCE_VECTOR + 2]
+    )
+    first = int(np.floor((lowest - half) / cell)) - 1
+    return half, first, min(int(2 * half / cell) + 4, count)
 
 
 @kernel
 def mean_depth(depth, travel):
-    """Return the mean of the depth while it is positive, in a step in which it changes by `travel`.
+    """Return the mean positive depth in a step in which the depth changes by `travel`.
 
-    The work of a spring then equals the change of its energy also in the step in which it makes or
-    loses contact.
+    The work of a spring then equals the change of its energy even in a step in which
+    contact starts or ends.
     """
     travel = abs(travel)
     if depth >= travel / 2:
@@ -350,40 +639,66 @@ def mean_depth(depth, travel):
 
 
 @kernel
-def press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points, contacts):
+def press_patch(
+    disk, edge, table, motion, rim, velocity, stiffness, step, left, points, contacts
+):
     """Add the forces of a patch of adjacent points from the point `left` on."""
     state = motion.disk
     count = edge.heights.size
     depth_sum = 0.0
+    squares = 0.0
     speed_sum = 0.0
     deepest = 0.0
+    fastest = 0.0
     cosine = 0.0
     sine = 0.0
+    below = 0.0
     for place in range(left, left + points):
         i = place % count
         depth = contacts.depth[i]
         depth_sum += depth
+        squares += depth * depth
         speed_sum += depth * contacts.speed[i]
-        deepest = max(deepest, depth)
-        cosine += depth * edge.angles[0, i]
-        sine += depth * edge.angles[1, i]
-    cosine *= disk.radius / depth_sum
-    sine *= disk.radius / depth_sum
-    centre_x = cosine * state[MARK] + sine * rim.mark_2[0] - disk.half_thickness * state[AXIS]
-    centre_y = cosine * state[MARK + 1] + sine * rim.mark_2[1]
-    centre_y -= disk.half_thickness * state[AXIS + 1]
-    centre_z = cosine * state[MARK + 2] + sine * rim.mark_2[2] - disk.half_thickness * rim.upright
+        if depth > deepest:
+            deepest = depth
+            fastest = abs(contacts.speed[i])
+        radius = disk.radius - disk.fillet
+        for j in range(edge.axial.shape[0]):
+            displacement = motion.modes[0, j] * edge.place_factor[j]
+            radius += displacement * edge.radial[j, i]
+            below -= depth * displacement * edge.axial[j, i]
+        cosine += depth * radius * edge.angles[0, i]
+        sine += depth * radius * edge.angles[1, i]
+    cosine /= depth_sum
+    sine /= depth_sum
+    below = disk.half_thickness - disk.fillet + below / depth_sum
+    centre_x, centre_y = horizontal_offset(state, rim, cosine, sine, below)
+    centre_z = (
+        cosine * state[RIM_REFERENCE_VECTOR + 2]
+        + sine * rim.quarter_turn_vector[2]
+        - below * rim.upright
+    )
+    centre_z -= disk.fillet
     mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
-    dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * points / mobility)
+    # the number of points of a parabolic patch, continuous as it gains points
+    length = PARABOLA_LENGTH * depth_sum**2 / squares
+    dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * length / mobility)
     spring = stiffness * depth_sum
+    # the share of a step in which contact starts or ends; see `mean_depth`
+    dashpot *= min(1.0, np.sqrt(2 * deepest / (fastest * step)))
     damping = max(dashpot * speed_sum / depth_sum, -spring)
     add_force(contacts.load[ELASTIC], 0.0, 0.0, spring, centre_x, centre_y, centre_z)
     add_force(contacts.load[DASHPOT], 0.0, 0.0, damping, centre_x, centre_y, centre_z)
-    for j in range(edge.frequency.size):
+    if table is not None:
+        push_nodes(table, contacts.depth, left, points, stiffness, damping / depth_sum)
+    for j in range(edge.axial.shape[0]):
         shape = 0.0
         for place in range(left, left + points):
             i = place % count
-            rise = edge.angles[0, i] * state[MARK + 2] + edge.angles[1, i] * rim.mark_2[2]
+            rise = (
+                edge.angles[0, i] * state[RIM_REFERENCE_VECTOR + 2]
+                + edge.angles[1, i] * rim.quarter_turn_vector[2]
+            )
             own = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
             shape += contacts.depth[i] / depth_sum * own
         contacts.pull[ELASTIC, j] += spring * shape
@@ -392,31 +707,43 @@ def press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points
     slip_y = velocity[1] + velocity[5] * centre_x - velocity[3] * centre_z
     slip = np.hypot(slip_x, slip_y)
     if slip > 0 and disk.friction > 0 and spring + damping > 0:
-        # The contact runs round the rim at the rate w_3/sin(beta).
+        # the contact moves along the rim at the rate w_3/sin(beta)
         speed = disk.radius * np.hypot(velocity[3], velocity[4]) / rim.sine
         ellipse = 2 * deepest * np.sqrt(disk.radius / rim.inclination * disk.fillet)
-        creep = CREEP_COEFFICIENT * disk.shear_modulus * ellipse * slip / max(speed, slip)
+        creep = (
+            CREEP_COEFFICIENT * disk.shear_modulus * ellipse * slip / max(speed, slip)
+        )
         limit = disk.friction * (spring + damping)
         push = creep / np.sqrt(1 + (creep / limit) ** 2)
         push = min(push, SLIP_LIMIT * disk.mass / step * slip)
         push_x = -push * slip_x / slip
         push_y = -push * slip_y / slip
-        add_force(contacts.load[FRICTION], push_x, push_y, 0.0, centre_x, centre_y, centre_z)
+        add_force(
+            contacts.load[FRICTION], push_x, push_y, 0.0, centre_x, centre_y, centre_z
+        )
 
 
 @kernel
-def press_rim(disk, edge, motion, rim, velocity, change, step, contacts):
+def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, contacts):
     """Write the forces of all patches and return their elastic energy [J].
 
     `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) the change that
     separates the depths at its ends from those of a uniform motion.
     """
     travel = abs(velocity[2])
-    travel += (abs(velocity[3]) + abs(velocity[4])) * (disk.radius + disk.half_thickness)
+    travel += (abs(velocity[3]) + abs(velocity[4])) * (
+        disk.radius + disk.half_thickness
+    )
     reach = 0.0
-    for j in range(edge.frequency.size):
+    disk_modes = edge.axial.shape[0]
+    for j in range(disk_modes):
         travel += edge.highest[1 + j] * abs(velocity[LOAD_SIZE + j])
-        reach += edge.highest[1 + j] * abs(motion.modes[j, 0])
+        reach += edge.highest[1 + j] * abs(motion.modes[0, j])
+    if table is not None:
+        speeds = velocity[LOAD_SIZE + disk_modes :]
+        places = motion.modes[0, disk_modes:]
+        travel += edge.highest[1 + disk_modes] * np.sqrt(scalar_product(speeds, speeds))
+        reach += edge.highest[1 + disk_modes] * np.sqrt(scalar_product(places, places))
     travel *= step
     room = edge.highest[0] + reach + travel - rim.height + rim.tilt
     if room <= 0:
@@ -426,24 +753,62 @@ def press_rim(disk, edge, motion, rim, velocity, change, step, contacts):
     curvature_radius = disk.radius / rim.inclination
     stiffness = disk.modulus * (curvature_radius * disk.fillet) ** 0.25
     stiffness *= cell * disk.radius / np.sqrt(2 * curvature_radius)
-    half = np.pi
-    if room < 2 * rim.tilt:
-        half = 2 * np.arcsin(np.sqrt(room / (2 * rim.tilt)))
-    lowest = np.arctan2(-rim.mark_2[2], -motion.disk[MARK + 2])
-    first = int(np.floor((lowest - half) / cell)) - 1
-    number = min(int(2 * half / cell) + 4, count)
+    _, first, number = arc_below(edge, motion, rim, room)
+    least = -travel - reach
+    last = first
+    nearest = -1
+    place = first
+    while place < first + number:
+        i = place % count
+        after = place + min(BLOCK_SIZE - i % BLOCK_SIZE, count - i)
+        if block_depth(disk, edge, motion, rim, i // BLOCK_SIZE) > least:
+            if nearest < 0:
+                nearest = place - first
+            last = min(after, first + number)
+        place = after
+    if nearest < 0:
+        return 0.0
+    first += nearest
+    number = last - first
+    begin = 0
+    nodes = 0
+    if table is not None:
+        begin, nodes = nodes_of_arc(table, first, number, count)
+        move_nodes(
+            disk,
+            table,
+            disk_modes,
+            edge.place_factor,
+            motion,
+            rim,
+            velocity,
+            change,
+            now,
+            begin,
+            nodes,
+        )
     points = 0
     left = first
     squares = 0.0
+    is_near = True
     for m in range(number + 1):
         i = (first + m) % count
         depth = 0.0
-        if m < number:
+        if m == 0 or i % BLOCK_SIZE == 0:
+            own = block_depth(disk, edge, motion, rim, i // BLOCK_SIZE)
+            is_near = own > least
+        if is_near and m < number:
             own = point_depth(disk, edge, motion, rim, i)
+            if table is not None:
+                own += table_at_point(table, DEFLECTION, i, count)
             squares += max(own, 0.0) ** 2
             if own > -travel:
                 speed = point_speed(disk, edge, motion, rim, velocity, i)
-                own += step / 4 * point_speed(disk, edge, motion, rim, change, i)
+                gain = point_speed(disk, edge, motion, rim, change, i)
+                if table is not None:
+                    speed += table_at_point(table, SPEED, i, count)
+                    gain += table_at_point(table, CHANGE, i, count)
+                own += step / 4 * gain
                 depth = mean_depth(own, speed * step)
                 contacts.depth[i] = depth
                 contacts.speed[i] = speed
@@ -452,8 +817,22 @@ def press_rim(disk, edge, motion, rim, velocity, change, step, contacts):
                 left = first + m
             points += 1
         elif points > 0:
-            press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points, contacts)
+            press_patch(
+                disk,
+                edge,
+                table,
+                motion,
+                rim,
+                velocity,
+                stiffness,
+                step,
+                left,
+                points,
+                contacts,
+            )
             points = 0
+    if table is not None:
+        pull_table(table, disk_modes, begin, nodes, contacts.pull)
     return stiffness * squares / 2
 
 
@@ -475,18 +854,19 @@ def add_sample(motion, share, row):
         row[i] += share * motion.disk[i]
     for i in range(RECORD_SIZE):
         row[STATE_SIZE + i] += share * motion.record[i]
-    for j in range(motion.modes.shape[0]):
-        row[STATE_SIZE + RECORD_SIZE + 2 * j] += share * motion.modes[j, 0]
-        row[STATE_SIZE + RECORD_SIZE + 2 * j + 1] += share * motion.modes[j, 1]
+    for j in range(motion.modes.shape[1]):
+        row[STATE_SIZE + RECORD_SIZE + 2 * j] += share * motion.modes[0, j]
+        row[STATE_SIZE + RECORD_SIZE + 2 * j + 1] += share * motion.modes[1, j]
 
 
 @kernel
 def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
-    """Add the torque of the springs' change with the inclination, and the resisting moments.
+    """Add the resisting moments, and the torque due to the variable spring stiffness.
 
-    The springs stiffen as the fourth root of the inclination. The contour moment resists the
-    rolling of the contact at the rate w_3/sin(beta). All moments are proportional to the normal
-    force; those of the arms stop no rotation faster than within a step.
+    The stiffness varies as the fourth root of the inclination. The contour moment
+    resists the rolling of the contact at the rate w_3/sin(beta). All moments are
+    proportional to the normal force; those of the arms can stop a rotation within a
+    step but not reverse it.
     """
     axis_x = motion.disk[AXIS]
     axis_y = motion.disk[AXIS + 1]
@@ -503,7 +883,25 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
     d1 = axis_x / rim.sine
     d2 = axis_y / rim.sine
     directions = ((d2, -d1, 0.0), (d1, d2, 0.0), (0.0, 0.0, 1.0))
-    for arm, direction in zip(disk.arms, directions):  # noqa: B905 - unknown to Numba
+    arms = disk.arms
+    if disk.spin_friction[0] > 0:
+        travel = np.hypot(velocity[3], velocity[4]) / rim.sine
+        root = rim.sine ** (1 / INCLINATION_ROOT)
+        unit_arm = 0.0
+        creep = 0.0
+        for i in range(COEFFICIENT_COUNT, 0, -1):
+            unit_arm = unit_arm * root + disk.spin_friction[i]
+            creep = creep * root + disk.spin_friction[COEFFICIENT_COUNT + i]
+        pivoting = limited_arm_kernel(
+            unit_arm / root**4,
+            creep / root**4,
+            abs(velocity[5]),
+            travel * travel,
+            False,
+            disk.friction,
+        )
+        arms = (arms[0], arms[1], disk.radius * pivoting)
+    for arm, direction in zip(arms, directions):  # noqa: B905 - unknown to Numba
         rate = 0.0
         for i in range(3):
             rate += velocity[3 + i] * direction[i]
@@ -517,11 +915,13 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
 def add_film(disk, motion, rim, velocity, step, load, pressure):
     """Add the forces of the air film; return the work [J] of its compressed air.
 
-    `pressure` (3, 3) is memory for its loads.
+    `pressure` (3, 3) is a work array.
     """
     axis = motion.disk[AXIS : AXIS + 3]
-    stored = motion.record[AIR_ENERGY]
-    work = film_pressure(disk.film, disk, axis, rim.sine, velocity, stored, step, pressure)
+    stored = motion.record[COMPRESSED_AIR_ENERGY]
+    work = film_pressure(
+        disk.film, disk, axis, rim.sine, velocity, stored, step, pressure
+    )
     x, y, z = pressure[film_force.FORCE]
     arm_x, arm_y, arm_z = pressure[film_force.ARM]
     add_force(load[FILM], x, y, z, arm_x, arm_y, arm_z)
@@ -532,7 +932,7 @@ def add_film(disk, motion, rim, velocity, step, load, pressure):
 
 @kernel
 def write_change(disk, motion, contacts, h, out):
-    """Write the change of all velocities by the forces in a time h to `out` (6 + m,)."""
+    """Write the velocity changes caused by the forces in a time h to `out` (6 + m,)."""
     load = contacts.load
     axis = motion.disk[AXIS : AXIS + 3]
     axial = 0.0
@@ -546,15 +946,15 @@ def write_change(disk, motion, contacts, h, out):
     extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
     for i in range(3):
         out[TORQUE + i] += extra * axis[i]
-    for j in range(motion.modes.shape[0]):
+    for j in range(motion.modes.shape[1]):
         out[LOAD_SIZE + j] = h * (contacts.pull[ELASTIC, j] + contacts.pull[DASHPOT, j])
 
 
 @kernel
 def kick(disk, motion, contacts, before, change, h):
-    """Change momentum and modes by the forces in a time h, and record impulse and losses.
+    """Apply the forces for a time h, and record impulse and losses.
 
-    `before` and `change` (6 + m,) are the velocities before the change and the change.
+    `before` and `change` (6 + m,) are the velocities before the change, and the change.
     """
     state = motion.disk
     record = motion.record
@@ -570,39 +970,97 @@ def kick(disk, motion, contacts, before, change, h):
             state[VELOCITY + i] += h / disk.mass * load[origin, i]
             state[MOMENTUM + i] += h * load[origin, TORQUE + i]
             record[IMPULSE + i] += h * load[origin, i]
-    for j in range(motion.modes.shape[0]):
-        mean = before[LOAD_SIZE + j] + change[LOAD_SIZE + j] / 2
-        record[CONTACT_LOSS] -= h * contacts.pull[DASHPOT, j] * mean
-        motion.modes[j, 1] += change[LOAD_SIZE + j]
+    pull = contacts.pull[DASHPOT]
+    record[CONTACT_LOSS] -= h * (
+        scalar_product(pull, before[LOAD_SIZE:])
+        + scalar_product(pull, change[LOAD_SIZE:]) / 2
+    )
+    for j in range(motion.modes.shape[1]):
+        motion.modes[1, j] += change[LOAD_SIZE + j]
 
 
 @kernel
 def write_propagator(edge, h, out):
-    """Write the matrix of each mode's free motion over a time h to `out` (m, 4)."""
+    """Write the propagator of each mode over a time h to `out` (4, m)."""
     for j in range(edge.frequency.size):
         d = edge.decay[j]
         w = np.sqrt(edge.frequency[j] ** 2 - d * d)
         c = np.cos(w * h)
         s = np.sin(w * h)
         fade = np.exp(-d * h)
-        out[j, 0] = fade * (c + d / w * s)
-        out[j, 1] = fade * s / w
-        out[j, 2] = -fade * s * (w * w + d * d) / w
-        out[j, 3] = fade * (c - d / w * s)
+        out[0, j] = fade * (c + d / w * s)
+        out[1, j] = fade * s / w
+        out[2, j] = -fade * s * (w * w + d * d) / w
+        out[3, j] = fade * (c - d / w * s)
 
 
 @kernel
 def floats(record, now, weight):
-    """Return True if the air film carries the disk since the contact was lost."""
+    """Return True if the air film has supported the disk since the loss of contact."""
     lasts = now - record[OPEN_SINCE]
     if record[OPEN_SINCE] < 0 or lasts < MIN_AIRBORNE_TIME:
         return False
     return record[FLIGHT_LIFT] > MIN_AIRBORNE_LIFT * weight * lasts
 
 
+@kernel
+def stays_clear(disk, edge, table, gravity, motion, rim, contacts, duration):
+    """Return True if no point of the rim can touch the table within a time [s].
+
+    The amplitudes of the modes bound their displacements. The lowest point of the rim
+    falls at its present rate, accelerated by gravity, the rotation and the air film.
+    """
+    state = motion.disk
+    lean = state[MOMENTUM] * state[AXIS + 1] - state[MOMENTUM + 1] * state[AXIS]
+    lean /= disk.diametral_inertia  # rate of the cosine of the inclination
+    below = disk.half_thickness - disk.fillet
+    radius = disk.radius - disk.fillet
+    rate = state[VELOCITY + 2] - lean * (below - radius * rim.upright / rim.sine)
+    turning = 0.0
+    for i in range(3):
+        turning += (state[MOMENTUM + i] / disk.diametral_inertia) ** 2
+    fastest = gravity + 2 * (radius + below) * turning / rim.sine
+    fastest += 10 * abs(contacts.load[FILM, 2]) / disk.mass
+    reach = duration**2 / 2 * fastest - min(duration * rate, 0.0)
+    disk_modes = edge.axial.shape[0]
+    for j in range(disk_modes):
+        speed = motion.modes[1, j] / edge.frequency[j]
+        reach += edge.highest[1 + j] * np.hypot(motion.modes[0, j], speed)
+    if table is not None:
+        squares = 0.0
+        for j in range(disk_modes, edge.frequency.size):
+            squares += motion.modes[0, j] ** 2
+            squares += (motion.modes[1, j] / edge.frequency[j]) ** 2
+        reach += edge.highest[1 + disk_modes] * np.sqrt(squares)
+    room = edge.highest[0] + reach - rim.height + rim.tilt
+    if room <= 0:
+        return True
+    sideways = duration * radius * np.sqrt(turning)
+    half, first, number = arc_below(edge, motion, rim, room + sideways)
+    reach += sideways * min(half, 1.0)
+    count = edge.heights.size
+    place = first
+    while place < first + number:
+        i = place % count
+        if block_depth(disk, edge, motion, rim, i // BLOCK_SIZE) > -reach:
+            return False
+        place += min(BLOCK_SIZE - i % BLOCK_SIZE, count - i)
+    return True
+
+
 @outermost
 def step_rattling_disk(
-    disk, edge, gravity, last_tilt, step, per_sample, motion, begin, samples, flights
+    disk,
+    edge,
+    table,
+    gravity,
+    last_tilt,
+    step,
+    per_sample,
+    motion,
+    begin,
+    samples,
+    flights,
 ):
     """Advance a rattling disk and write a sample after every `per_sample` steps.
 
@@ -612,23 +1070,26 @@ def step_rattling_disk(
         Disk and contact.
     edge : Edge
         Its lower edge and the unevenness.
+    table : MovingTable or None
+        Modes of the table; None compiles a separate version without them.
     gravity : float
         Acceleration of gravity [m/s^2].
     last_tilt : float
-        Height [m] of the raised side of the rim over its diameter at which the disk lies flat.
+        `RimGeometry.tilt` [m] below which the disk lies flat.
     step : float
         Time step [s].
     per_sample : int
         Steps between two samples.
     motion : MotionState
-        State of the disk and of its modes, and the sums since the start, updated in place.
+        State of the disk and of its modes, and the sums since the start, updated in
+        place.
     begin : float
         Time [s] of the first step.
-    samples : (n, 29 + 2 m) array
-        Receives state, record and edge.
+    samples : (n, 30 + 2 m) array
+        Receives state, record and modes.
     flights : (f, 3) array
-        Receives begin [s], duration [s] and height [m] of each loss of contact that ended; f is at
-        least half the number of steps.
+        Output: start [s], duration [s] and height [m] of each loss of contact that
+        ended; f is at least half the number of steps.
 
     Returns
     -------
@@ -636,13 +1097,17 @@ def step_rattling_disk(
         Number of samples and of flights written, and the reason for the end.
     """
     mode_count = edge.frequency.size
-    propagator = np.empty((mode_count, 4))
-    write_propagator(edge, step / 2, propagator)
+    propagators = np.empty((per_sample, 4, mode_count))
+    for i in range(per_sample):
+        write_propagator(edge, (i + 1) * step / 2, propagators[i])
     count = edge.heights.size
     contacts = Contacts(
-        np.zeros((5, LOAD_SIZE)), np.zeros((2, mode_count)), np.zeros(count), np.zeros(count)
+        np.zeros((5, LOAD_SIZE)),
+        np.zeros((2, mode_count)),
+        np.zeros(count),
+        np.zeros(count),
     )
-    mark_2 = np.empty(3)
+    quarter_turn_vector = np.empty(3)
     before = np.empty(LOAD_SIZE + mode_count)
     mean = np.empty(LOAD_SIZE + mode_count)
     change = np.empty(LOAD_SIZE + mode_count)
@@ -653,33 +1118,59 @@ def step_rattling_disk(
     has_film = disk.film.turning > 0
     losses = 0
     for sample in range(samples.shape[0]):
-        for repeat in range(1, per_sample + 1):
-            fly(disk, gravity, edge, motion, propagator, step / 2)
-            now = begin + (sample * per_sample + repeat) * step
-            rim = rim_geometry(disk, motion.disk, mark_2)
+        done = 0
+        while done < per_sample:
+            merged = 1
+            left = per_sample - 1 - done
+            if record[OPEN_SINCE] >= 0 and left > 1:
+                rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
+                if stays_clear(
+                    disk, edge, table, gravity, motion, rim, contacts, left * step
+                ):
+                    merged = left
+            done += merged
+            lasts = merged * step
+            propagator = propagators[merged - 1]
+            fly(disk, gravity, edge, motion, propagator, lasts / 2)
+            now = begin + (sample * per_sample + done) * step
+            rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
             write_velocity(disk, motion, before)
             for i in range(before.size):
                 change[i] = 0.0
                 mean[i] = before[i]
             clear(contacts)
-            record[STORED] = press_rim(disk, edge, motion, rim, mean, change, step, contacts)
+            record[STORED] = 0.0
+            if merged == 1:
+                record[STORED] = press_rim(
+                    disk, edge, table, motion, rim, mean, change, now, step, contacts
+                )
             if contacts.load[ELASTIC, 2] > 0:
                 # The forces with the mean velocity and depth in the step conserve energy.
                 write_change(disk, motion, contacts, step, change)
                 for i in range(before.size):
                     mean[i] = before[i] + change[i] / 2
                 clear(contacts)
-                press_rim(disk, edge, motion, rim, mean, change, step, contacts)
-                add_resistance(disk, weight, motion, rim, mean, record[STORED], step, contacts.load)
+                press_rim(
+                    disk, edge, table, motion, rim, mean, change, now, step, contacts
+                )
+                add_resistance(
+                    disk, weight, motion, rim, mean, record[STORED], step, contacts.load
+                )
             touches = contacts.load[ELASTIC, 2] > 0
             if has_film:
-                work = add_film(disk, motion, rim, before, step, contacts.load, pressure)
-                left = max(record[AIR_ENERGY] - work, 0.0)
+                work = add_film(
+                    disk, motion, rim, before, lasts, contacts.load, pressure
+                )
+                left = max(record[COMPRESSED_AIR_ENERGY] - work, 0.0)
                 rate = np.hypot(before[3], before[4]) / rim.sine
                 kept = min(left, film_capacity(disk.film, rim.sine, rate))
-                record[FILM_LOSS] += record[AIR_ENERGY] - kept
-                record[AIR_ENERGY] = kept
-            if touches and contacts.load[ELASTIC, 2] + contacts.load[DASHPOT, 2] > 1e-6 * weight:
+                record[FILM_LOSS] += record[COMPRESSED_AIR_ENERGY] - kept
+                record[COMPRESSED_AIR_ENERGY] = kept
+            if (
+                touches
+                and contacts.load[ELASTIC, 2] + contacts.load[DASHPOT, 2]
+                > 1e-6 * weight
+            ):
                 if record[OPEN_SINCE] >= 0:
                     flights[losses, 0] = record[OPEN_SINCE]
                     flights[losses, 1] = now - record[OPEN_SINCE]
@@ -691,24 +1182,27 @@ def step_rattling_disk(
                     record[OPEN_SINCE] = now
                     record[GREATEST_GAP] = 0.0
                     record[FLIGHT_LIFT] = 0.0
-                record[OPEN_TIME] += step
-                record[FLIGHT_LIFT] += step * contacts.load[FILM, 2]
+                record[OPEN_TIME] += lasts
+                record[FLIGHT_LIFT] += lasts * contacts.load[FILM, 2]
                 record[GREATEST_GAP] = max(record[GREATEST_GAP], rim.height - rim.tilt)
-            if repeat == per_sample:
+            if done == per_sample:
+                record_mode_losses(edge, motion)
                 for i in range(samples.shape[1]):
                     samples[sample, i] = 0.0
                 add_sample(motion, 0.5, samples[sample])
             if touches or has_film:
-                write_change(disk, motion, contacts, step, change)
-                kick(disk, motion, contacts, before, change, step)
-            if repeat == per_sample:
+                write_change(disk, motion, contacts, lasts, change)
+                kick(disk, motion, contacts, before, change, lasts)
+            if done == per_sample:
                 add_sample(motion, 0.5, samples[sample])
-            fly(disk, gravity, edge, motion, propagator, step / 2)
+            fly(disk, gravity, edge, motion, propagator, lasts / 2)
             if rim.tilt < last_tilt:
                 return sample, losses, LIES_FLAT
-            if rim.upright < MIN_UPRIGHT:
+            if rim.upright < UPRIGHT_COSINE_LIMIT:
                 return sample, losses, STANDS_UPRIGHT
-            if record[OPEN_SINCE] >= 0 and record[GREATEST_GAP] > max(rim.tilt, 10 * highest):
+            if record[OPEN_SINCE] >= 0 and record[GREATEST_GAP] > max(
+                rim.tilt, 10 * highest
+            ):
                 return sample, losses, JUMPS
             if floats(record, now, weight):
                 return sample, losses, FLOATS

@@ -1,42 +1,45 @@
-"""Forces of the air film under a disk that rattles.
+"""Forces of the air film under a rattling disk.
 
-The film is that of a disk on its contact: hops are low compared with the mean gap. A drag opposes
-the precession, and the pressure acts normal to the face at its centre, against the velocity there.
-The compressed air stores energy and exerts no pressure once this energy is used up.
+The film is that of a disk in contact, because hops are low compared with the mean gap.
+A drag opposes the precession. The force of the pressure acts at the centre of pressure,
+normal to the face and against the velocity there. The compressed air exerts no pressure
+when no energy is stored.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.film.forces import film_parts, squeezed_air_energy
+from dynamics.film.forces import film_moment_parts, squeezed_air_energy
 from dynamics.numba_kernels import kernel
 
-film_parts_kernel = kernel(film_parts)
+film_moment_parts_kernel = kernel(film_moment_parts)
 squeezed_air_kernel = kernel(squeezed_air_energy)
 
 MIN_PRECESSION_RATE = 1e-9
 """Precession rate [rad/s] below which the drag does not depend on the rate."""
 FORCE, ARM, TORQUE = range(3)
-"""Rows of the loads (3, 3) of the film: force [N], its point relative to the centre [m], and a
-torque [N m]."""
+"""Rows of the loads (3, 3) of the film: force [N], its position relative to the centre
+[m], and torque [N m]."""
 
 
 class AirFilm(NamedTuple):
-    """Constants of `film_parts` in SI units; `turning` is 0 without a film.
+    """Constants of `film_moment_parts` in SI units; `turning` is 0 without a film.
 
     Attributes
     ----------
     turning, falling : float
         12 mu R^3 times I and I_n [N m s].
     inertia : float
-        Factor of the inertia of the turning air [s^2].
+        Factor of the inertia of the rotating air [s^2].
     number : float
         Factor of the compressibility [s].
     ambient : float
         p pi R^3 [J].
     slip : float
-        Factor of the slip at the walls.
+        Factor of the wall slip.
+    bowl : float
+        Gap added in the middle by a concave table, divided by the radius.
     """
 
     turning: float
@@ -45,12 +48,15 @@ class AirFilm(NamedTuple):
     number: float
     ambient: float
     slip: float
+    bowl: float
 
 
 @kernel
 def film_capacity(film, sine, rate):
     """Return the largest energy [J] that the compressed air can store."""
-    return squeezed_air_kernel(sine, abs(rate), film.number, film.ambient, film.slip)
+    return squeezed_air_kernel(
+        sine, abs(rate), film.number, film.ambient, film.slip, film.bowl
+    )
 
 
 @kernel
@@ -61,9 +67,13 @@ def film_pressure(film, disk, axis, sine, velocity, stored_energy, step, load):
     inclination, and `velocity` (6,) the velocity of the centre and the angular velocity.
     """
     up_slope = (-axis[0] * axis[2] / sine, -axis[1] * axis[2] / sine, sine)
-    turning = velocity[3] * up_slope[0] + velocity[4] * up_slope[1] + velocity[5] * up_slope[2]
+    turning = (
+        velocity[3] * up_slope[0]
+        + velocity[4] * up_slope[1]
+        + velocity[5] * up_slope[2]
+    )
     rate = abs(turning) / sine + MIN_PRECESSION_RATE
-    drag, fall, lever, tip, lift = film_parts_kernel(
+    drag, fall, lever, tip, lift = film_moment_parts_kernel(
         sine,
         rate,
         film.turning,
@@ -72,14 +82,17 @@ def film_pressure(film, disk, axis, sine, velocity, stored_energy, step, load):
         film.number,
         film.ambient,
         film.slip,
+        film.bowl,
     )
-    # Damping in the form of an exponential stays stable at every gap.
+    # exponential damping is stable at every gap
     decay = np.expm1(-step * drag / (rate * sine * disk.diametral_inertia))
     torque = turning * disk.diametral_inertia / step * decay
     distance = disk.radius / lever
     speed = normal_speed(disk, axis, up_slope, velocity, distance)
     mobility = normal_mobility(disk, distance)
-    closing = speed / (mobility * step) * np.expm1(-step * fall / distance**2 * mobility)
+    closing = (
+        speed / (mobility * step) * np.expm1(-step * fall / distance**2 * mobility)
+    )
     pressure = closing
     moment = closing * (distance - disk.radius)
     work = 0.0
@@ -102,8 +115,9 @@ def film_pressure(film, disk, axis, sine, velocity, stored_energy, step, load):
 
 @kernel
 def normal_speed(disk, axis, up_slope, velocity, distance):
-    """Return the speed [m/s], along the axis, of the lower face at a distance [m] up the slope from
-    the contact.
+    """Return the velocity along the axis [m/s] of a point on the lower face.
+
+    `distance` [m] is that of the point from the contact, up the slope.
     """
     x = (distance - disk.radius) * up_slope[0] - disk.half_thickness * axis[0]
     y = (distance - disk.radius) * up_slope[1] - disk.half_thickness * axis[1]
@@ -115,5 +129,5 @@ def normal_speed(disk, axis, up_slope, velocity, distance):
 
 @kernel
 def normal_mobility(disk, distance):
-    """Return the change of `normal_speed` per impulse there [1/kg]."""
+    """Return the change of `normal_speed` per impulse at the same point [1/kg]."""
     return 1 / disk.mass + (distance - disk.radius) ** 2 / disk.diametral_inertia

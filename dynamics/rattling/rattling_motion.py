@@ -1,10 +1,10 @@
-"""Solve the motion of a disk that rattles on an uneven table, and the record of this motion."""
+"""Solution of the motion of a rattling disk, and its `Motion`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, pi, radians
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,20 +28,33 @@ from dynamics.compliant.stepping.row_store import interpolate_rows
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import Film
+from dynamics.kinematics import contact_place
 from dynamics.motion import CAUSES, Outcome
+from dynamics.pivoting import COEFFICIENT_COUNT
 from dynamics.rattling import contact_steps as layout
-from dynamics.rattling.contact_steps import Edge, MotionState, RattlingDisk, step_rattling_disk
+from dynamics.rattling.contact_steps import (
+    Edge,
+    MotionState,
+    MovingTable,
+    RattlingDisk,
+    step_rattling_disk,
+)
 from dynamics.rattling.film_force import AirFilm
+from dynamics.scene_constants import scene_constants
 from dynamics.switching import ImpossibleContactError
 
-STEPS_PER_CONTACT = 2.5
-"""Time steps over those of a single elastic contact at the same accuracy."""
+STEPS_PER_CONTACT = 3.0
+"""Step rate divided by that of a single elastic contact at the same accuracy."""
 MIN_STEPS_PER_PERIOD = 60
-"""Least number of time steps in a period of the contact resonance."""
-LAST_TILT = 3.0
-"""Least height of the raised rim over the rms of the unevenness; below, the disk lies flat."""
+"""Smallest number of time steps per period of the contact resonance."""
+MIN_RIM_HEIGHT_RATIO = 3.0
+"""Ratio of rim height to rms unevenness below which the disk lies flat."""
+NODES_PER_KNOT = 2
+"""Nodes around the rim divided by spline knots of the table modes on the same length."""
+MIN_TABLE_NODES = 64
+"""Smallest number of nodes around the rim at which the table is evaluated."""
 CHUNK = 0.02
-"""Motion between two calls of the progress callback [s]."""
+"""Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
     layout.CONTINUES: Outcome.TIME_LIMIT,
     layout.LIES_FLAT: Outcome.SETTLED,
@@ -49,7 +62,7 @@ OUTCOME_OF_END = {
     layout.JUMPS: Outcome.LIFTED_OFF,
     layout.FLOATS: Outcome.AIRBORNE,
 }
-"""Outcome of a motion for each reason of `step_rattling_disk`."""
+"""Outcome of a motion for each end reason of `step_rattling_disk`."""
 
 
 class RattlingModel(NamedTuple):
@@ -62,13 +75,15 @@ class RattlingModel(NamedTuple):
     constants : RattlingDisk
         Constants of the time steps.
     amplitudes : (n,) array
-        Complex amplitudes [m] of the unevenness round the rim, by order.
+        Complex amplitudes [m] of the unevenness around the rim, by order.
     heights : (p,) array
-        Heights [m] of the rim's profile.
+        Heights [m] of table and edge along the rim.
     rim : RimModes
-        Modes of the free disk that move the rim.
+        Modes of the free disk that displace the rim.
     film : Film or None
         Air film under the disk.
+    modes : modal.SurfaceModes or None
+        Modes of a table that moves with the disk.
     rate : float
         Time steps per second.
     """
@@ -79,12 +94,8 @@ class RattlingModel(NamedTuple):
     heights: np.ndarray
     rim: RimModes
     film: Film | None
+    modes: Any
     rate: float
-
-    @property
-    def modes(self) -> None:
-        """The modes of the table, which does not move."""
-        return None
 
     def depth(self, inclination: float) -> float:
         """Return the depth [m] of the static contact at an inclination [rad]."""
@@ -94,7 +105,7 @@ class RattlingModel(NamedTuple):
         )
 
     def curvature_number(self, inclination: float) -> float:
-        """Return kappa at an inclination [rad]: contact is lost from 0.25 to 0.5 on."""
+        """Return the curvature number kappa at an inclination [rad]."""
         depth = self.depth(inclination)
         return curvature_number(self.amplitudes, self.disk.radius, inclination, depth)
 
@@ -104,33 +115,74 @@ class RattlingModel(NamedTuple):
         return float(np.std(self.heights))
 
     def edge(self) -> Edge:
-        """Return the lower edge of the disk."""
+        """Return the lower edge of the disk, and frequencies and decay rates of all modes."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
         wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
-        turn = np.sqrt(self.rim.squared) / (2 * self.rate)
-        wave *= np.sinc(turn / pi)[:, None]
+        wave *= self._mean_factor(np.sqrt(self.rim.squared))[:, None]
+        frequency = np.sqrt(self.rim.squared)
+        decay = self.rim.decay
+        if self.modes is not None:
+            frequency = np.append(frequency, 2 * pi * self.modes.frequency)
+            decay = np.append(decay, self.modes.decay_rate)
+        turn = frequency / (2 * self.rate)
+        shape_norm = 0.0
+        if self.modes is not None:
+            shape_norm = np.linalg.norm(self.modes.coefficients, axis=2).max()
+        displacement = abs(self.rim.axial) + abs(self.rim.radial)
         return Edge(
             heights=self.heights,
+            block_heights=np.maximum.reduceat(
+                self.heights, np.arange(0, len(self.heights), layout.BLOCK_SIZE)
+            ),
             angles=np.array([np.cos(angle), np.sin(angle)]),
             axial=self.rim.axial[:, None] * wave,
             radial=self.rim.radial[:, None] * wave,
             place_factor=turn / np.tan(turn),
-            frequency=np.sqrt(self.rim.squared),
-            decay=self.rim.decay,
-            highest=np.append(self.heights.max(), abs(self.rim.axial) + abs(self.rim.radial)),
+            frequency=frequency,
+            decay=decay,
+            highest=np.array([self.heights.max(), *displacement, shape_norm]),
+        )
+
+    def _mean_factor(self, frequency: np.ndarray) -> np.ndarray:
+        return np.sinc(frequency / (2 * pi * self.rate))
+
+    def table(self) -> MovingTable | None:
+        """Return the modes of the table, or None if it is rigid."""
+        modes = self.modes
+        if modes is None:
+            return None
+        frequency = 2 * pi * modes.frequency
+        # copies, since read-only arrays have another Numba type
+        knots_x, knots_y = (np.array(part) for part in modes.knots)
+        spacing = min(np.diff(part).max() for part in (knots_x, knots_y))
+        around = 2 * pi * self.constants.radius / spacing
+        count = max(MIN_TABLE_NODES, ceil(NODES_PER_KNOT * around))
+        return MovingTable(
+            np.array(modes.coefficients, order="C"),
+            knots_x,
+            knots_y,
+            place=np.array(modes.place, dtype=float),
+            is_fixed=float(modes.mass > 0),  # modes given by numbers have no mass
+            mean_factor=self._mean_factor(frequency),
+            shapes=np.zeros((count, len(frequency))),
+            known_since=np.full(count, -1.0),
+            motion=np.zeros((3, count)),
+            force=np.zeros((2, count)),
+            displacement=np.zeros(len(frequency)),
         )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RattlingMotion(CompliantMotion):
-    """A motion with contact anywhere on the rim.
+    """A motion with any number of contacts along the rim.
 
     Attributes
     ----------
     model : RattlingModel
         Disk, contact, unevenness and modes.
     ringing : (n, 2 m) array
-        Displacement and velocity of each mode of unit modal mass, at the times of the impulses.
+        Displacement and velocity of each disk mode of unit modal mass, at the times of the
+        impulses.
     open_time : float
         Time without contact [s].
     """
@@ -146,8 +198,8 @@ class RattlingMotion(CompliantMotion):
 
     @property
     def moves_table(self) -> bool:
-        """False: the table does not move."""
-        return False
+        """True if the table has modes that move with the disk."""
+        return self.model.modes is not None
 
     @property
     def integrator(self) -> str:
@@ -156,18 +208,16 @@ class RattlingMotion(CompliantMotion):
 
     @property
     def open_share(self) -> float:
-        """Share of the motion without contact."""
+        """Fraction of the motion without contact."""
         return self.open_time / self._end
 
     @property
     def impact_rate(self) -> float:
-        """Impacts per second."""
+        """Number of impacts per second."""
         return len(self.contact_losses) / self._end
 
-    def carrier(self, inclination) -> np.ndarray:
-        """Return the contact resonance (k,) [Hz] of the rim under the weight at inclinations (k,)
-        [rad].
-        """
+    def contact_resonance(self, inclination) -> np.ndarray:
+        """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""
         beta = np.asarray(inclination, dtype=float)
         depth = static_depth(
             self.disk.weight,
@@ -181,8 +231,9 @@ class RattlingMotion(CompliantMotion):
         return np.sqrt(1.5 * self.disk.weight / depth * mobility) / (2 * pi)
 
     def rim_vibration(self, t) -> np.ndarray:
-        """Return displacement, velocity and acceleration (k, 3, m) of the modes of unit modal mass
-        at times t (k,) [s].
+        """Return displacement, velocity, acceleration (k, 3, m) of modes at t (k,) [s].
+
+        The modes have unit modal mass.
         """
         place = self._row_positions(t) * FORCES_PER_ROW
         value = interpolate_rows(self.ringing, place, False)
@@ -195,15 +246,25 @@ class RattlingMotion(CompliantMotion):
         return np.column_stack([begin, begin + duration])
 
 
-def rattling_model(scene) -> RattlingModel:
-    """Return the model of a scene. Raises ValueError if no wave of the unevenness fits the rim."""
+def rattling_model(scene, modes: Any = None) -> RattlingModel:
+    """Return the model of a scene on a table with `modes`, or on a rigid table.
+
+    The modes are `modal.SurfaceModes`. Raises ValueError if no wave of the unevenness
+    fits the rim.
+    """
     disk = scene.disk
     law = contact_law(scene)
     film = decide_film(scene).film
     diametral, axial = inertias(disk)
+    pivoting = scene_constants(scene).pivoting or (0.0,) * (2 * COEFFICIENT_COUNT)
+    has_spin_friction = scene.friction.arm_pivoting == "contact"
     restitution = scene.contact.restitution
-    # A resonance with the loss factor eta has the damping ratio eta/2.
-    ratio = scene.contact.loss_factor / 2 if restitution is None else damping_ratio(restitution)
+    # the damping ratio is half the loss factor
+    ratio = (
+        scene.contact.loss_factor / 2
+        if restitution is None
+        else damping_ratio(restitution)
+    )
     constants = RattlingDisk(
         radius=disk.radius,
         half_thickness=disk.thickness / 2,
@@ -211,15 +272,17 @@ def rattling_model(scene) -> RattlingModel:
         diametral_inertia=diametral,
         axial_inertia=axial,
         modulus=law.modulus,
-        shear_modulus=law.mixed.shear,
+        shear_modulus=law.equivalent_material.shear,
         fillet=law.fillet,
         damping_ratio=ratio,
         friction=scene.friction.mu_dynamic,
         contour_moment=scene.dissipation.contour_moment,
+        bowl=(GRAVITY * scene.surface.curvature, *scene.surface.place),
+        spin_friction=(float(has_spin_friction), *pivoting),
         arms=(
             scene.friction.arm_nutation,
             scene.friction.arm_rolling,
-            scene.friction.arm_pivoting,
+            0.0 if has_spin_friction else scene.friction.arm_pivoting,
         ),
         film=film_constants(disk, film),
     )
@@ -230,32 +293,38 @@ def rattling_model(scene) -> RattlingModel:
         heights=rim_heights(scene.roughness, scene.imperfection, disk.radius),
         rim=moving_rim_modes(edge_flexibility(scene), scene.material.loss_factor),
         film=film,
+        modes=modes,
         rate=0.0,
     )
     return model._replace(rate=_step_rate(scene, model))
 
 
 def film_constants(disk: Disk, film: Film | None) -> AirFilm:
-    """Return the constants of a film in SI units, zero without a film."""
+    """Return the constants of a film in SI units; zeros without a film."""
     chi = disk.time_unit
     energy = disk.mass * disk.radius**2 / chi**2
-    units = energy * chi, energy * chi, chi**2, chi, energy, 1.0
+    units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
     return AirFilm(*np.multiply(film or np.zeros(len(units)), units).tolist())  # type: ignore[arg-type]
 
 
 def _step_rate(scene, model):
-    """Return the steps per second: a multiple of FORCE_RATE that resolves contact and modes."""
+    """Return a step rate [1/s] that resolves the contact, a multiple of FORCE_RATE."""
     beta = radians(scene.release.inclination_deg)
     stiffness = 1.5 * model.disk.weight / model.depth(beta)
-    mobility = 1 / model.disk.mass + model.disk.radius**2 / model.constants.diametral_inertia
+    mobility = (
+        1 / model.disk.mass + model.disk.radius**2 / model.constants.diametral_inertia
+    )
     resonance = np.sqrt(stiffness * mobility) / (2 * pi)
     wanted = scene.numerics.contact_rate or max(
-        STEPS_PER_CONTACT * scene.numerics.level.contact_rate, MIN_STEPS_PER_PERIOD * resonance
+        STEPS_PER_CONTACT * scene.numerics.level.contact_rate,
+        MIN_STEPS_PER_PERIOD * resonance,
     )
     return FORCE_RATE * ceil(wanted / FORCE_RATE)
 
 
-def released_state(model: RattlingModel, inclination: float, omega) -> np.ndarray:
+def rolling_state_at_release(
+    model: RattlingModel, inclination: float, omega
+) -> np.ndarray:
     """Return the state (15,) of a disk released on its contact, rolling without slip.
 
     `inclination` [rad] and the angular velocity `omega` (3,) [rad/s] along a_1, a_2' (the axis)
@@ -270,22 +339,78 @@ def released_state(model: RattlingModel, inclination: float, omega) -> np.ndarra
     spin = omega[0] * a1 + omega[1] * axis + omega[2] * e3
     state = np.zeros(layout.STATE_SIZE)
     state[layout.AXIS : layout.AXIS + 3] = axis
-    state[layout.MARK : layout.MARK + 3] = -e3
-    lever = fixed.half_thickness * axis + fixed.radius * e3
+    state[layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3] = -e3
+    place = contact_place(
+        c, s, fixed.half_thickness / fixed.radius, fixed.fillet / fixed.radius
+    )
+    lever = fixed.radius * (place.depth * axis + place.radius * e3)
     state[layout.VELOCITY : layout.VELOCITY + 3] = np.cross(spin, lever)
     momentum = fixed.diametral_inertia * (omega[0] * a1 + omega[2] * e3)
-    state[layout.MOMENTUM : layout.MOMENTUM + 3] = momentum + fixed.axial_inertia * omega[1] * axis
+    state[layout.MOMENTUM : layout.MOMENTUM + 3] = (
+        momentum + fixed.axial_inertia * omega[1] * axis
+    )
     angle = 2 * pi * np.arange(len(model.heights)) / len(model.heights)
-    clearance = model.heights - fixed.radius * s * (1 - np.cos(angle))
-    height = fixed.half_thickness * c + fixed.radius * s
+    core = fixed.radius - fixed.fillet
+    clearance = model.heights - core * s * (1 - np.cos(angle))
+    height = fixed.radius * place.e
     state[layout.CENTRE + 2] = height + clearance.max() - model.depth(inclination)
     return state
 
 
+def effective_restitution(
+    model: RattlingModel, inclination: float, speed: float
+) -> float:
+    """Return the coefficient of restitution of the edge with the modes of the disk.
+
+    The edge of a disk at an inclination [rad] hits a smooth table at a speed [m/s]
+    without gravity. The speeds before and after are those of the rigid disk, so that
+    energy in its modes counts as lost.
+    """
+    fixed = model.constants
+    alone = fixed._replace(
+        friction=0.0,
+        contour_moment=0.0,
+        arms=(0.0, 0.0, 0.0),
+        film=film_constants(model.disk, None),
+    )
+    smooth = model._replace(heights=np.zeros(len(model.heights)), constants=alone)
+    state = rolling_state_at_release(smooth, inclination, (0.0, 0.0, 0.0))
+    contact = -fixed.half_thickness * state[layout.AXIS : layout.AXIS + 3]
+    contact += (
+        fixed.radius
+        * state[layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3]
+    )
+    state[layout.CENTRE + 2] += smooth.depth(inclination)
+    kick = np.array([0.0, 0.0, -fixed.mass * speed])
+    state[layout.VELOCITY : layout.VELOCITY + 3] = kick / fixed.mass
+    state[layout.MOMENTUM : layout.MOMENTUM + 3] = np.cross(contact, kick)
+    before = _edge_speed(fixed, state)
+    # gravity is not 0, because losses are divided by the weight
+    simulate_rattling(smooth, state, CHUNK / 2, 0.0, gravity=1e-9)
+    return -_edge_speed(fixed, state) / before
+
+
+def _edge_speed(fixed, state):
+    """Return the vertical speed [m/s] of the lowest point of the edge in a state (15,)."""
+    axis = state[layout.AXIS : layout.AXIS + 3]
+    momentum = state[layout.MOMENTUM : layout.MOMENTUM + 3]
+    axial = momentum @ axis
+    omega = (
+        momentum - axial * axis
+    ) / fixed.diametral_inertia + axial * axis / fixed.axial_inertia
+    down = np.array(
+        [axis[0] * axis[2], axis[1] * axis[2], -(axis[0] ** 2 + axis[1] ** 2)]
+    )
+    contact = fixed.radius * down / np.linalg.norm(down) - fixed.half_thickness * axis
+    return float(state[layout.VELOCITY + 2] + np.cross(omega, contact)[2])
+
+
 def solve_rattling_motion(
-    scene, watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None
+    scene,
+    watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
+    modes: Any = None,
 ) -> RattlingMotion:
-    """Solve the motion of a disk with contact anywhere on its rim, from the release.
+    """Solve the motion of a rattling disk from its release.
 
     Parameters
     ----------
@@ -293,6 +418,8 @@ def solve_rattling_motion(
         Scene with an elastic contact.
     watch : callable
         Progress callback, as in `dynamics.simulate`.
+    modes : modal.SurfaceModes, optional
+        Modes of a table that moves with the disk.
 
     Returns
     -------
@@ -302,16 +429,24 @@ def solve_rattling_motion(
     Raises
     ------
     ValueError
-        If no wave of the unevenness fits the rim.
+        If no wavelength of the unevenness fits the rim.
     ImpossibleContactError
         If the disk leaves the table or lies flat at once.
     """
-    watch(0.0, radians(scene.release.inclination_deg), "loading or compiling the equations")
-    model = rattling_model(scene)
+    watch(
+        0.0,
+        radians(scene.release.inclination_deg),
+        "loading or compiling the equations",
+    )
+    model = rattling_model(scene, modes)
     inclination = radians(scene.release.inclination_deg)
-    state = released_state(model, inclination, scene.release.omega)
+    state = rolling_state_at_release(model, inclination, scene.release.omega)
     last = scene.numerics.final_inclination or 0.0
-    last_tilt = max(LAST_TILT * model.roughness_rms, model.disk.radius * last, model.depth(0.1))
+    last_tilt = max(
+        MIN_RIM_HEIGHT_RATIO * model.roughness_rms,
+        model.disk.radius * last,
+        model.depth(0.1),
+    )
     return simulate_rattling(model, state, scene.numerics.time_limit, last_tilt, watch)
 
 
@@ -323,9 +458,16 @@ def simulate_rattling(
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
     gravity: float = GRAVITY,
 ) -> RattlingMotion:
-    """Advance a state (15,), which is changed, until a time [s] or a height of the rim [m]."""
+    """Advance a state (15,), which is changed, until a time [s] or a height of the rim [m].
+
+    A table with modes begins at rest under the weight of the disk, which is lowered with it.
+    """
     edge = model.edge()
-    ring = np.zeros((len(edge.frequency), 2))
+    table = model.table()
+    ring = np.zeros((2, len(edge.frequency)))
+    if model.modes is not None:
+        bend, ring[0, len(model.rim.order) :] = static_deflection(model, state, gravity)
+        state[layout.CENTRE + 2] += bend
     record = np.zeros(layout.RECORD_SIZE)
     record[layout.OPEN_SINCE] = -1.0
     per_sample = round(model.rate / FORCE_RATE)
@@ -341,11 +483,12 @@ def simulate_rattling(
         written, losses, reason = step_rattling_disk(
             model.constants,
             edge,
+            table,
             gravity,
             last_tilt,
             1 / model.rate,
             per_sample,
-            MotionState(state, ring, record),
+            MotionState(state, ring, record, np.zeros(ring.shape[1])),
             begin,
             samples,
             found,
@@ -365,14 +508,38 @@ def simulate_rattling(
         flights[-1][0, 2] = record[layout.GREATEST_GAP]
     lost = np.concatenate(flights)
     lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
-    return _motion_of_samples(model, samples[:count], lost, OUTCOME_OF_END[reason], gravity)
+    return _motion_of_samples(
+        model, samples[:count], lost, OUTCOME_OF_END[reason], gravity
+    )
+
+
+def static_deflection(
+    model: RattlingModel, state: np.ndarray, gravity: float = GRAVITY
+) -> tuple[float, np.ndarray]:
+    """Return the height [m] of the table at the contact, which carries the weight of a disk in a
+    state (15,), and the displacements (t,) of its modes.
+    """
+    fixed = model.constants
+    axis = state[layout.AXIS : layout.AXIS + 3]
+    sine = np.hypot(axis[0], axis[1])
+    reach = (fixed.radius - fixed.fillet) * axis[2] - (
+        fixed.half_thickness - fixed.fillet
+    ) * sine
+    x, y = reach * axis[:2] / sine + model.modes.place
+    if model.modes.mass > 0:
+        x += state[layout.CENTRE]
+        y += state[layout.CENTRE + 1]
+    shape = model.modes.at(np.array([x]), np.array([y]))[0]
+    moved = -fixed.mass * gravity * shape / (2 * pi * model.modes.frequency) ** 2
+    return float(shape @ moved), moved
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion of samples (n, 29 + 2 m) at FORCE_RATE."""
+    """Return the motion of samples (n, 30 + 2 m) at FORCE_RATE."""
     state = samples[:, : layout.STATE_SIZE]
     record = samples[:, layout.STATE_SIZE : layout.STATE_SIZE + layout.RECORD_SIZE]
     ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE :]
+    ringing, moved = np.split(ringing, [2 * len(model.rim.order)], axis=1)
     columns = motion_columns(model, state)
     lost = np.zeros((len(state), len(CAUSES)))
     lost[:, CAUSES.index("contact")] = record[:, layout.CONTACT_LOSS]
@@ -380,10 +547,14 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     lost[:, CAUSES.index("moments")] = record[:, layout.MOMENT_LOSS]
     lost[:, CAUSES.index("body")] = record[:, layout.BODY_LOSS]
     lost[:, CAUSES.index("film")] = record[:, layout.FILM_LOSS]
-    internal = modal_energy(model, ringing)
-    stored = record[:, layout.STORED] + record[:, layout.AIR_ENERGY]
-    energy = rigid_energy(model, state, gravity) + stored + internal
-    rows = np.column_stack([columns, energy, lost, np.zeros(len(state)), internal])
+    lost[:, CAUSES.index("table")] = record[:, layout.TABLE_LOSS]
+    internal = modal_energy(model.rim.squared, ringing)
+    in_table = np.zeros(len(state))
+    if model.modes is not None:
+        in_table = modal_energy((2 * pi * model.modes.frequency) ** 2, moved)
+    stored = record[:, layout.STORED] + record[:, layout.COMPRESSED_AIR_ENERGY]
+    energy = rigid_energy(model, state, gravity) + stored + internal + in_table
+    rows = np.column_stack([columns, energy, lost, in_table, internal])
     impulse = record[:, layout.IMPULSE : layout.IMPULSE + 3]
     step = np.diff(impulse, axis=0)
     middle = (columns[1:, 0] + columns[:-1, 0]) / 2
@@ -401,14 +572,16 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         rows=rows[::FORCES_PER_ROW],
         slides=np.zeros((0, 2)),
         contact_losses=ContactLosses(losses),
-        excess=0.0,
+        max_friction_excess=0.0,
         outcome=outcome,
         ringing=np.ascontiguousarray(ringing),
         open_time=float(record[-1, layout.OPEN_TIME]),
     )
 
 
-def rigid_energy(model: RattlingModel, state: np.ndarray, gravity: float = GRAVITY) -> np.ndarray:
+def rigid_energy(
+    model: RattlingModel, state: np.ndarray, gravity: float = GRAVITY
+) -> np.ndarray:
     """Return kinetic plus potential energy (k,) [J] of the rigid disk at states (k, 15)."""
     fixed = model.constants
     momentum = state[:, layout.MOMENTUM : layout.MOMENTUM + 3]
@@ -417,19 +590,23 @@ def rigid_energy(model: RattlingModel, state: np.ndarray, gravity: float = GRAVI
     turning += axial**2 / fixed.axial_inertia
     speed = np.sum(state[:, layout.VELOCITY : layout.VELOCITY + 3] ** 2, axis=1)
     height = state[:, layout.CENTRE + 2] - fixed.half_thickness
+    offset = state[:, layout.CENTRE : layout.CENTRE + 2] + fixed.bowl[1:]
+    height += fixed.bowl[0] / gravity / 2 * np.sum(offset**2, axis=1)
     return (fixed.mass * speed + turning) / 2 + fixed.mass * gravity * height
 
 
-def modal_energy(model: RattlingModel, ringing: np.ndarray) -> np.ndarray:
-    """Return the energy (k,) [J] of the modes at displacements and velocities (k, 2 m)."""
-    return (ringing[:, 1::2] ** 2 + model.rim.squared * ringing[:, ::2] ** 2).sum(axis=1) / 2
+def modal_energy(squared: np.ndarray, ringing: np.ndarray) -> np.ndarray:
+    """Return the energy (k,) [J] of modes of unit modal mass with squared angular frequencies (m,)
+    [1/s^2] at displacements and velocities (k, 2 m).
+    """
+    return (ringing[:, 1::2] ** 2 + squared * ringing[:, ::2] ** 2).sum(axis=1) / 2
 
 
 def motion_columns(model: RattlingModel, state: np.ndarray) -> np.ndarray:
     """Return the COLUMNS (k, 11) of states (k, 15); precession and spin are continuous."""
     fixed = model.constants
     axis = state[:, layout.AXIS : layout.AXIS + 3]
-    mark = state[:, layout.MARK : layout.MARK + 3]
+    reference = state[:, layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3]
     sine = np.hypot(axis[:, 0], axis[:, 1])
     inclination = np.arctan2(sine, axis[:, 2])
     precession = np.unwrap(np.arctan2(axis[:, 1], axis[:, 0]) - pi / 2)
@@ -437,13 +614,21 @@ def motion_columns(model: RattlingModel, state: np.ndarray) -> np.ndarray:
     a2 = np.column_stack([axis[:, 0] / sine, axis[:, 1] / sine, np.zeros(len(axis))])
     a1 = np.column_stack([a2[:, 1], -a2[:, 0], np.zeros(len(axis))])
     e3 = np.cross(a1, axis)
-    mark_2 = np.cross(axis, mark)
-    lowest = np.unwrap(np.arctan2(-np.sum(e3 * mark_2, axis=1), -np.sum(e3 * mark, axis=1)))
+    quarter_turn_vector = np.cross(axis, reference)
+    lowest = np.unwrap(
+        np.arctan2(
+            -np.sum(e3 * quarter_turn_vector, axis=1), -np.sum(e3 * reference, axis=1)
+        )
+    )
     momentum = state[:, layout.MOMENTUM : layout.MOMENTUM + 3]
     axial = np.sum(momentum * axis, axis=1)
     omega = momentum / fixed.diametral_inertia
-    omega += ((1 / fixed.axial_inertia - 1 / fixed.diametral_inertia) * axial)[:, None] * axis
-    contact = -fixed.half_thickness * axis - fixed.radius * e3
+    omega += ((1 / fixed.axial_inertia - 1 / fixed.diametral_inertia) * axial)[
+        :, None
+    ] * axis
+    ratio = fixed.half_thickness / fixed.radius
+    place = contact_place(axis[:, 2], sine, ratio, fixed.fillet / fixed.radius)
+    contact = -fixed.radius * (place.depth[:, None] * axis + place.radius[:, None] * e3)
     slip = state[:, layout.VELOCITY : layout.VELOCITY + 3] + np.cross(omega, contact)
     return np.column_stack(
         [

@@ -1,1 +1,1 @@
-"""Modes of meshed bodies by finite elements (scikit-fem)."""
+"""Compute the modes of meshed bodies by finite elements (scikit-fem)."""

@@ -1,5 +1,5 @@
-"""Linear elasticity by finite elements: matrices of any scalar Lagrange element, and the lowest
-eigenpairs."""
+"""Assemble matrices of linear elasticity for scalar Lagrange elements, and solve for
+the lowest eigenpairs."""
 
 from dataclasses import dataclass
 from math import ceil, pi
@@ -12,14 +12,15 @@ from skfem import CellBasis
 
 @dataclass(frozen=True, kw_only=True)
 class Solid:
-    """A meshed elastic solid. Unknown 3 node + component is a displacement."""
+    """Discretised elastic solid; unknown 3 node + component is a displacement component
+    of a node."""
 
     points: np.ndarray
     """Nodes (p, 3) [m]."""
     cells: np.ndarray
-    """Nodes (c, nodes) of each cell in scikit-fem's order."""
+    """Node numbers (c, nodes) of each cell in scikit-fem's order."""
     stiffness: sp.csr_matrix
-    """Stiffness (3p, 3p) [N/m]."""
+    """Stiffness matrix (3p, 3p) [N/m]."""
     mass: sp.csr_matrix
     """Mass matrix (3p, 3p) [kg]."""
     total_mass: float
@@ -27,42 +28,47 @@ class Solid:
 
 
 def lame_constants(material):
-    """Return Lame's first and second constant [Pa]."""
+    """Return Lame's first and second constants [Pa]."""
     young = material.young
     poisson = material.poisson
-    return young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))
+    first = young * poisson / ((1 + poisson) * (1 - 2 * poisson))
+    second = young / (2 * (1 + poisson))
+    return first, second
 
 
 def bending_wave_number(material, thickness, density, frequency):
-    """Return the wave number [1/m] of bending of a thin plate at a frequency [Hz]: k^4 = w^2 rho 12
-    (1 - nu^2)/(E h^2)."""
+    """Return the bending wave number k [1/m] of a thin plate at a frequency [Hz].
+
+    k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
     stiffness = material.young * thickness**2 / (12 * (1 - material.poisson**2))
     return ((2 * np.pi * frequency) ** 2 * density / stiffness) ** 0.25
 
 
-def mode_count(plate, below):
-    """Return a lower estimate of the number of modes of a disk below `below` [Hz].
+def estimated_mode_count(plate, below):
+    """Return a low estimate of the number of modes of a disk below a frequency [Hz].
 
-    A plate has (k R)^2/4 bending modes. A body has (4 pi/3) (f/c)^3 modes of each type of wave per
-    unit
-    of volume (Weyl 1912, Debye 1912). Surfaces and edges, which may double the number, are
-    neglected.
+    A plate has (k R)^2/4 bending modes. A body has (4 pi/3) (f/c)^3 modes per wave type
+    and unit volume (Weyl 1912, Debye 1912). The contribution of surfaces and edges,
+    which may double the number, is neglected.
     """
     lam, mu = lame_constants(plate.material)
-    wave_number = bending_wave_number(plate.material, plate.thickness, plate.density, below)
+    wave_number = bending_wave_number(
+        plate.material, plate.thickness, plate.density, below
+    )
     bending = (wave_number * plate.radius) ** 2 / 4
     shear_speed = (mu / plate.density) ** 0.5
     pressure_speed = ((lam + 2 * mu) / plate.density) ** 0.5
     volume = pi * plate.radius**2 * plate.thickness
-    return bending + volume * 4 * pi / 3 * below**3 * (2 / shear_speed**3 + 1 / pressure_speed**3)
+    slowness = 2 / shear_speed**3 + 1 / pressure_speed**3
+    return bending + volume * 4 * pi / 3 * below**3 * slowness
 
 
-def assemble(mesh, element, material, density, intorder):
-    """Return the `Solid` of a scikit-fem mesh: K = int lam div u div v + 2 mu eps(u):eps(v), M =
-    int rho u.v.
+def assemble_solid(mesh, element, material, density, intorder):
+    """Return the `Solid` of a scikit-fem mesh with its stiffness and mass matrices.
 
-    All cells are treated at once. With S[a i, b j] = int d_i phi_a d_j phi_b the stiffness is
-    lam S[a i, b j] + mu S[a j, b i] + mu delta_ij S[a k, b k].
+    K = int lam div u div v + 2 mu eps(u):eps(v), M = int rho u.v, assembled for all
+    cells at once. With S[a i, b j] = int d_i phi_a d_j phi_b the stiffness is lam S[a
+    i, b j] + mu S[a j, b i] + mu delta_ij S[a k, b k].
     """
     basis = CellBasis(mesh, element, intorder=intorder)
     cells = basis.element_dofs.T
@@ -71,9 +77,13 @@ def assemble(mesh, element, material, density, intorder):
     c = len(cells)
     q = basis.dx.shape[1]
     grad = np.stack([np.broadcast_to(f[0].grad, (3, c, q)) for f in basis.basis])
-    value = np.stack([np.broadcast_to(np.asarray(f[0]), (c, q)) for f in basis.basis], axis=1)
+    value = np.stack(
+        [np.broadcast_to(np.asarray(f[0]), (c, q)) for f in basis.basis], axis=1
+    )
     grad = grad.transpose(2, 0, 1, 3).reshape(c, 3 * count, q)
-    s = ((grad * basis.dx[:, None]) @ grad.transpose(0, 2, 1)).reshape(c, count, 3, count, 3)
+    s = ((grad * basis.dx[:, None]) @ grad.transpose(0, 2, 1)).reshape(
+        c, count, 3, count, 3
+    )
     lam, mu = lame_constants(material)
     k = lam * s + mu * s.transpose(0, 1, 4, 3, 2)
     k[:, :, range(3), :, range(3)] += mu * np.einsum("eakbk->eab", s)
@@ -82,14 +92,17 @@ def assemble(mesh, element, material, density, intorder):
     return Solid(
         points=basis.doflocs.T.copy(),
         cells=cells,
-        stiffness=sum_cell_matrices(k.reshape(c, 3 * count, 3 * count), dofs, 3 * nodes),
+        stiffness=sum_cell_matrices(
+            k.reshape(c, 3 * count, 3 * count), dofs, 3 * nodes
+        ),
         mass=sp.kron(sum_cell_matrices(m, cells, nodes), sp.identity(3)).tocsr(),
         total_mass=float(density * basis.dx.sum()),
     )
 
 
 def sum_cell_matrices(blocks, dofs, size):
-    """Return the sparse sum (size, size) of cell matrices (c, n, n) with unknowns dofs (c, n)."""
+    """Return the sparse sum (size, size) of cell matrices (c, n, n) for unknowns `dofs`
+    (c, n)."""
     n = dofs.shape[1]
     rows = np.repeat(dofs, n, axis=1).ravel()
     columns = np.tile(dofs, (1, n)).ravel()
@@ -99,8 +112,8 @@ def sum_cell_matrices(blocks, dofs, size):
 def inverse_at(stiffness, mass, shift):
     """Return (K - shift M)^-1 as a linear operator.
 
-    SuperLU factorises the matrix in symmetric mode with diagonal pivots and the ordering
-    MMD_AT_PLUS_A.
+    SuperLU factorises the matrix in symmetric mode with diagonal pivots and the
+    ordering MMD_AT_PLUS_A.
     """
     matrix = (stiffness - shift * mass).tocsc() if shift else stiffness.tocsc()
     factor = splu(
@@ -109,21 +122,28 @@ def inverse_at(stiffness, mass, shift):
         diag_pivot_thresh=0.0,
         options={"SymmetricMode": True},
     )
-    return LinearOperator(matrix.shape, matvec=factor.solve, matmat=factor.solve, dtype=float)
+    return LinearOperator(
+        matrix.shape, matvec=factor.solve, matmat=factor.solve, dtype=float
+    )
 
 
-def lowest_eigenpairs(stiffness, mass, below, shift=0.0, first_count=8, exact_count=None):
-    """Return all eigenpairs with eigenvalues up to `below` [1/s^2], or the `exact_count` lowest
-    ones.
+def lowest_eigenpairs(
+    stiffness, mass, below, shift=0.0, first_count=8, exact_count=None
+):
+    """Return all eigenpairs up to the eigenvalue `below` [1/s^2], or the `exact_count`
+    lowest ones.
 
-    Returns values (k,), M-orthonormal columns (n, k), residuals (k,). Shift-invert Lanczos about
-    `shift`, which must not be an eigenvalue: 0 for a held body, negative for a free one. The number
-    of pairs starts at `first_count` and grows until the values exceed `below`.
+    The result consists of eigenvalues (k,), M-orthonormal columns (n, k) and residuals
+    (k,). The Lanczos method is used in shift-invert mode about `shift`, which must not
+    be an eigenvalue: 0 for a held body, negative for a free one. The number of pairs
+    starts at `first_count` and grows until the eigenvalues exceed `below`.
     """
     size = stiffness.shape[0]
     inverse = inverse_at(stiffness, mass, shift)
     first = np.random.default_rng(0).standard_normal(size)
-    tolerance = 1e-9  # of the residual; the eigenvalue errs by its square, which is round-off
+    # of the residual; the error of the eigenvalue is its square, comparable to
+    # round-off
+    tolerance = 1e-9
     count = exact_count or first_count
     while True:
         count = min(count, size - 2)
@@ -138,22 +158,27 @@ def lowest_eigenpairs(stiffness, mass, below, shift=0.0, first_count=8, exact_co
         )
         if exact_count or values[-1] > below or count == size - 2:
             break
-        growth = 1.2 * (below / values.max()) ** 0.5  # the frequencies of a plate are evenly spaced
+        # the mode frequencies of a plate are evenly spaced
+        growth = 1.2 * (below / values.max()) ** 0.5
         count = ceil(count * min(4.0, max(1.5, growth)))
     keep = np.argsort(values)
     if not exact_count:
         keep = keep[: np.count_nonzero(values <= below)]
     values = values[keep]
     vectors = vectors[:, keep]
-    return values, vectors, eigenpair_residuals(inverse.matmat, mass, values, vectors, shift)
+    return (
+        values,
+        vectors,
+        eigenpair_residuals(inverse.matmat, mass, values, vectors, shift),
+    )
 
 
 def eigenpair_residuals(solve, mass, values, vectors, shift=0.0):
     """Return the residuals (k,) of the inverse eigenvalue problem.
 
-    They are |phi - (value - shift) (K - shift M)^-1 M phi| / |phi|; `solve(load)` applies the
-    inverse.
-    The direct problem is not used because K phi of a slow mode is dominated by round-off.
+    They are |phi - (value - shift) (K - shift M)^-1 M phi| / |phi|, where `solve(load)`
+    applies the inverse. For slow modes the residual of the direct problem would be
+    dominated by the round-off of K phi.
     """
     if not len(values):
         return np.zeros(0)

@@ -1,4 +1,5 @@
-"""Symmetry classes of a body on a user's mesh that is mirror-symmetric in x or in y."""
+"""Find the symmetry classes of a body on a user's mesh that is mirror-symmetric in x or
+y."""
 
 import numpy as np
 import scipy.sparse as sp
@@ -7,16 +8,17 @@ from scipy.spatial import cKDTree
 MIRROR_TOLERANCE = 1e-9
 """Tolerance of mirror symmetry.
 
-It is the largest difference of mirrored nodes divided by the size, and of mirrored matrices divided
-by the largest entry.
+It limits the difference between mirrored nodes relative to the size of the body, and
+between mirrored matrices relative to the largest entry.
 """
 
 
-def mirrors(body):
-    """Return the mirror symmetries of a `DiscreteBody` about the middle of x and of y.
+def mirror_symmetries(body):
+    """Return the mirror symmetries of a `DiscreteBody` about its mid-planes in x and y.
 
-    Each symmetry is a pair: the image (p,) of every node, and the matrix (3p, 3p) that mirrors
-    displacements. The nodes, the held nodes and the stiffness must be symmetric.
+    Each symmetry is a pair of the image (p,) of every node and the matrix (3p, 3p) that
+    mirrors displacements. The nodes, the held nodes and the stiffness must be
+    symmetric.
     """
     points = body.solid.points
     k = body.solid.stiffness
@@ -25,9 +27,14 @@ def mirrors(body):
     found = []
     for axis in (0, 1):
         mirrored = points.copy()
-        mirrored[:, axis] = points[:, axis].min() + points[:, axis].max() - points[:, axis]
+        mirrored[:, axis] = (
+            points[:, axis].min() + points[:, axis].max() - points[:, axis]
+        )
         distance, image = tree.query(mirrored)
-        if distance.max() > MIRROR_TOLERANCE * size or (body.held[image] != body.held).any():
+        if (
+            distance.max() > MIRROR_TOLERANCE * size
+            or (body.held[image] != body.held).any()
+        ):
             continue
         sign = np.tile(np.where(np.arange(3) == axis, -1.0, 1.0), len(points))
         columns = (3 * image[:, None] + np.arange(3)).ravel()
@@ -38,14 +45,16 @@ def mirrors(body):
 
 
 def symmetry_bases(body, free):
-    """Return orthonormal bases of the symmetry classes of the space spanned by free (3p, n), one
-    node per column."""
+    """Return orthonormal bases of the symmetry classes of the space spanned by the
+    columns of `free`.
+
+    Each column of `free` (3p, n) belongs to one node."""
     bases = [free.tocsc()]
     representative = np.arange(len(body.solid.points))
-    for image, mirror in mirrors(body):
+    for image, mirror in mirror_symmetries(body):
         halves = []
         for basis in bases:
-            node = first_nodes(basis)
+            node = node_of_each_column(basis)
             halves.append(basis[:, representative[node] <= representative[image[node]]])
         bases = []
         for half in halves:
@@ -55,14 +64,15 @@ def symmetry_bases(body, free):
     return bases
 
 
-def first_nodes(columns):
-    """Return the first node (n,) of every column of a matrix (3p, n)."""
+def node_of_each_column(columns):
+    """Return the node (n,) of the first nonzero row in each column of a matrix
+    (3p, n)."""
     columns.sort_indices()
     return columns.indices[columns.indptr[:-1]] // 3
 
 
 def normalised_columns(columns):
-    """Return the columns that are not zero, with length 1."""
+    """Return the nonzero columns, normalised to unit length."""
     columns = columns.tocsc()
     length = np.sqrt(np.asarray(columns.multiply(columns).sum(axis=0)).ravel())
     scale = sp.diags(1 / np.maximum(length, MIRROR_TOLERANCE))

@@ -1,4 +1,7 @@
-"""Sampling of modes on fixed grids of rim and faces, and interpolation of finite-element fields."""
+"""Sample modes on fixed grids of rim and faces, and interpolate finite-element
+fields."""
+
+from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
@@ -14,12 +17,14 @@ FACE_ANGLE_COUNT = 64
 
 
 def rim_angles():
-    """Return the equidistant angles (k,) [rad] of `Modes.rim_shape`."""
+    """Return the equally spaced angles (k,) [rad] of `Modes.rim_shape`."""
     return np.arange(RIM_ANGLE_COUNT) * 2 * np.pi / RIM_ANGLE_COUNT
 
 
 def face_grid(radius, inner=0.0):
-    """Return the grid of `Modes.face_shape`: Gauss radii [m], weights [m^2] of int f r dr, and even
+    """Return the grid of `Modes.face_shape`.
+
+    It consists of Gauss radii [m], weights [m^2] of int f r dr, and equally spaced
     angles [rad]."""
     node, weight = np.polynomial.legendre.leggauss(FACE_RADIUS_COUNT)
     r = (radius + inner) / 2 + node * (radius - inner) / 2
@@ -28,16 +33,20 @@ def face_grid(radius, inner=0.0):
 
 
 def sample_points(radius):
-    """Return the points [m] of the rim (n, 2) and of a face without a hole (a b, 2)."""
+    """Return sample points [m] of the rim (n, 2) and of a face without a hole (a b,
+    2)."""
     angle = rim_angles()
     r, _, theta = face_grid(radius)
     rim = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    face = np.stack([np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))], axis=-1)
+    x = np.outer(r, np.cos(theta))
+    y = np.outer(r, np.sin(theta))
+    face = np.stack([x, y], axis=-1)
     return rim, face.reshape(-1, 2)
 
 
 def partner_indices(pair):
-    """Return the index (m,) of the other mode with the same pair number (m,); -1 without one."""
+    """Return the index (m,) of the other mode with the same pair number, or -1 if there
+    is none."""
     same = pair[:, None] == pair[None, :]
     np.fill_diagonal(same, False)
     return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
@@ -53,16 +62,18 @@ def sorted_modes(
     cell_type="hexahedron27",
     **about,
 ) -> Modes:
-    """Return the `Modes` of columns (m, ...) by name, sampled on the grids of a disk of a radius
-    and a hole [m].
+    """Return `Modes`, sorted by frequency, from columns (m, ...) by name.
 
-    The columns are the fields of `Modes` that have one entry per mode, except for the decay rate.
-    In addition there is `displacement` (m, p, 3) of the nodes; the optional number `pair` of
-    degenerate pairs replaces `partner`. The modes are sorted by frequency.
+    The columns are all fields of `Modes` with one entry per mode except the decay rate.
+    Shapes are sampled on the grids for the radii `radius` and `inner` [m]. A further
+    column is the `displacement` (m, p, 3) of the nodes. The optional column `pair`, the
+    number of the degenerate pair, replaces `partner`.
     """
     ascending = np.lexsort((columns["parity"] == "odd", columns["frequency"]))
     columns = {name: np.asarray(value)[ascending] for name, value in columns.items()}
-    words = {name: tuple(columns.pop(name).tolist()) for name in ("family", "parity")}
+    words: dict[str, Any] = {
+        name: tuple(columns.pop(name).tolist()) for name in ("family", "parity")
+    }
     displacement = columns.pop("displacement")
     r, weight, angle = face_grid(radius, inner)
     return Modes(
@@ -74,79 +85,106 @@ def sorted_modes(
         face_radius=r,
         face_weight=weight,
         face_angle=angle,
-        body=Body(points=points, cells=cells, cell_type=cell_type, displacement=displacement),
+        body=Body(
+            points=points, cells=cells, cell_type=cell_type, displacement=displacement
+        ),
         **about,
     )
 
 
-def quadratic_shapes(x):
-    """Return the three Lagrange polynomials (..., 3) of the nodes 0, 1/2, 1 at x (...)."""
-    return np.stack([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)], axis=-1)
+def quadratic_shape_functions(x):
+    """Return the Lagrange polynomials (..., 3) with the nodes 0, 1/2, 1 at x (...)."""
+    at_start = (1 - x) * (1 - 2 * x)
+    at_middle = 4 * x * (1 - x)
+    at_end = x * (2 * x - 1)
+    return np.stack([at_start, at_middle, at_end], axis=-1)
 
 
-def quadratic_slopes(x):
-    """Return the derivatives (..., 3) of `quadratic_shapes`."""
+def quadratic_shape_slopes(x):
+    """Return the derivatives (..., 3) of `quadratic_shape_functions`."""
     return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
 
 
-def locate(points, cells, first_candidates=6, tolerance=1e-9):
-    """Return the biquadratic cell (n,) that contains each point (n, 2), and its coordinates (n, 2)
-    in the unit square.
+def locate_in_cells(points, cells, first_candidates=6, tolerance=1e-9):
+    """Return the biquadratic cell (n,) that contains each point (n, 2), and its
+    coordinates (n, 2) in it.
 
-    cells (q, 3, 3, 2) are given by their nodes. A point is sought in the `first_candidates` nearest
-    cells; if it is further from them than `tolerance` times the cell size, in all cells. A point
-    outside every cell, beyond an approximated arc, gets the nearest coordinates in one.
+    The cells (q, 3, 3, 2) are given by their nodes, and the coordinates are those of
+    the unit square. The `first_candidates` nearest cells are searched first; all cells
+    are searched if the point is farther from them than `tolerance` times the cell size.
+    Points outside all cells, beyond an approximated arc, are assigned the nearest
+    coordinates in a cell.
     """
     distance = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
     size = np.linalg.norm(cells[:, 2, 2] - cells[:, 0, 0], axis=1)
     order = np.argsort(distance / size, axis=1)
     cell, coordinates, miss = nearest_cell(points, cells, order[:, :first_candidates])
     missed = miss > tolerance * size[cell]
-    cell[missed], coordinates[missed], _ = nearest_cell(points[missed], cells, order[missed])
+    cell[missed], coordinates[missed], _ = nearest_cell(
+        points[missed], cells, order[missed]
+    )
     return cell, coordinates
 
 
 def nearest_cell(points, cells, candidates, iterations=7):
-    """Return which of the candidate cells (n, c) is nearest to each point (n, 2).
+    """Return the nearest of the candidate cells (n, c) to each point (n, 2).
 
-    Returns the cell (n,), the coordinates (n, 2) in it and the distance (n,), by Newton's method in
-    every candidate; the coordinates are clipped to the unit square.
+    The result consists of the cell (n,), the coordinates (n, 2) in it, clipped to the
+    unit square, and the distance (n,). Newton's method is applied to all candidates.
     """
     nodes = cells[candidates]
     coordinates = np.full((*candidates.shape, 2), 0.5)
     for _ in range(iterations):
-        image, jacobian = map_from_square(nodes, coordinates)
+        image, jacobian = map_from_unit_square(nodes, coordinates)
         residual = (points[:, None] - image)[..., None]
         step = np.linalg.solve(jacobian + 1e-300 * np.eye(2), residual)[..., 0]
         coordinates = np.clip(coordinates + step, -0.5, 1.5)
     coordinates = np.clip(coordinates, 0, 1)
-    miss = np.linalg.norm(map_from_square(nodes, coordinates)[0] - points[:, None], axis=2)
+    miss = np.linalg.norm(
+        map_from_unit_square(nodes, coordinates)[0] - points[:, None], axis=2
+    )
     rows = np.arange(len(points))
     best = miss.argmin(axis=1)
     return candidates[rows, best], coordinates[rows, best], miss[rows, best]
 
 
-def map_from_square(nodes, coordinates):
-    """Map coordinates (n, c, 2) of the unit square into biquadratic cells with nodes (n, c, 3, 3,
-    2).
+def map_from_unit_square(nodes, coordinates):
+    """Return points (n, c, 2) and Jacobians (n, c, 2, 2) of coordinates (n, c, 2) in
+    biquadratic cells.
 
-    Returns the points (n, c, 2) and the Jacobians (n, c, 2, 2).
+    The cells are given by their nodes (n, c, 3, 3, 2), and the coordinates are those of
+    the unit square.
     """
     u = coordinates[..., 0]
     v = coordinates[..., 1]
-    point = np.einsum("nci,ncj,ncijx->ncx", quadratic_shapes(u), quadratic_shapes(v), nodes)
-    along_u = np.einsum("nci,ncj,ncijx->ncx", quadratic_slopes(u), quadratic_shapes(v), nodes)
-    along_v = np.einsum("nci,ncj,ncijx->ncx", quadratic_shapes(u), quadratic_slopes(v), nodes)
+    point = np.einsum(
+        "nci,ncj,ncijx->ncx",
+        quadratic_shape_functions(u),
+        quadratic_shape_functions(v),
+        nodes,
+    )
+    along_u = np.einsum(
+        "nci,ncj,ncijx->ncx",
+        quadratic_shape_slopes(u),
+        quadratic_shape_functions(v),
+        nodes,
+    )
+    along_v = np.einsum(
+        "nci,ncj,ncijx->ncx",
+        quadratic_shape_functions(u),
+        quadratic_shape_slopes(v),
+        nodes,
+    )
     return point, np.stack([along_u, along_v], axis=-1)
 
 
 def interpolation_matrix(points, cells, numbers, count):
     """Return the sparse matrix (n, count) from nodal values to values at points (n, 2).
 
-    numbers (q, 3, 3) are the nodes of the biquadratic cells (q, 3, 3, 2).
+    `numbers` (q, 3, 3) are the node numbers of the biquadratic cells (q, 3, 3, 2).
     """
-    cell, coordinates = locate(points, cells)
-    along_u, along_v = (quadratic_shapes(coordinates[:, i]) for i in (0, 1))
+    cell, coordinates = locate_in_cells(points, cells)
+    along_u, along_v = (quadratic_shape_functions(coordinates[:, i]) for i in (0, 1))
     weight = along_u[:, :, None] * along_v[:, None, :]
     rows = np.repeat(np.arange(len(points)), 9)
     return sp.csr_matrix(
@@ -156,8 +194,8 @@ def interpolation_matrix(points, cells, numbers, count):
 
 
 def polar_components(shape, angle):
-    """Return radial, tangential, axial components (..., k, 3) of Cartesian displacements at angles
-    (k,) [rad]."""
+    """Return radial, tangential and axial components (..., k, 3) of Cartesian
+    displacements at angles (k,) [rad]."""
     c = np.cos(angle)
     s = np.sin(angle)
     x, y, z = np.moveaxis(shape, -1, 0)
@@ -165,8 +203,7 @@ def polar_components(shape, angle):
 
 
 def strongest_order(rim_shape):
-    """Return the circumferential order (m,) with the largest share of the motion of the rim (m, k,
-    3)."""
+    """Return the dominant circumferential order (m,) of rim shapes (m, k, 3)."""
     power = (np.abs(np.fft.rfft(rim_shape, axis=1)) ** 2).sum(axis=2)
     power[:, 0] /= 2
     return power.argmax(axis=1)

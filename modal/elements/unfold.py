@@ -1,4 +1,4 @@
-"""Assembly of the whole disk and of its `Modes` from the symmetry classes of a sector."""
+"""Assemble the whole disk and its `Modes` from the symmetry classes of a sector."""
 
 from itertools import product
 from math import pi
@@ -12,17 +12,16 @@ from modal.modes import Modes
 
 
 def mirror_flips(quarter):
-    """Return which of y and z each mirror image flips: four images of a quarter disk, two of a half
-    disk."""
+    """Return pairs of flags that state whether y and z are reversed, for the four
+    images of a quarter or the two of a half."""
     return list(product((False, True), (False, True) if quarter else (False,)))
 
 
 def whole_mesh(points, cells, quarter):
-    """Return the mesh of the whole disk and the source of its nodes in the sector.
+    """Return nodes (p', 3), cells (c', 27) and node sources (p', 2) of the whole disk.
 
-    The mesh consists of nodes (p', 3) and cells (c', 27) in VTK's order. The source (p', 2)
-    contains
-    the node of the sector and the index of the image in `mirror_flips`.
+    Cells are in VTK's order. The source of a node is its node in the sector and the
+    index of its image in `mirror_flips`.
     """
     lattice = {tuple(node): i for i, node in enumerate(HEXAHEDRON_NODES)}
     images = []
@@ -30,11 +29,20 @@ def whole_mesh(points, cells, quarter):
     sources = []
     for index, flip in enumerate(mirror_flips(quarter)):
         is_left_handed = sum(flip) == 1
-        order = [(2 - i, j, k) if is_left_handed else (i, j, k) for i, j, k in VTK_HEXAHEDRON27]
+        order = [
+            (2 - i, j, k) if is_left_handed else (i, j, k)
+            for i, j, k in VTK_HEXAHEDRON27
+        ]
         images.append(points * mirror_factors(flip))
-        numbers.append(cells[:, [lattice[node] for node in order]] + index * len(points))
-        sources.append(np.stack([np.arange(len(points)), np.full(len(points), index)], axis=1))
-    points, cells, source = (np.concatenate(part) for part in (images, numbers, sources))
+        numbers.append(
+            cells[:, [lattice[node] for node in order]] + index * len(points)
+        )
+        sources.append(
+            np.stack([np.arange(len(points)), np.full(len(points), index)], axis=1)
+        )
+    points, cells, source = (
+        np.concatenate(part) for part in (images, numbers, sources)
+    )
     keys = np.rint(points / np.abs(points).max() * 1e10).astype(np.int64)
     _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     return points[first], inverse.ravel()[cells], source[first]
@@ -46,8 +54,8 @@ def mirror_factors(flip):
 
 
 def rigid_fields(points):
-    """Return displacements (6, p, 3) of unit translations along and unit rotations about x, y, z
-    through the origin."""
+    """Return the displacements (6, p, 3) of unit translations along x, y, z and unit
+    rotations about them."""
     unit = np.eye(3)[:, None]
     return np.concatenate(
         [np.broadcast_to(unit, (3, len(points), 3)), np.cross(unit, points[None])],
@@ -55,51 +63,62 @@ def rigid_fields(points):
 
 
 def participation(solid, quarter, c):
-    """Return phi^T M r (k, 6) over the whole disk: the images of the rigid fields, gathered on the
-    sector."""
+    """Return the participation phi^T M r (k, 6) of the modes of a class in the six
+    rigid-body fields.
+
+    The fields of all mirror images are mapped onto the sector and summed."""
     images = []
     for flip in mirror_flips(quarter):
-        images.append(c.mirror.sign(*flip) * rigid_fields(solid.points * mirror_factors(flip)))
+        images.append(
+            c.mirror.component_signs(*flip)
+            * rigid_fields(solid.points * mirror_factors(flip))
+        )
     gathered = sum(images).reshape(6, -1)
-    return c.shapes.reshape(len(c.shapes), 3 * len(solid.points)) @ (solid.mass @ gathered.T)
+    return c.shapes.reshape(len(c.shapes), 3 * len(solid.points)) @ (
+        solid.mass @ gathered.T
+    )
 
 
 def is_flexural(solid, part, c):
-    """Return a mask (k,) of the modes of a class that bend the disk.
+    """Return a mask (k,) of the flexural modes of a class.
 
-    It follows from the symmetry in z if the disk has it, otherwise from the share of axial motion
-    in
-    the modal mass.
+    It follows from the symmetry in z if there is one, and otherwise from the fraction
+    of axial motion in the modal mass.
     """
     if c.mirror.z:
         return np.full(len(c.shapes), c.mirror.z < 0)
-    return part.copies * axial_share(solid, c.shapes) > 0.5
+    return part.mirror_image_count * axial_share(solid, c.shapes) > 0.5
 
 
 def axial_share(solid, shapes):
-    """Return the share (k,) of axial motion in the modal mass of shapes (k, p, 3)."""
+    """Return the fraction (k,) of axial motion in the modal mass of shapes (k, p,
+    3)."""
     axial = (shapes * [0, 0, 1]).reshape(len(shapes), 3 * len(solid.points))
     return np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T)
 
 
 def side_nodes(axis, end):
-    """Return the nine nodes of a hexahedron on its side at `end` (0 or 2) of an axis, a grid of 3 x
-    3."""
-    return [i for i in np.lexsort(HEXAHEDRON_NODES.T) if HEXAHEDRON_NODES[i, axis] == end]
+    """Return the nine nodes of a hexahedron, a grid of 3 x 3, on its side at `end` (0
+    or 2) of an axis."""
+    return [
+        i for i in np.lexsort(HEXAHEDRON_NODES.T) if HEXAHEDRON_NODES[i, axis] == end
+    ]
 
 
 HEXAHEDRON_SIDES = [[side_nodes(axis, end) for end in (0, 2)] for axis in range(3)]
-"""Nodes of the two sides of a hexahedron across each of the three directions."""
+"""Nodes of the two sides of a hexahedron in each of the three directions."""
 
 
 def face_interpolation(solid, points, height):
-    """Return the sparse matrix (n, p) from nodal values to values at points (n, 2), y >= 0, of a
+    """Return the sparse matrix (n, p) from nodal values to values at points (n, 2) of a
     face of the sector.
 
-    The face is at a height [m].
+    The face is at a height [m], and the points have y >= 0.
     """
     level = np.abs(solid.points[:, 2] - height) < 1e-9 * np.abs(solid.points).max()
-    sides = np.concatenate([solid.cells[:, side] for pair in HEXAHEDRON_SIDES for side in pair])
+    sides = np.concatenate(
+        [solid.cells[:, side] for pair in HEXAHEDRON_SIDES for side in pair]
+    )
     numbers = sides[level[sides].all(axis=1)].reshape(-1, 3, 3)
     return sample.interpolation_matrix(
         points,
@@ -110,38 +129,56 @@ def face_interpolation(solid, points, height):
 
 
 def face_interpolation_pair(solid, part, points):
-    """Return the matrices of `face_interpolation` for the bottom and the top face; equal for a
-    quarter disk."""
-    points = np.round(np.stack([points[:, 0], np.abs(points[:, 1])], axis=1), 15)
+    """Return the matrices of `face_interpolation` for bottom and top face; they are
+    equal for a quarter disk."""
+    folded = np.stack([points[:, 0], np.abs(points[:, 1])], axis=1)
+    points = np.round(folded, 15)
     distinct, position = np.unique(points, axis=0, return_inverse=True)
     low = solid.points[:, 2].min()
     high = solid.points[:, 2].max()
     top = face_interpolation(solid, distinct, high)[position.ravel()]
-    bottom = top if part.quarter else face_interpolation(solid, distinct, low)[position.ravel()]
+    bottom = (
+        top
+        if part.quarter
+        else face_interpolation(solid, distinct, low)[position.ravel()]
+    )
     return bottom, top
 
 
 def displacement_on_faces(matrices, points, quarter, c):
-    """Return the displacement (k, 2, n, 3) of one class at points (n, 2) of the bottom and the top
-    face."""
+    """Return the displacements (k, 2, n, 3) of a class at points (n, 2) of bottom and
+    top face."""
     k = len(c.shapes)
     p = matrices[0].shape[1]
     nodes = c.shapes.transpose(1, 0, 2).reshape(p, 3 * k)
-    values = [(matrix @ nodes).reshape(len(points), k, 3).transpose(1, 0, 2) for matrix in matrices]
+    values = [
+        (matrix @ nodes).reshape(len(points), k, 3).transpose(1, 0, 2)
+        for matrix in matrices
+    ]
     signs = []
     for is_bottom in (True, False):
-        signs.append([c.mirror.sign(flip_y, quarter and is_bottom) for flip_y in (False, True)])
-    return np.stack(values, axis=1) * np.array(signs)[:, (points[:, 1] < 0).astype(int)]
+        signs.append(
+            [
+                c.mirror.component_signs(flip_y, quarter and is_bottom)
+                for flip_y in (False, True)
+            ]
+        )
+    side = (points[:, 1] < 0).astype(int)
+    return np.stack(values, axis=1) * np.array(signs)[:, side]
 
 
 def symmetry_class_arrays(solid, part, c, rim, face):
     """Return the arrays (k, ...) of `Modes` for one symmetry class.
 
-    `rim` and `face` are pairs of interpolation matrices and points.
+    `rim` and `face` are pairs (interpolation matrices, points).
     """
-    rim_displacement = displacement_on_faces(*rim, part.quarter, c)[:, 0]
+    matrices, rim_points = rim
+    rim_displacement = displacement_on_faces(matrices, rim_points, part.quarter, c)[
+        :, 0
+    ]
     rim_shape = sample.polar_components(rim_displacement, sample.rim_angles())
-    axial = displacement_on_faces(*face, part.quarter, c)[..., 2]
+    matrices, face_points = face
+    axial = displacement_on_faces(matrices, face_points, part.quarter, c)[..., 2]
     return {
         "frequency": np.sqrt(c.values) / (2 * pi),
         "order": sample.strongest_order(rim_shape),
@@ -149,22 +186,29 @@ def symmetry_class_arrays(solid, part, c, rim, face):
         "parity": np.full(len(c.shapes), "even" if c.mirror.y > 0 else "odd"),
         "participation": participation(solid, part.quarter, c),
         "rim_shape": rim_shape,
-        "face_shape": axial.reshape(-1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT),
+        "face_shape": axial.reshape(
+            -1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT
+        ),
         "residual": c.residual,
     }
 
 
 def whole_disk_modes(part, solid, solved, error, plate) -> Modes:
-    """Return the `Modes` of all symmetry classes; error (m,) is in the order of the classes."""
+    """Return the `Modes` of all symmetry classes; `error` (m,) is in the order of the
+    classes."""
     rim_points, face_points = sample.sample_points(plate.radius)
     rim = face_interpolation_pair(solid, part, rim_points), rim_points
     face = face_interpolation_pair(solid, part, face_points), face_points
     by_class = [symmetry_class_arrays(solid, part, c, rim, face) for c in solved]
-    columns = {name: np.concatenate([c[name] for c in by_class]) for name in by_class[0]}
+    columns = {
+        name: np.concatenate([c[name] for c in by_class]) for name in by_class[0]
+    }
     points, cells, source = whole_mesh(solid.points, solid.cells, part.quarter)
     shapes = []
     for c in solved:
-        sign = np.array([c.mirror.sign(*flip) for flip in mirror_flips(part.quarter)])
+        sign = np.array(
+            [c.mirror.component_signs(*flip) for flip in mirror_flips(part.quarter)]
+        )
         shapes.append(c.shapes[:, source[:, 0]] * sign[source[:, 1]])
     return sample.sorted_modes(
         columns | {"error": error, "displacement": np.concatenate(shapes)},
@@ -172,7 +216,7 @@ def whole_disk_modes(part, solid, solved, error, plate) -> Modes:
         plate.radius,
         points,
         cells,
-        mass=part.copies * solid.total_mass,
+        mass=part.mirror_image_count * solid.total_mass,
         method="finite elements",
         unknowns=3 * len(points),
     )

@@ -1,9 +1,12 @@
-"""Modes of a body on a user's volume mesh, held on a named surface or by angle, or free.
+"""Compute the modes of a body on a user's volume mesh, free or held on a named surface
+or an arc.
 
-The axis of the disk is z; the mesh is moved so that its centre of mass is the origin. Every cell is
-divided into eight, and the errors are estimated from the difference to the mesh as given.
+The axis of the disk is z, and the mesh is translated so that its centre of mass is the
+origin. Every cell is divided into eight, and the errors are estimated from the
+difference from the mesh as given.
 """
 
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import inf, pi
@@ -22,14 +25,17 @@ from skfem import (
     MeshTet2,
 )
 
-from modal.elements.elastic import Solid, assemble, lowest_eigenpairs
-from modal.elements.mirrors import mirrors, symmetry_bases
+from modal.elements.elastic import Solid, assemble_solid, lowest_eigenpairs
+from modal.elements.mirrors import mirror_symmetries, symmetry_bases
 from modal.elements.patch import rigid_body_shift
-from modal.elements.user_mesh_error import FLAT_FACE_ERROR_RATIO, relative_errors
+from modal.elements.user_mesh_error import (
+    FLAT_FACE_REMAINING_ERROR_RATIO,
+    relative_errors,
+)
 from modal.elements.user_mesh_modes import mesh_modes_record
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import hexahedra
-from modal.mesh.symmetry import check_held, free_unknowns
+from modal.mesh.symmetry import admissible_displacements, check_no_rigid_motion
 from modal.modes import Material, Modes, Support
 
 TETRAHEDRON_PARTS = [
@@ -42,13 +48,13 @@ TETRAHEDRON_PARTS = [
     (5, 6, 8, 9),
     (6, 7, 8, 9),
 ]
-"""Corners of the eight parts of a tetrahedron among its corners (0 to 3) and edge middles (4 to
-9)."""
+"""Corners of the eight parts of a tetrahedron, numbered by its corners (0 to 3) and
+edge midpoints (4 to 9)."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class DiscreteBody:
-    """A body discretised on a mesh of quadratic geometry."""
+    """A body discretised on a mesh with quadratic geometry."""
 
     solid: Solid
     """Nodes, cells and matrices."""
@@ -60,14 +66,14 @@ class DiscreteBody:
 
 @dataclass(frozen=True, kw_only=True)
 class SolvedBody:
-    """The elastic eigenpairs of a body on a user's mesh."""
+    """Elastic eigenpairs of a body on a user's mesh."""
 
     body: DiscreteBody
-    """The discretisation that was solved."""
+    """Solved discretisation."""
     values: np.ndarray
     """Eigenvalues (k,) [1/s^2], ascending."""
     shapes: np.ndarray
-    """Shapes (k, p, 3) of modal mass 1."""
+    """Shapes (k, p, 3) of unit modal mass."""
     residual: np.ndarray
     """Residuals (k,) of the pairs."""
     error: np.ndarray
@@ -76,16 +82,16 @@ class SolvedBody:
     """True if every cell was divided into eight."""
 
 
-def lagrange_elements(mesh):
-    """Return the linear and the quadratic Lagrange element of the mesh's cells."""
+def lagrange_elements(mesh: Any) -> tuple[Any, Any]:
+    """Return the linear and the quadratic Lagrange element for the cells of a mesh."""
     if mesh.t.shape[0] == 4:
         return ElementTetP1(), ElementTetP2()
     return ElementHex1(), ElementHex2()
 
 
-def nodes_of_eighths(element):
-    """Return the nodes (8, 3, n) of the eight parts of the reference cell of an element, in its
-    coordinates."""
+def nodes_of_subcells(element: Any) -> list[np.ndarray]:
+    """Return the nodes (8, 3, n) of the eight parts of an element's reference cell in
+    reference coordinates."""
     nodes = element.doflocs
     if len(nodes) == 27:
         offsets = np.array(list(np.ndindex(2, 2, 2)))[:, None]
@@ -95,19 +101,31 @@ def nodes_of_eighths(element):
     return np.einsum("nk,tkx->txn", barycentric, corners)
 
 
-def discretise(mesh, facets, element, part_nodes, material, density) -> DiscreteBody:
-    """Return the `DiscreteBody` whose cells are parts of the mesh's cells.
+def discretise(
+    mesh: Any,
+    facets: np.ndarray,
+    element: Any,
+    part_nodes: Sequence[np.ndarray],
+    material: Material,
+    density: float,
+) -> DiscreteBody:
+    """Return the `DiscreteBody` on a mesh with each cell divided into parts.
 
-    part_nodes (q, 3, n) are the nodes of the q parts in reference coordinates. Linear elements get
-    straight sides: with curved sides they would resist rotations of the body.
+    `part_nodes` (q, 3, n) are the nodes of the q parts in reference coordinates. Linear
+    elements have straight sides, because with curved sides they would resist rotations
+    of the body.
     """
     nodes = np.concatenate([mesh.mapping().F(x).transpose(1, 2, 0) for x in part_nodes])
     is_tetrahedral = mesh.t.shape[0] == 4
-    linear_type, quadratic_type = (MeshTet1, MeshTet2) if is_tetrahedral else (MeshHex1, MeshHex2)
+    linear_type, quadratic_type = (
+        (MeshTet1, MeshTet2) if is_tetrahedral else (MeshHex1, MeshHex2)
+    )
     parts_mesh = hexahedra(nodes, linear_type, quadratic_type)
     if len(element.doflocs) == len(parts_mesh.t):
-        parts_mesh = linear_type(parts_mesh.doflocs[:, : parts_mesh.t.max() + 1], parts_mesh.t)
-    solid = assemble(parts_mesh, element, material, density, intorder=4)
+        parts_mesh = linear_type(
+            parts_mesh.doflocs[:, : parts_mesh.t.max() + 1], parts_mesh.t
+        )
+    solid = assemble_solid(parts_mesh, element, material, density, intorder=4)
     count = solid.cells.shape[1]
     on_facets = np.concatenate([nodes_on_facets(mesh, facets, x) for x in part_nodes])
     held = np.zeros(len(solid.points), bool)
@@ -115,29 +133,36 @@ def discretise(mesh, facets, element, part_nodes, material, density) -> Discrete
     return DiscreteBody(solid=solid, element=element, held=held)
 
 
-def nodes_on_facets(mesh, facets, nodes):
-    """Return the mask (c, n) of the nodes of every cell that lie on facets of the mesh.
+def nodes_on_facets(mesh: Any, facets: np.ndarray, nodes: np.ndarray) -> np.ndarray:
+    """Return the mask (c, n) of the nodes of each cell on the given facets of the mesh.
 
-    nodes (3, n) are in reference coordinates.
+    `nodes` (3, n) are in reference coordinates.
     """
     cell = mesh.elem.refdom
     planes = [cell.p[:, list(corners)[:3]] for corners in cell.facets]
-    normals = [np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]) for p in planes]
-    distances = [np.abs(n @ (nodes - p[:, :1])) for n, p in zip(normals, planes, strict=True)]
+    normals = []
+    for p in planes:
+        normals.append(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
+    distances = [
+        np.abs(n @ (nodes - p[:, :1])) for n, p in zip(normals, planes, strict=True)
+    ]
     on_plane = np.array(distances) < 1e-9
     return (np.isin(mesh.t2f, facets).T.astype(int) @ on_plane) > 0
 
 
-def elastic_eigenpairs(body, components, below, shift):
-    """Return eigenvalues (k,), shapes (k, p, 3) and residuals (k,) of the elastic modes below
-    `below` [Hz], ascending.
+def elastic_eigenpairs(
+    body: DiscreteBody, components: Sequence[str], below: float, shift: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return eigenvalues (k,), shapes (k, p, 3) and residuals (k,) of the elastic modes
+    below `below` [Hz].
 
-    The symmetry classes of the mesh are solved separately, two at a time. ArithmeticError unless a
-    free body has exactly six rigid-body modes and a held one none.
+    The eigenvalues are ascending. The symmetry classes of the mesh are solved
+    separately, two concurrently. Raises ArithmeticError if the number of rigid-body
+    modes is not six for a free body or zero for a held one.
     """
     solid = body.solid
 
-    def solve_class(basis):
+    def solve_class(basis: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         k, m = (basis.T @ matrix @ basis for matrix in (solid.stiffness, solid.mass))
         values, vectors, residual = lowest_eigenpairs(
             k,
@@ -148,45 +173,55 @@ def elastic_eigenpairs(body, components, below, shift):
         )
         return values, (basis @ vectors).T, residual
 
-    bases = symmetry_bases(body, free_unknowns(solid.points, body.held, components))
+    bases = symmetry_bases(
+        body, admissible_displacements(solid.points, body.held, components)
+    )
     with ThreadPoolExecutor(2) as pool:
         solved = list(pool.map(solve_class, bases))
-    values, shapes, residual = (np.concatenate(arrays) for arrays in zip(*solved, strict=True))
+    values, shapes, residual = (
+        np.concatenate(arrays) for arrays in zip(*solved, strict=True)
+    )
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     expected = 6 if shift else 0
     if rigid != expected:
         raise ArithmeticError(f"{rigid} rigid-body modes were found, not {expected}")
     elastic = np.argsort(values, kind="stable")[rigid:]
-    return values[elastic], shapes[elastic].reshape(-1, len(solid.points), 3), residual[elastic]
+    return (
+        values[elastic],
+        shapes[elastic].reshape(-1, len(solid.points), 3),
+        residual[elastic],
+    )
 
 
 def solve_body(
-    mesh,
-    facets,
-    components,
-    material,
-    density,
-    below,
-    max_unknowns,
-    edge_error_ratio,
+    mesh: Any,
+    facets: np.ndarray,
+    components: Sequence[str],
+    material: Material,
+    density: float,
+    below: float,
+    max_unknowns: float,
+    edge_error_ratio: float,
 ) -> SolvedBody:
-    """Solve the modes of a body with quadratic elements and estimate their errors.
+    """Compute the modes of a body with quadratic elements and estimate their errors.
 
     Every cell is divided into eight, unless a symmetry class would then have more than
-    `max_unknowns`
-    unknowns. In that case the mesh is solved as given, and the errors are estimated from linear
-    elements. The components are held on the facets; a body without held facets is free.
-    `edge_error_ratio` is a parameter of `relative_errors`. Raises ValueError if the held components
-    leave a rigid-body motion free.
+    `max_unknowns` unknowns; in that case the mesh is solved as given, and the errors
+    are estimated from linear elements. The `components` are held on the `facets`;
+    without facets the body is free. `edge_error_ratio` is a parameter of
+    `relative_errors`. Raises ValueError if the held components do not prevent all
+    rigid-body motions.
     """
     linear, quadratic = lagrange_elements(mesh)
     whole_cell = [quadratic.doflocs.T]
     given = discretise(mesh, facets, quadratic, whole_cell, material, density)
     if len(facets):
-        check_held(given.solid.points[given.held], components)
-    divided = 8 * 3 * len(given.solid.points) <= max_unknowns * 2 ** len(mirrors(given))
+        check_no_rigid_motion(given.solid.points[given.held], components)
+    divided = 8 * 3 * len(given.solid.points) <= max_unknowns * 2 ** len(
+        mirror_symmetries(given)
+    )
     if divided:
-        part_nodes = nodes_of_eighths(quadratic)
+        part_nodes = nodes_of_subcells(quadratic)
         fine = discretise(mesh, facets, quadratic, part_nodes, material, density)
         coarse = given
     else:
@@ -230,40 +265,63 @@ def mesh_modes(
 ) -> Modes:
     """Compute the elastic modes of a disk on a volume mesh from a file.
 
-    Elements are quadratic. The frequencies are those of the body as meshed: what straight sides cut
-    off a round body is not part of `Modes.error`.
+    Elements are quadratic. The frequencies are those of the body as meshed:
+    `Modes.error` does not include the effect of straight mesh edges on a round body.
 
     Parameters
     ----------
     path : str or Path
-        File in a format that meshio reads; lengths in metres, the axis of the disk along z.
+        File in a format supported by meshio, with lengths in metres and the axis of the
+        disk along z.
     material : Material
+        Elastic constants and losses.
     density : float
         Density [kg/m^3].
     support : Support
+        Place and kind of the support of the disk.
     below : float, optional
-        Highest frequency [Hz], excluded.
+        Exclusive upper limit of the frequencies [Hz].
     patch : str, optional
-        Name of a surface of the mesh (a physical group, a set). By default the angle and height of
-        `support` find the patch.
+        Name of a surface of the mesh (physical group or set). By default angle and
+        height of `support` define the patch.
     refine : bool, optional
-        Divide every cell into eight. This takes about 20 to 50 times as long as the mesh as given,
-        for which `Modes.error` is estimated from linear elements, far too large where nothing is
-        singular.
+        If True, divide every cell into eight, which takes about 20 to 50 times as long.
+        If False, `Modes.error` is estimated from linear elements, which is far too high
+        for bodies without singularities.
 
     Returns
     -------
     Modes
-        Empty if there is no mode below `below`.
+        Modes below `below`; may be empty.
 
     Raises
     ------
     ValueError
-        If the mesh cannot be used, if the patch is empty, or if the held components leave the body
-        free to move.
+        If the mesh cannot be used, if the patch is empty, or if the held components do
+        not prevent all rigid-body motions.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> import meshio
+    >>> from modal import Material, Support, mesh_modes
+    >>> base = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    >>> corners = 0.02 * np.array([*base, *[(x, y, 1) for x, y, _ in base]])
+    >>> cube = meshio.Mesh(corners, {"hexahedron": [list(range(8))]})
+    >>> steel = Material(name="steel")
+    >>> free = Support(kind="free")
+    >>> with TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "cube.vtk"
+    ...     cube.write(path)
+    ...     len(mesh_modes(path, steel, 7850.0, free, below=80e3))
+    2
     """
     mesh = read_mesh(path)
-    facets = np.zeros(0, int) if support.kind == "free" else patch_facets(mesh, support, patch)
+    facets = (
+        np.zeros(0, int)
+        if support.kind == "free"
+        else patch_facets(mesh, support, patch)
+    )
     max_unknowns = inf if refine else 0
     held = support.held
     solved = solve_body(
@@ -274,6 +332,6 @@ def mesh_modes(
         density,
         below,
         max_unknowns,
-        FLAT_FACE_ERROR_RATIO,
+        FLAT_FACE_REMAINING_ERROR_RATIO,
     )
     return mesh_modes_record(solved, material)

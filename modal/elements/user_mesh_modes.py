@@ -1,5 +1,4 @@
-"""The record of the modes of a user's mesh, sampled on the edge and the faces of the disk that it
-represents."""
+"""Sample the modes of a user's mesh on the edge and the faces of the disk."""
 
 from math import pi
 
@@ -11,34 +10,56 @@ from modal.elements.unfold import axial_share, rigid_fields
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Modes
 
-VTK_TETRAHEDRON = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)]
+VTK_TETRAHEDRON = [
+    (0, 0, 0),
+    (2, 0, 0),
+    (0, 2, 0),
+    (0, 0, 2),
+]
 """Twice the reference coordinates of the corners of a tetrahedron, in VTK's order."""
 VTK_NODES = {
     "tetra": VTK_TETRAHEDRON,
-    "tetra10": [*VTK_TETRAHEDRON, (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)],
+    "tetra10": [
+        *VTK_TETRAHEDRON,
+        (1, 0, 0),
+        (1, 1, 0),
+        (0, 1, 0),
+        (0, 0, 1),
+        (1, 0, 1),
+        (0, 1, 1),
+    ],
     "hexahedron": VTK_HEXAHEDRON27[:8],
     "hexahedron27": VTK_HEXAHEDRON27,
 }
-"""Twice the reference coordinates of the nodes of each meshio cell type, in VTK's order."""
+"""Twice the reference coordinates of the nodes of each meshio cell type, in VTK's
+order."""
 
 
 def cells_in_vtk_order(element, solid):
-    """Return the cells (c, nodes) of a `Solid` in VTK's order, and their meshio type."""
-    index = {tuple(row): i for i, row in enumerate(np.rint(2 * element.doflocs).astype(int))}
-    cell_type = next(name for name, nodes in VTK_NODES.items() if set(nodes) == set(index))
+    """Return the cells (c, nodes) of a `Solid` in VTK's order, and their meshio
+    type."""
+    index = {
+        tuple(row): i for i, row in enumerate(np.rint(2 * element.doflocs).astype(int))
+    }
+    cell_type = next(
+        name for name, nodes in VTK_NODES.items() if set(nodes) == set(index)
+    )
     return solid.cells[:, [index[node] for node in VTK_NODES[cell_type]]], cell_type
 
 
 def interpolate_on_face(solid, shapes, height, points):
-    """Return shapes (m, p, c) of a `Solid` at points (n, 2) of its face at a height [m]: (m, n, c).
+    """Return the values (m, n, c) of nodal shapes (m, p, c) at points (n, 2) of a face
+    at a height [m].
 
-    Interpolation is cubic between the nodes. A point beyond the straight sides of the face is moved
-    towards the axis by the smallest of a few shares of its radius that brings it inside; failing
-    that, it has the nearest node's value.
+    Interpolation between nodes is cubic. A point outside the polygonal face is moved
+    towards the axis by the smallest of a few fractions of its radius that brings it
+    inside; otherwise it has the value of the nearest node.
     """
     if not len(shapes):
         return np.zeros((0, len(points), shapes.shape[2]))
-    nodes = np.flatnonzero(np.abs(solid.points[:, 2] - height) < 1e-3 * np.ptp(solid.points[:, 2]))
+    nodes = np.flatnonzero(
+        np.abs(solid.points[:, 2] - height) < 1e-3 * np.ptp(solid.points[:, 2])
+    )
     known = shapes[:, nodes].transpose(1, 0, 2).reshape(len(nodes), -1)
     cubic = CloughTocher2DInterpolator(solid.points[nodes, :2], known)
     values = NearestNDInterpolator(solid.points[nodes, :2], known)(points)
@@ -53,11 +74,11 @@ def interpolate_on_face(solid, shapes, height, points):
 
 
 def mesh_modes_record(solved, material) -> Modes:
-    """Return the `Modes` of a `SolvedBody`, sampled on the bottom edge and both faces of the disk.
+    """Return the `Modes` of a `SolvedBody`, sampled on the bottom edge and both faces
+    of the disk.
 
-    The faces are sampled from the axis to the rim. Across a hole, `face_shape` is interpolated from
-    the
-    nodes around it, and the area of the hole counts as part of the face.
+    The faces are sampled from the axis to the rim. Inside a hole, `face_shape` is
+    interpolated from the nodes around it, so the hole counts as part of the face.
     """
     solid = solved.body.solid
     shapes = solved.shapes
@@ -81,9 +102,12 @@ def mesh_modes_record(solved, material) -> Modes:
         "order": sample.strongest_order(rim_shape),
         "family": np.where(axial_share(solid, shapes) > 0.5, "flexural", "extensional"),
         "parity": np.where(odd, "odd", "even"),
-        "participation": flat @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
+        "participation": flat
+        @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
         "rim_shape": rim_shape,
-        "face_shape": face.reshape(-1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT),
+        "face_shape": face.reshape(
+            -1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT
+        ),
         "residual": solved.residual,
         "error": solved.error,
         "displacement": shapes,

@@ -1,1 +1,1 @@
-"""Meshes of hexahedra for the part of a held disk that its symmetries leave, and user meshes."""
+"""Mesh a symmetry sector of a held disk with hexahedra, and read user meshes."""

@@ -1,9 +1,10 @@
-"""Quadrilateral mesh of the half disk y >= 0, graded towards the edge of a held arc of its rim.
+"""Mesh the half disk y >= 0 with quadrilaterals, graded towards the ends of a held arc
+of its rim.
 
-Lengths are divided by the radius. A block is a function that maps arrays (u, v) in the unit square
-to points (..., 2). The rim ring is meshed in (angle, depth below the rim). Boxes nested around the
-edge of the arc resolve the singularity u ~ r^(1/2). Boxes nested around the middle of a short arc
-grow to the size of the disk.
+Lengths are divided by the radius. A block is a function that maps arrays (u, v) in the
+unit square to points (..., 2). The rim ring is meshed in the coordinates (angle, depth
+below the rim). Nested boxes around the end of the arc resolve the singularity u ~
+r^(1/2). Nested boxes around the middle of a short arc grow to the size of the disk.
 """
 
 from dataclasses import dataclass
@@ -22,31 +23,35 @@ class MeshSize:
     depth: float
     """Depth of the rim ring divided by the radius."""
     rings: int
-    """Rings of cells about the edge of the patch, see `singular_edge_blocks`."""
+    """Number of rings of cells around the edge of the patch, see
+    `singular_edge_blocks`."""
     ring_ratio: float = 0.3
-    """Ratio of the widths of successive rings, smaller to larger."""
+    """Width ratio of successive rings, smaller to larger."""
     lead_ratio: float = 0.6
-    """Ratio of the sizes of successive boxes, smaller to larger, from the patch to the disk."""
+    """Size ratio of successive nested boxes between patch and disk, smaller to
+    larger."""
     leg_blocks: int = 2
-    """Smallest number of blocks along the upper edge of a patch that is lower than the disk."""
+    """Smallest number of blocks along the upper edge of a patch lower than the disk."""
     split: int = 1
-    """Cells per block in each direction."""
+    """Number of cells per block in each direction."""
 
     @property
     def layers(self):
-        """Layers of blocks between the rim ring and the square inside it, about as wide as the
-        others."""
+        """Number of layers of blocks between the rim ring and the central square, about
+        as wide as other blocks."""
         return max(1, round((1 - self.depth) / 2 / self.width))
 
 
 def bilinear_block(corners):
-    """Return the block with four corners (4, 2), counter-clockwise in (u, v)."""
+    """Return the block with straight sides between four corners (4, 2),
+    counter-clockwise in (u, v)."""
     a, b, c, d = np.asarray(corners, float)
 
     def block(u, v):
         u = u[..., None]
         v = v[..., None]
-        return a * (1 - u) * (1 - v) + b * u * (1 - v) + c * u * v + d * (1 - u) * v
+        lower = a * (1 - u) * (1 - v) + b * u * (1 - v)
+        return lower + c * u * v + d * (1 - u) * v
 
     return block
 
@@ -57,36 +62,48 @@ def polar_block(corners):
 
 
 def rim_mapped_block(flat, edge=0.0, scale=1.0):
-    """Return the block with (angle, depth) = (edge, 0) + scale times the points of a flat block."""
+    """Return the block with the coordinates (angle, depth) = (edge, 0) + scale * (point
+    of a flat block)."""
 
     def block(u, v):
         angle, depth = np.moveaxis([edge, 0] + scale * flat(u, v), -1, 0)
-        return np.stack([(1 - depth) * np.cos(angle), (1 - depth) * np.sin(angle)], -1)
+        distance = 1 - depth
+        return np.stack([distance * np.cos(angle), distance * np.sin(angle)], -1)
 
     return block
 
 
-SQUARED_SHARE = 0.6
-"""Ratio of the size of the squared cells around an edge to the size of their box."""
+EDGE_CELLS_BOX_RATIO = 0.6
+"""Size ratio of the conformally squared cells around an edge to their box."""
 
 
-def singular_edge_blocks(size, aspect=1.0, squared_share=SQUARED_SHARE):
-    """Return blocks of [-1, 1] x [0, 1] about the origin, where u ~ r^(1/2); the box is `aspect`
-    times as deep.
+def singular_edge_blocks(size, aspect=1.0, squared_share=EDGE_CELLS_BOX_RATIO):
+    """Return blocks of the box [-1, 1] x [0, 1] that resolve u ~ r^(1/2) at the origin.
 
-    The square z = w^2 maps a quarter turn to the half turn about the origin, and linear functions
-    of w to r^(1/2) cos(theta/2) and r^(1/2) sin(theta/2). Quadratic cells of the plane w contain
-    both map and field, as quarter-point elements do along their sides (Henshell & Shaw 1975,
-    Barsoum 1976). Rings of four cells shrink geometrically towards the origin; the outermost ring
-    joins them to the box. Without rings there are two plain cells.
+    The box is later stretched to `aspect` times the depth. The map z = w^2 takes a
+    quarter turn to the half turn about the origin, and linear functions of w to r^(1/2)
+    cos(theta/2) and r^(1/2) sin(theta/2). Quadratic cells in the w plane represent both
+    the map and the field, as quarter-point elements do along their sides (Henshell &
+    Shaw 1975, Barsoum 1976). Rings of four cells shrink geometrically towards the
+    origin, and the outermost ring connects them to the box. If the number of rings is
+    0, there are two plain cells.
     """
-    corners = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)], float)
+    corners = np.array(
+        [
+            (1, 0),
+            (1, 1),
+            (0, 1),
+            (-1, 1),
+            (-1, 0),
+        ],
+        float,
+    )
     if not size.rings:
         return [bilinear_block([*corners[i : i + 3], (0, 0)]) for i in (0, 2)]
     scale = squared_share * np.array([min(1, aspect), min(1, 1 / aspect)])
     widths = size.ring_ratio ** np.arange(float(size.rings))
-    # corners in the plane w of the outer sides of four convex cells; their squares are those of
-    # half a square, except for its top
+    # corners in the w plane of the outer sides of four convex cells; their squares are
+    # the corners of half a square, except at its top
     first = np.array([1, 1 + 1j, 1.3j, -1 + 1j, -1]) ** 0.5
     last = widths[-1] * first
     blocks = []
@@ -108,8 +125,8 @@ def singular_edge_blocks(size, aspect=1.0, squared_share=SQUARED_SHARE):
 
 
 def squared_block(corners, scale):
-    """Return the image under z = w^2, times scale (2,), of the straight block with corners (4,) in
-    the plane w."""
+    """Return the image under z = w^2, times `scale` (2,), of the straight block with
+    corners (4,) in the w plane."""
     flat = bilinear_block([(w.real, w.imag) for w in np.array(corners, complex)])
 
     def block(u, v):
@@ -120,12 +137,14 @@ def squared_block(corners, scale):
 
 
 def joining_block(line, curve):
-    """Return the block between a straight line, two points (2, 2), and the lower side of another
-    block."""
+    """Return the block between a straight line through two points (2, 2) and the lower
+    side of another block."""
     start, stop = line
 
     def block(u, v):
-        return (1 - v[..., None]) * (start + u[..., None] * (stop - start)) + v[..., None] * curve(
+        return (1 - v[..., None]) * (start + u[..., None] * (stop - start)) + v[
+            ..., None
+        ] * curve(
             u,
             0 * v,
         )
@@ -134,10 +153,11 @@ def joining_block(line, curve):
 
 
 def edge_box_depth(half_angle, size, max_aspect=1.1):
-    """Return the depth of the box about the edge of an arc of a half angle [rad].
+    """Return the depth of the box around the end of an arc of a half angle [rad].
 
-    It is that of the rim ring where the arc is at least as wide as a block. For a shorter arc it is
-    at most `max_aspect` times the half angle, which leaves room for nearly incompressible disks.
+    It equals that of the rim ring if the arc is at least as wide as a block. For a
+    shorter arc it is at most `max_aspect` times the half angle; this limit has a margin
+    for nearly incompressible disks.
     """
     if half_angle >= size.width:
         return size.depth
@@ -145,26 +165,29 @@ def edge_box_depth(half_angle, size, max_aspect=1.1):
 
 
 def short_arc_blocks(half_angle, size):
-    """Return blocks between the box [0, 2 width] and the box [0, 2 half_angle] at the rim, both
-    split in the middle."""
+    """Return the blocks at the rim that graduate the mesh from the angles
+    [0, 2 `half_angle`] of the arc to the angles [0, 2 width] of one block of the rim.
+
+    Both ranges are split in the middle."""
     count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead_ratio)))
     share = np.arange(count + 1) / count
     widths = size.width * (half_angle / size.width) ** share
     depths = size.depth * (edge_box_depth(half_angle, size) / size.depth) ** share
     corners = []
     for (w, s), (d, e) in zip(pairwise(widths), pairwise(depths), strict=True):
-        corners.append([(2 * s, 0), (2 * w, 0), (2 * w, d), (2 * s, e)])
-        corners.append([(0, d), (0, e), (s, e), (w, d)])
-        corners.append([(w, d), (s, e), (2 * s, e), (2 * w, d)])
+        outer = [(2 * s, 0), (2 * w, 0), (2 * w, d), (2 * s, e)]
+        inner = [(0, d), (0, e), (s, e), (w, d)]
+        middle = [(w, d), (s, e), (2 * s, e), (2 * w, d)]
+        corners += [outer, inner, middle]
     return [polar_block(c) for c in corners]
 
 
 def rim_ring(edge, size, max_squared_width=0.3):
-    """Return the blocks of the rim ring for an arc of half-angle `edge` <= pi/2, and the angles of
-    its columns.
+    """Return the blocks of the rim ring for an arc of half angle `edge` <= pi/2, and
+    the angles of its columns.
 
-    The squared cells are at most `max_squared_width` [rad] wide: quadratic cells of the plane w
-    cannot follow a longer arc of the rim.
+    The squared cells are at most `max_squared_width` [rad] wide, because quadratic
+    cells in the w plane cannot represent a longer arc of the rim.
     """
     width = size.width
     half = min(edge, size.width)
@@ -172,9 +195,11 @@ def rim_ring(edge, size, max_squared_width=0.3):
     about_edge = singular_edge_blocks(
         size,
         depth / half,
-        min(SQUARED_SHARE, max_squared_width / half),
+        min(EDGE_CELLS_BOX_RATIO, max_squared_width / half),
     )
-    blocks = [rim_mapped_block(flat, edge, np.array([half, depth])) for flat in about_edge]
+    blocks = [
+        rim_mapped_block(flat, edge, np.array([half, depth])) for flat in about_edge
+    ]
     if edge < (1 - 1e-9) * width:
         blocks += short_arc_blocks(edge, size)
     middle = max(edge, width)
@@ -191,26 +216,34 @@ def rim_ring(edge, size, max_squared_width=0.3):
 
 
 def rim_blocks(angles, depth):
-    """Return plain blocks of a rim ring of a depth between successive angles (k + 1,) [rad]."""
-    return [polar_block([(a, 0), (b, 0), (b, depth), (a, depth)]) for a, b in pairwise(angles)]
+    """Return plain blocks of a rim ring of a given depth between successive angles (k +
+    1,) [rad]."""
+    return [
+        polar_block([(a, 0), (b, 0), (b, depth), (a, depth)])
+        for a, b in pairwise(angles)
+    ]
 
 
 def core_blocks(angles, depth, layers=1):
-    """Return the blocks inside the rim ring: a ring of layers, and a square of two macro cells
-    inside it.
+    """Return the blocks inside the rim ring: layers around a central square of two
+    macro cells.
 
-    The corners of the square point to the columns that end there, within half a right angle of even
-    directions.
+    The corners of the square point towards the columns that end there, within pi/4 of
+    equally spaced directions.
     """
     half = (len(angles) - 1) // 2
     m = ceil(half / 2)
     n = half // 2
     even = np.linspace(0, pi, 5)
-    directions = np.clip(angles[[0, m, half, half + n, 2 * half]], even - pi / 4, even + pi / 4)
+    directions = np.clip(
+        angles[[0, m, half, half + n, 2 * half]], even - pi / 4, even + pi / 4
+    )
     distance = np.array([0.5, 0.6, 0.5, 0.6, 0.5])[:, None] * (1 - depth)
     outline = distance * np.stack([np.cos(directions), np.sin(directions)], axis=1)
     sides = zip(pairwise(outline), (m, n, n, m), strict=True)
-    points = np.vstack([outline[:1], *[np.linspace(a, b, k + 1)[1:] for (a, b), k in sides]])
+    points = np.vstack(
+        [outline[:1], *[np.linspace(a, b, k + 1)[1:] for (a, b), k in sides]]
+    )
     arcs = [polar_block([(a, depth), (b, depth)] * 2) for a, b in pairwise(angles)]
     blocks = []
     for line, arc in zip(pairwise(points), arcs, strict=True):
@@ -218,7 +251,9 @@ def core_blocks(angles, depth, layers=1):
         for j in range(layers):
             blocks.append(sub_block(ring, 0, 1, 1 - j / layers, 1 - (j + 1) / layers))
     for corner in (1, 3):
-        macro = bilinear_block([(0, 0), outline[2 * corner - 2], outline[corner], outline[2]])
+        macro = bilinear_block(
+            [(0, 0), outline[2 * corner - 2], outline[corner], outline[2]]
+        )
         for i in range(n):
             for j in range(m):
                 blocks.append(sub_block(macro, i / n, (i + 1) / n, j / m, (j + 1) / m))
@@ -231,22 +266,23 @@ def sub_block(block, u0, u1, v0, v1):
 
 
 def cells_of_blocks(blocks, size):
-    """Return the nodes (q, 3, 3, 2) of the biquadratic cells of blocks, `size.split`^2 per
-    block."""
+    """Return the nodes (q, 3, 3, 2) of the biquadratic cells of blocks, with
+    `size.split`^2 cells per block."""
     u, v = np.meshgrid(*[np.linspace(0, 1, 2 * size.split + 1)] * 2, indexing="ij")
     grids = np.array([block(u, v) for block in blocks])
     cells = []
     for i in range(0, 2 * size.split, 2):
         for j in range(0, 2 * size.split, 2):
             cells.append(grids[:, i : i + 3, j : j + 3])
-    return right_handed(np.concatenate(cells))
+    return make_right_handed(np.concatenate(cells))
 
 
 def half_disk(half_angle, size):
-    """Return the nodes (q, 3, 3, 2) of the biquadratic cells of the half disk, for a `MeshSize`.
+    """Return the nodes (q, 3, 3, 2) of the biquadratic cells of the half disk for a
+    `MeshSize`.
 
-    The arc [0, half_angle] [rad] of the rim is a union of cell sides. For an arc beyond pi/2 the
-    mesh is that of the free arc, mirrored.
+    Cell sides cover exactly the arc [0, half_angle] [rad] of the rim. For an arc longer
+    than pi/2 the mesh for the remaining free arc is mirrored.
     """
     mirrored = half_angle > pi / 2
     edge = pi - half_angle if mirrored else half_angle
@@ -256,14 +292,12 @@ def half_disk(half_angle, size):
     else:
         ring, angles = rim_ring(edge, size)
     cells = cells_of_blocks(ring + core_blocks(angles, size.depth, size.layers), size)
-    return right_handed(cells * [-1, 1]) if mirrored else cells
+    return make_right_handed(cells * [-1, 1]) if mirrored else cells
 
 
-def right_handed(cells):
-    """Make left-handed cells (q, 3, 3, 2) right-handed by exchanging u and v in place.
-
-    Returns all cells.
-    """
+def make_right_handed(cells):
+    """Exchange u and v of left-handed cells (q, 3, 3, 2) in place and return all
+    cells."""
     du = cells[:, 2, 1] - cells[:, 0, 1]
     dv = cells[:, 1, 2] - cells[:, 1, 0]
     left_handed = du[:, 0] * dv[:, 1] < du[:, 1] * dv[:, 0]

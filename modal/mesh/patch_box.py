@@ -1,9 +1,9 @@
-"""Hexahedra under a patch that is lower than the disk: boxes nested at the rim about the middle of
-the patch.
+"""Mesh the region of a patch lower than the disk by nested boxes at the rim.
 
-In (angle, depth below the rim, height above the lower plane), lengths over the radius, a box is [0,
-angle] x [0, depth] x [0, height], and the patch is the outer side of one of them. Along its two
-edges, where u ~ r^(1/2), the adjacent boxes are replaced by a tube with the cross-section of
+The coordinates are angle, depth below the rim and height above the lower plane, with
+lengths divided by the radius. A box is [0, angle] x [0, depth] x [0, height], and the
+patch is the outer side of one of them. Along the two edges of the patch, where u ~
+r^(1/2), the adjacent boxes are replaced by a tube with the cross-section of
 `singular_edge_blocks`, mitred at the corner of the patch.
 """
 
@@ -18,39 +18,41 @@ from modal.mesh.half_disk import bilinear_block, singular_edge_blocks
 
 @dataclass(frozen=True, kw_only=True)
 class NestedBoxes:
-    """Boxes nested about the middle of a patch."""
+    """Nested boxes around the middle of a patch."""
 
     corners: np.ndarray
-    """Outer corner (b, 3) of every box: angle [rad], depth, height."""
+    """Angle [rad], depth and height (b, 3) of the outer corner of every box."""
     patch: int
     """Index of the box of the patch."""
     cells_around: int
-    """Number of cells along the angle."""
+    """Number of cells in the direction of the angle."""
     cells_up: int
-    """Number of cells along the height."""
+    """Number of cells in the direction of the height."""
 
 
 def max_layer_height(size):
-    """Return the largest height of a layer, divided by the radius, for a `MeshSize`."""
+    """Return the largest layer height of a `MeshSize`, divided by the radius."""
     return 1.2 * size.width
 
 
 def graded_distances(first, last, ratio):
-    """Return distances (k, n), k >= 2, from first (n,) to last (n,) that shrink by about `ratio`; 0
-    remains 0."""
+    """Return distances (k, n) from `first` (n,) to `last` (n,) in geometric steps of
+    about `ratio`.
+
+    k is at least 2, and distances of 0 remain 0."""
     growth = np.divide(last, first, out=np.ones(len(first)), where=first > 0)
     count = max(1, ceil(log(growth.max()) / log(1 / ratio) - 0.5))
     return first * growth ** (np.arange(count + 1)[:, None] / count)
 
 
 def nested_boxes(angle, height, top, size, max_tube_share=4, max_leg_factor=3):
-    """Return the `NestedBoxes` of a patch of a half angle [rad] and a height below `top`, for a
-    `MeshSize`.
+    """Return the `NestedBoxes` of a patch with a half angle [rad] and a height below
+    `top`.
 
-    A patch that covers the whole circumference has boxes that do. The tubes at the edges are at
-    most `max_tube_share` times as wide as the free strip above the patch; wider ones would reach
-    the face. A long patch has up to `max_leg_factor` times as many cells along its upper edge as a
-    short one.
+    If the patch covers the whole circumference, so do the boxes. The tubes at the edges
+    are at most `max_tube_share` times as wide as the free strip above the patch; wider
+    ones would reach the face. A long patch has up to `max_leg_factor` times as many
+    cells along its upper edge as a short one.
     """
     width = size.width
     rest = top - height
@@ -60,11 +62,17 @@ def nested_boxes(angle, height, top, size, max_tube_share=4, max_leg_factor=3):
     innermost = np.minimum([0.75 * angle, 0.75 * height], width)
     inwards = graded_distances(np.full(2, tube / 2), innermost, size.lead_ratio)[::-1]
     depths = tube * 0.5 ** np.arange(len(inwards), 0.0, -1.0)
-    inside = np.column_stack([angle - inwards[:, 0] * (beyond > 0), depths, height - inwards[:, 1]])
+    inside = np.column_stack(
+        [angle - inwards[:, 0] * (beyond > 0), depths, height - inwards[:, 1]]
+    )
     first = np.array([min(tube, beyond), 2 * tube, min(tube, above)])
-    outwards = graded_distances(first, np.array([beyond, size.depth, above]), size.lead_ratio)
+    outwards = graded_distances(
+        first, np.array([beyond, size.depth, above]), size.lead_ratio
+    )
     outside = np.array([angle, 0.0, height]) + outwards
-    leg_cells = ceil(size.leg_blocks * min(max_leg_factor, max(1, angle / (3 * height))) - 1e-9)
+    leg_cells = ceil(
+        size.leg_blocks * min(max_leg_factor, max(1, angle / (3 * height))) - 1e-9
+    )
     around = max(leg_cells, ceil((angle + beyond) / width - 1e-9))
     covers_circumference = angle + beyond > pi - 1e-9
     return NestedBoxes(
@@ -79,48 +87,61 @@ def nested_boxes(angle, height, top, size, max_tube_share=4, max_leg_factor=3):
 
 
 def points_in_box(boxes, s, *shares):
-    """Return points (..., 3) in box s at shares of its angle, depth and height; a share of 1 is on
-    a side."""
+    """Return points (..., 3) in box s at fractions of its angle, depth and height."""
     corner = corner_of_box(boxes, s)
-    return np.stack([part * share for part, share in zip(corner, shares, strict=True)], -1)
+    return np.stack(
+        [part * share for part, share in zip(corner, shares, strict=True)], -1
+    )
 
 
 def corner_of_box(boxes, s):
-    """Return angle, depth and height (...) of box s (...), interpolated between the numbered boxes.
+    """Return angle, depth and height (3, ...) of box s (...), interpolated between the
+    numbered boxes.
 
-    The interpolation is linear, but parabolic next to the box of the patch, because the tubes at
-    its
-    edges need a smooth size. It is linear everywhere if the patch covers the whole circumference.
+    The interpolation is linear, except next to the box of the patch, where it is
+    parabolic because the size of the tubes must vary smoothly. It is linear everywhere
+    if the patch covers the whole circumference.
     """
     numbers = np.arange(len(boxes.corners))
     t = s - boxes.patch
     weights = np.array([t * (t - 1), 2 - 2 * t**2, t * (t + 1)]) / 2
     is_next_larger = boxes.corners[boxes.patch + 1] > boxes.corners[boxes.patch]
     smooth = (np.abs(t) <= 1) & is_next_larger[:, *[None] * np.ndim(t)]
-    parabola = np.tensordot(boxes.corners[boxes.patch - 1 : boxes.patch + 2], weights, (0, 0))
+    parabola = np.tensordot(
+        boxes.corners[boxes.patch - 1 : boxes.patch + 2], weights, (0, 0)
+    )
     linear = [np.interp(s, numbers, column) for column in boxes.corners.T]
     return np.where(smooth, parabola, linear)
 
 
-def divide_block(block, *counts):
-    """Return the nodes (c, 3, 3, 3, 3) of the cells of a block, a function of the unit cube."""
-    grid = block(*np.meshgrid(*[np.linspace(0, 1, 2 * n + 1) for n in counts], indexing="ij"))
+def nodes_of_block_cells(block, *counts):
+    """Return the nodes (c, 3, 3, 3, 3) of the cells of a block, which is a function on
+    the unit cube."""
+    grid = block(
+        *np.meshgrid(*[np.linspace(0, 1, 2 * n + 1) for n in counts], indexing="ij")
+    )
     starts = product(*[range(0, 2 * n, 2) for n in counts])
     return np.array([grid[i : i + 3, j : j + 3, k : k + 3] for i, j, k in starts])
 
 
 def nodes_of_boxes(boxes, size):
-    """Return the nodes (c, 3, 3, 3, 3) of all cells of the last box; the first node index runs
-    outwards."""
+    """Return the nodes (c, 3, 3, 3, 3) of all cells inside the last box; the first node
+    index increases outwards."""
     corners = boxes.corners
     patch = boxes.patch
     n = size.split
     around = n * boxes.cells_around
     up = n * boxes.cells_up
-    cells = [divide_block(lambda u, v, w: np.stack([v, u, w], -1) * corners[0], n, around, up)]
+    cells = [
+        nodes_of_block_cells(
+            lambda u, v, w: np.stack([v, u, w], -1) * corners[0], n, around, up
+        )
+    ]
     for i in range(len(corners) - 1):
         cells.append(
-            divide_block(lambda u, v, w, i=i: points_in_box(boxes, i + u, v, 1, w), n, around, up),
+            nodes_of_block_cells(
+                lambda u, v, w, i=i: points_in_box(boxes, i + u, v, 1, w), n, around, up
+            ),
         )
     sections = []
     for i in range(len(corners) - 1):
@@ -130,15 +151,20 @@ def nodes_of_boxes(boxes, size):
         sections.append(lambda u, v, flat=flat: np.add(flat(u, v), (patch, 0)))
     for is_beside, count in ((True, up), (False, around)):
         for section in sections:
-            cells.append(divide_block(tube_block(boxes, section, is_beside), n, n, count))
-    cells = np.concatenate(cells)
-    extents = np.ptp(cells.reshape(len(cells), 27, 3), axis=1)
-    return cells[(extents > 1e-12).all(axis=1)]  # flat cells arise where boxes share a side
+            cells.append(
+                nodes_of_block_cells(tube_block(boxes, section, is_beside), n, n, count)
+            )
+    nodes = np.concatenate(cells)
+    extents = np.ptp(nodes.reshape(len(nodes), 27, 3), axis=1)
+    return nodes[
+        (extents > 1e-12).all(axis=1)
+    ]  # cells are flat where boxes share a side
 
 
 def tube_block(boxes, section, is_beside):
-    """Return the block along an edge of the patch, beside or above it, with a section in (box,
-    share of its depth)."""
+    """Return the block along an edge of the patch, beside or above it.
+
+    Its cross-section has the coordinates (box, fraction of its depth)."""
 
     def block(u, v, w):
         s, share = np.moveaxis(section(u, v), -1, 0)

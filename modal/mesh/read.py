@@ -1,4 +1,5 @@
-"""User volume meshes, read by meshio: converted to scikit-fem, or rejected with a reason."""
+"""Read user volume meshes with meshio, and convert them to scikit-fem or reject them
+with a reason."""
 
 import sys
 from contextlib import redirect_stderr, redirect_stdout
@@ -13,9 +14,13 @@ from skfem.io.meshio import from_meshio
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 
 SUPPORTED_CELLS = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
-"""meshio's names of the volume cells that can be solved."""
-LINEAR_SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("triangle", 3)}
-"""Quadratic sides: the linear type that replaces them, and its number of corners."""
+"""meshio's names of the supported volume cells."""
+LINEAR_SIDE_TYPES = {
+    "quad8": ("quad", 4),
+    "quad9": ("quad", 4),
+    "triangle6": ("triangle", 3),
+}
+"""Linear type that replaces each type of quadratic side, and its number of corners."""
 
 
 def read_mesh(path):
@@ -26,18 +31,21 @@ def read_mesh(path):
     mesh = read_checked(path)[0]
     basis = CellBasis(mesh, mesh.elem())
     x = basis.global_coordinates()
-    return mesh.translated(tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum()))
+    return mesh.translated(
+        tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum())
+    )
 
 
 class SilencedStream:
-    """Stream that discards the output of this thread and forwards that of other threads."""
+    """Stream that discards the output of the current thread and forwards that of other
+    threads."""
 
     def __init__(self, stream):
         self._stream = stream
         self._thread = get_ident()
 
     def write(self, text: str) -> int:
-        """Write, unless this is the silenced thread."""
+        """Write text unless called in the silenced thread."""
         return len(text) if get_ident() == self._thread else self._stream.write(text)
 
     def __getattr__(self, name):
@@ -45,12 +53,14 @@ class SilencedStream:
 
 
 def read_checked(path):
-    """Return the checked scikit-fem mesh of a file, not moved, and the points (k, 3) of its sets of
-    nodes by name."""
+    """Return the checked scikit-fem mesh of a file and the points (k, 3) of its node
+    sets by name.
+
+    The mesh is not translated."""
     import meshio
 
     try:
-        # meshio prints lines of its own
+        # meshio prints messages
         with (
             redirect_stdout(SilencedStream(sys.stdout)),
             redirect_stderr(SilencedStream(sys.stderr)),
@@ -58,13 +68,20 @@ def read_checked(path):
             file = meshio.read(path)
     except MemoryError:
         raise
-    except (Exception, SystemExit) as error:  # the readers of broken files raise anything
-        reason = "" if isinstance(error, SystemExit) else f": {error or type(error).__name__}"
+    except (
+        Exception,
+        SystemExit,
+    ) as error:  # readers raise errors of any type for broken files
+        reason = (
+            ""
+            if isinstance(error, SystemExit)
+            else f": {error or type(error).__name__}"
+        )
         raise ValueError(f"{path}: not a readable mesh{reason}") from error
     cell_types = {block.type for block in file.cells if block.dim == 3}
     if not cell_types:
         raise ValueError(
-            f"{path}: no volume cells, only {sorted(file.cells_dict)}: mesh the volume, not just "
+            f"{path}: no volume cells, only {sorted(file.cells_dict)}; mesh the volume, not just "
             f"its surface",
         )
     if len(cell_types) > 1 or not cell_types <= SUPPORTED_CELLS:
@@ -80,13 +97,16 @@ def read_checked(path):
             )
     mesh = from_meshio(with_supported_cells(file))
     check_mesh(mesh, path)
-    return mesh, {name: file.points[numbers] for name, numbers in (file.point_sets or {}).items()}
+    return mesh, {
+        name: file.points[numbers] for name, numbers in (file.point_sets or {}).items()
+    }
 
 
 def with_supported_cells(file):
     """Return the meshio mesh with supported cells.
 
-    Hexahedra with 20 nodes become hexahedra with 27 nodes, and quadratic sides become linear.
+    Hexahedra with 20 nodes are converted to 27 nodes, and quadratic sides to linear
+    ones.
     """
     import meshio
 
@@ -98,8 +118,8 @@ def with_supported_cells(file):
         if cell_type == "hexahedron20":
             cell_type = "hexahedron27"
             points, numbers = hexahedra27_from_20(points, numbers)
-        elif cell_type in LINEAR_SIDES:
-            cell_type, corners = LINEAR_SIDES[cell_type]
+        elif cell_type in LINEAR_SIDE_TYPES:
+            cell_type, corners = LINEAR_SIDE_TYPES[cell_type]
             numbers = numbers[:, :corners]
         cells.append((cell_type, numbers))
     return meshio.Mesh(
@@ -113,11 +133,11 @@ def with_supported_cells(file):
 
 
 def hexahedra27_from_20(points, cells):
-    """Return points (p, 3) and cells (c, 27) from cells (c, 20).
+    """Return points (p, 3) and cells (c, 27) for cells (c, 20).
 
-    The added nodes in the middle of faces and cells have the values of the 20 shape functions
-    there: in the middle of a face -1/4 at its corners and 1/2 on its edges, in the middle of a cell
-    -1/4 and 1/4.
+    The additional nodes in the middle of faces and cells are interpolated by the 20
+    shape functions. Their weights are -1/4 for corners and 1/2 for edge nodes in the
+    middle of a face, and -1/4 and 1/4 in the middle of a cell.
     """
     lattice = np.array(VTK_HEXAHEDRON27)
     sides = []
@@ -125,54 +145,66 @@ def hexahedra27_from_20(points, cells):
         sides.append(np.flatnonzero((lattice[:20] == node)[:, node != 1].all(axis=1)))
     faces = cells[:, sides].reshape(-1, 8)
     face_corners = np.sort(faces[:, :4], axis=1)
-    _, first, face = np.unique(face_corners, axis=0, return_index=True, return_inverse=True)
+    _, first, face = np.unique(
+        face_corners, axis=0, return_index=True, return_inverse=True
+    )
     on_faces = np.einsum("n,cnx->cx", [-1 / 4] * 4 + [1 / 2] * 4, points[faces[first]])
     inside = np.einsum("n,cnx->cx", [-1 / 4] * 8 + [1 / 4] * 12, points[cells])
     face_numbers = len(points) + face.reshape(-1, 6)
     inside_numbers = len(points) + len(first) + np.arange(len(cells))[:, None]
-    return np.vstack([points, on_faces, inside]), np.hstack([cells, face_numbers, inside_numbers])
+    return np.vstack([points, on_faces, inside]), np.hstack(
+        [cells, face_numbers, inside_numbers]
+    )
 
 
 def check_mesh(mesh, name, min_size=1e-3, max_size=2.0, min_volume_ratio=1e-13):
     """Raise ValueError if a mesh cannot be used.
 
-    Reasons are an implausible unit of length, degenerate cells, and several bodies. The size of the
-    mesh must be between `min_size` and `max_size` [m]. At its quadrature points, the smallest cell
-    must
-    have at least `min_volume_ratio` of the volume of the median cell; cells may shrink towards an
-    edge.
+    Reasons are an implausible unit of length, degenerate cells, and several bodies. The
+    size of the mesh must be between `min_size` and `max_size` [m]. At the quadrature
+    points, the volume of the smallest cell must be at least `min_volume_ratio` times
+    that of the median cell; this permits cells that shrink towards an edge.
     """
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():
-        raise ValueError(f"{name}: points that are not finite")
+        raise ValueError(f"{name}: some points are not finite")
     size = np.ptp(mesh.p[:, used], axis=1).max()
     if not min_size < size < max_size:
         raise ValueError(
-            f"{name}: {size:g} m across: lengths must be in metres; are they in millimetres?",
+            f"{name}: its size is {size:g} m; lengths must be in metres; are they in millimetres?",
         )
     with np.errstate(divide="ignore", invalid="ignore"):
         volume = mesh.mapping().detDF(CellBasis(mesh, mesh.elem()).X)
     flat = np.abs(volume).min(axis=1) <= min_volume_ratio * np.median(np.abs(volume))
     folded = (volume > 0).any(axis=1) & (volume < 0).any(axis=1)
-    signs = np.sign(volume.mean(axis=1)) if not isinstance(mesh, MeshTet1) else np.ones(1)
+    signs = (
+        np.sign(volume.mean(axis=1)) if not isinstance(mesh, MeshTet1) else np.ones(1)
+    )
     inverted = signs != np.sign(signs.sum() or 1)
-    for fault, bad in (("flat or folded", flat | folded), ("numbered inside out", inverted)):
+    for fault, bad in (
+        ("flat or folded", flat | folded),
+        ("numbered inside out", inverted),
+    ):
         if bad.any():
             raise ValueError(
-                f"{name}: {bad.sum()} of {mesh.nelements} cells are {fault}, the first is "
+                f"{name}: {bad.sum()} of {mesh.nelements} cells are {fault}; the first one is "
                 f"{bad.argmax()}",
             )
     corners = mesh.t
     pairs = np.concatenate([corners[[0, i]] for i in range(1, len(corners))], axis=1)
-    graph = sp.coo_matrix((np.ones(pairs.shape[1]), pairs), shape=(mesh.p.shape[1],) * 2)
+    graph = sp.coo_matrix(
+        (np.ones(pairs.shape[1]), pairs), shape=(mesh.p.shape[1],) * 2
+    )
     bodies = len(np.unique(connected_components(graph, directed=False)[1][used]))
     if bodies > 1:
-        raise ValueError(f"{name}: {bodies} bodies that share no node: merge them or mesh only one")
+        raise ValueError(
+            f"{name}: {bodies} bodies without common nodes; merge them or mesh only one"
+        )
 
 
 def patch_facets(mesh, support, name=None):
-    """Return the facets of the patch: a named boundary of the mesh, or those within its angle and
-    height."""
+    """Return the facets of a named boundary of the mesh, or those within angle and
+    height of the patch."""
     if name is not None:
         if name not in (mesh.boundaries or {}):
             raise ValueError(
@@ -186,14 +218,18 @@ def patch_facets(mesh, support, name=None):
     high = mesh.p[2].max()
     height = support.height or high - low
     bottom = low if support.position == "bottom" else (low + high - height) / 2
-    on_rim = (np.hypot(x, y) > 0.99 * radius).all(axis=0) & (np.ptp(z, axis=0) > 1e-6 * radius)
+    on_rim = (np.hypot(x, y) > 0.99 * radius).all(axis=0) & (
+        np.ptp(z, axis=0) > 1e-6 * radius
+    )
     angle = np.arctan2(y.mean(axis=0), x.mean(axis=0))
     within_angle = np.abs(angle) <= np.deg2rad(support.half_angle_deg) + 1e-9
     middle = z.mean(axis=0)
-    found = facets[on_rim & within_angle & (middle > bottom) & (middle < bottom + height)]
+    found = facets[
+        on_rim & within_angle & (middle > bottom) & (middle < bottom + height)
+    ]
     if not len(found):
         raise ValueError(
-            f"no facet of the mesh lies on the patch of +-{support.half_angle_deg:g} degrees: "
+            f"no facet of the mesh lies on the patch of +-{support.half_angle_deg:g} degrees; "
             "refine the mesh there or name a surface"
         )
     return found

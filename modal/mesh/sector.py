@@ -1,5 +1,5 @@
-"""Isoparametric quadratic hexahedra for the part of the disk that its symmetries leave, as a
-scikit-fem mesh."""
+"""Mesh a symmetry sector of the disk with isoparametric quadratic hexahedra for
+scikit-fem."""
 
 from dataclasses import dataclass
 from math import ceil, pi
@@ -14,23 +14,23 @@ from modal.mesh.half_disk import cells_of_blocks, core_blocks, half_disk, rim_bl
 from modal.mesh.patch_box import max_layer_height, nested_boxes, nodes_of_boxes
 
 HEXAHEDRON_NODES = np.rint(ElementHex2.doflocs * 2).astype(int)
-"""Twice the reference coordinates (27, 3) of the nodes in scikit-fem's order; the first eight are
-corners."""
+"""Twice the reference coordinates (27, 3) of the nodes in scikit-fem's order, beginning
+with the eight corners."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Sector:
-    """The modelled part of the disk: y >= 0, for a quarter disk also z >= 0."""
+    """Modelled part of the disk: y >= 0, for a quarter disk also z >= 0."""
 
     mesh: MeshHex2
     """Mesh [m]."""
     quarter: bool
     """True if the disk is also symmetric in z."""
     patch: tuple[float, float] | None
-    """Lowest and highest z of the patch [m]; None for a free disk."""
+    """Lowest and highest z of the patch [m], or None for a free disk."""
 
     @property
-    def copies(self):
+    def mirror_image_count(self):
         """Number of mirror images in the whole disk."""
         return 4 if self.quarter else 2
 
@@ -38,15 +38,17 @@ class Sector:
 def layer_heights(bottom, top, size, radius):
     """Return the boundaries (k + 1,) [m] of layers of equal thickness.
 
-    The layers are at most as thick as the plane cells are wide.
+    The layers are not thicker than the plane cells are wide.
     """
     count = ceil((top - bottom) / (max_layer_height(size) * radius) - 1e-9)
     return np.linspace(bottom, top, size.split * max(1, count) + 1)
 
 
 def extrude(cells, heights):
-    """Return the nodes (q * layers, 27, 3) in scikit-fem's order of hexahedra over plane cells (q,
-    3, 3, 2)."""
+    """Return the nodes (q * layers, 27, 3) of hexahedra extruded from plane cells (q,
+    3, 3, 2).
+
+    The nodes are in scikit-fem's order."""
     i, j, k = HEXAHEDRON_NODES.T
     nodes = np.empty((len(cells), len(heights) - 1, 27, 3))
     nodes[..., :2] = cells[:, None, i, j]
@@ -57,34 +59,44 @@ def extrude(cells, heights):
 
 
 def hexahedra(nodes, linear=MeshHex, quadratic=MeshHex2):
-    """Return the scikit-fem mesh of cells with nodes (c, n, 3); coincident nodes are merged.
+    """Return the scikit-fem mesh of cells with nodes (c, n, 3), with coincident nodes
+    merged.
 
-    The mesh has the class `quadratic`, made from the class `linear`; hexahedra by default.
+    The mesh is an instance of `quadratic`, created from one of `linear` (default:
+    hexahedra).
     """
     count = linear.elem.refdom.nnodes
     corners = nodes[:, :count].reshape(-1, 3)
-    close_pairs = cKDTree(corners).query_pairs(1e-10 * np.abs(nodes).max(), output_type="ndarray")
-    graph = coo_matrix((np.ones(len(close_pairs)), close_pairs.T), shape=(len(corners),) * 2)
+    close_pairs = cKDTree(corners).query_pairs(
+        1e-10 * np.abs(nodes).max(), output_type="ndarray"
+    )
+    graph = coo_matrix(
+        (np.ones(len(close_pairs)), close_pairs.T), shape=(len(corners),) * 2
+    )
     inverse = connected_components(graph, directed=False)[1]
     vertices = np.ascontiguousarray(corners[np.unique(inverse, return_index=True)[1]].T)
-    mesh = quadratic.from_mesh(linear(vertices, np.ascontiguousarray(inverse.reshape(-1, count).T)))
+    mesh = quadratic.from_mesh(
+        linear(vertices, np.ascontiguousarray(inverse.reshape(-1, count).T))
+    )
     mesh.doflocs[:, mesh.dofs.element_dofs] = nodes.transpose(2, 1, 0)
     return mesh
 
 
 def cartesian_nodes(nodes, radius, bottom):
-    """Return nodes (c, 27, 3) [m] in scikit-fem's order of cells with nodes (c, 3, 3, 3, 3), made
-    right-handed.
+    """Return Cartesian nodes (c, 27, 3) [m] of right-handed cells for nodes (c, 3, 3,
+    3, 3) of `patch_box`.
 
-    The input is (angle, depth below the rim, height above `bottom` [m]), lengths over the radius,
-    see `patch_box`.
+    The input coordinates are angle, depth below the rim, and height above `bottom` [m],
+    with depth and height divided by the radius. The result is in scikit-fem's order.
     """
     angle, depth, height = np.moveaxis(nodes, -1, 0)
     distance = (1 - depth) * radius
-    points = [distance * np.cos(angle), distance * np.sin(angle), height * radius + bottom]
-    points = np.stack(points, -1)
+    x = distance * np.cos(angle)
+    y = distance * np.sin(angle)
+    points = np.stack([x, y, height * radius + bottom], -1)
     sides = [
-        np.take(points, 2, axis)[:, 1, 1] - np.take(points, 0, axis)[:, 1, 1] for axis in (1, 2, 3)
+        np.take(points, 2, axis)[:, 1, 1] - np.take(points, 0, axis)[:, 1, 1]
+        for axis in (1, 2, 3)
     ]
     left_handed = np.linalg.det(np.stack(sides, -1)) < 0
     points[left_handed] = np.swapaxes(points[left_handed], 1, 2)
@@ -93,8 +105,8 @@ def cartesian_nodes(nodes, radius, bottom):
 
 
 def low_patch_cells(radius, bottom, top, angle, height, size):
-    """Return the cell nodes (c, 27, 3) [m] of a disk between two heights [m], held on an arc that
-    is lower than it.
+    """Return the cell nodes (c, 27, 3) [m] of a disk between two heights [m], held on a
+    lower arc.
 
     The arc has a half angle [rad] and a height [m] above `bottom`.
     """
@@ -103,7 +115,9 @@ def low_patch_cells(radius, bottom, top, angle, height, size):
     n = boxes.cells_around
     rest = round((pi - last[0]) / size.width)
     rest += (n + rest) % 2
-    angles = np.append(np.linspace(0, last[0], n + 1), np.linspace(last[0], pi, rest + 1)[1:])
+    angles = np.append(
+        np.linspace(0, last[0], n + 1), np.linspace(last[0], pi, rest + 1)[1:]
+    )
     ring = rim_blocks(angles, size.depth)
     core = core_blocks(angles, size.depth, size.layers)
     middle = bottom + last[2] * radius
@@ -119,18 +133,19 @@ def low_patch_cells(radius, bottom, top, angle, height, size):
 
 
 def patch_height(thickness, support, full_height_share=0.985):
-    """Return the modelled height [m] of the patch of a `Support`: the thickness by default.
+    """Return the modelled height [m] of the patch of a `Support` (default: the
+    thickness).
 
-    A patch over more than `full_height_share` of the thickness is treated as one over all of it.
-    The free strip would change no frequency by more than 0.4 %, and is so thin that the cells
-    around it would err by more.
+    A patch over more than the fraction `full_height_share` of the thickness is treated
+    as a patch over the whole thickness. The free strip would change the frequencies by
+    at most 0.4 %, less than the error of the cells around such a thin strip.
     """
     height = support.height if support.kind == "patch" and support.height else thickness
     return height if height < full_height_share * thickness else thickness
 
 
 def patch_edge(radius, thickness, support):
-    """Return points (6, 3) [m] of the lower and the upper edge of the patch."""
+    """Return points (6, 3) [m] on the lower and upper edges of the patch."""
     angle = np.deg2rad(support.half_angle_deg) * np.array([-1, 0, 1])
     height = patch_height(thickness, support)
     bottom = -thickness / 2 if support.position == "bottom" else -height / 2
@@ -142,8 +157,8 @@ def patch_edge(radius, thickness, support):
 
 
 def sector(radius, thickness, support, size):
-    """Return the `Sector` of a disk [m] on a `Support`, graded to the patch edge as the `MeshSize`
-    demands."""
+    """Return the `Sector` of a disk [m] on a `Support`, graded towards the edge of the
+    patch."""
     half = thickness / 2
     is_free = support.kind == "free"
     height = patch_height(thickness, support)
@@ -157,5 +172,9 @@ def sector(radius, thickness, support, size):
         nodes = extrude(plane_cells, layer_heights(bottom, half, size, radius))
     else:
         nodes = low_patch_cells(radius, bottom, half, angle, meshed_height, size)
-    patch = None if is_free else (-meshed_height if quarter else bottom, bottom + meshed_height)
+    patch = (
+        None
+        if is_free
+        else (-meshed_height if quarter else bottom, bottom + meshed_height)
+    )
     return Sector(mesh=hexahedra(nodes), quarter=quarter, patch=patch)

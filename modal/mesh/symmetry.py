@@ -1,4 +1,5 @@
-"""The mirror symmetries of a held disk, and the unknowns of each symmetry class."""
+"""Define the mirror symmetries of a held disk and the unknowns of each symmetry
+class."""
 
 from dataclasses import dataclass
 from itertools import product
@@ -12,14 +13,16 @@ COMPONENTS = ("radial", "tangential", "axial")
 
 @dataclass(frozen=True, kw_only=True)
 class Mirror:
-    """One symmetry class: displacement even (1) or odd (-1) under y -> -y and under z -> -z (0: no
-    such symmetry)."""
+    """Symmetry class of displacements, even (1) or odd (-1) in y and in z.
+
+    z is 0 if the disk is not symmetric in z."""
 
     y: int
     z: int
 
-    def sign(self, flip_y, flip_z):
-        """Return the factors (3,) of the displacement components at the mirror image of a point."""
+    def component_signs(self, flip_y, flip_z):
+        """Return the sign factors (3,) of the displacement components at the mirror
+        image of a point."""
         sign = np.ones(3)
         if flip_y:
             sign *= self.y * np.array([1, -1, 1])
@@ -28,26 +31,28 @@ class Mirror:
         return sign
 
     def vanishing_components(self, points, scale):
-        """Return the mask (p, 3) of the components that vanish because a point (p, 3) is on a
-        mirror plane."""
+        """Return the mask (p, 3) of components that vanish by symmetry at points (p, 3)
+        on mirror planes."""
         on_y = np.abs(points[:, 1]) < 1e-9 * scale
-        vanishing = on_y[:, None] & (self.sign(True, False) < 0)
+        vanishing = on_y[:, None] & (self.component_signs(True, False) < 0)
         if not self.z:
             return vanishing
         on_z = np.abs(points[:, 2]) < 1e-9 * scale
-        return vanishing | (on_z[:, None] & (self.sign(False, True) < 0))
+        return vanishing | (on_z[:, None] & (self.component_signs(False, True) < 0))
 
 
 def symmetry_classes(quarter):
-    """Return the four `Mirror` classes of a quarter model, or the two of a half model."""
-    return [Mirror(y=y, z=z) for y, z in product((1, -1), (1, -1) if quarter else (0,))]
+    """Return the four `Mirror` classes of a quarter model or the two of a half
+    model."""
+    z_signs = (1, -1) if quarter else (0,)
+    return [Mirror(y=y, z=z) for y, z in product((1, -1), z_signs)]
 
 
-def on_patch(points, radius, half_angle, patch):
-    """Return the mask (p,) of points on the patch: the rim within half_angle [rad], between heights
-    (low, high) [m].
+def patch_node_mask(points, radius, half_angle, patch):
+    """Return the mask (p,) of points on the patch.
 
-    Without a patch (None) there is no such point.
+    The patch is the part of the rim within `half_angle` [rad] and between two heights
+    [m], or None.
     """
     if patch is None:
         return np.zeros(len(points), bool)
@@ -58,13 +63,13 @@ def on_patch(points, radius, half_angle, patch):
     return on_rim & inside & (np.abs(np.arctan2(y, x)) < half_angle + 1e-9)
 
 
-def free_unknowns(points, held, components, mirror=None, scale=1.0):
-    """Return T (3p, n) with columns that span the displacements of a symmetry class that vanish on
-    the patch.
+def admissible_displacements(points, held, components, mirror=None, scale=1.0):
+    """Return a matrix (3p, n) whose columns span the admissible displacements of a
+    symmetry class.
 
-    `held` (p,) marks the nodes on the patch and `components` names those that vanish there; without
-    a `mirror` there is no symmetry. Nodes on the patch have radial, tangential, axial components,
-    all others Cartesian ones.
+    `held` (p,) marks the nodes on the patch, and `components` contains the names of the
+    components that vanish there. If `mirror` is None, no symmetry is used. Columns of
+    nodes on the patch are cylindrical components, all others Cartesian ones.
     """
     vanishing = np.zeros((len(points), 3), bool)
     if mirror:
@@ -77,31 +82,36 @@ def free_unknowns(points, held, components, mirror=None, scale=1.0):
 
 
 def cartesian_from_cylindrical(points, marked):
-    """Return the matrix (3p, 3p) from cylindrical to Cartesian components at marked nodes, identity
-    elsewhere."""
+    """Return the matrix (3p, 3p) from cylindrical to Cartesian components at marked
+    nodes.
+
+    It is the identity at all other nodes."""
     blocks = np.broadcast_to(np.eye(3), (len(points), 3, 3)).copy()
     angle = np.arctan2(points[marked, 1], points[marked, 0])
     blocks[marked, 0, 0] = np.cos(angle)
     blocks[marked, 1, 1] = np.cos(angle)
     blocks[marked, 1, 0] = np.sin(angle)
     blocks[marked, 0, 1] = -np.sin(angle)
-    return sp.bsr_matrix((blocks, np.arange(len(points)), np.arange(len(points) + 1))).tocsc()
+    return sp.bsr_matrix(
+        (blocks, np.arange(len(points)), np.arange(len(points) + 1))
+    ).tocsc()
 
 
-def check_held(points, components):
-    """Raise ValueError if holding the named components at points (p, 3) leaves a rigid-body motion
-    free."""
+def check_no_rigid_motion(points, components):
+    """Raise ValueError if components held at points (p, 3) do not prevent all
+    rigid-body motions."""
     frame = cartesian_from_cylindrical(points, np.ones(len(points), bool))
     translations = np.tile(np.eye(3), (len(points), 1, 1))
     rotations = np.cross(np.eye(3), points[:, None])
     fields = np.concatenate([translations, rotations], axis=1)
-    motion = (frame.T @ fields.transpose(0, 2, 1).reshape(-1, 6)).reshape(-1, 3, 6)
+    columns = fields.transpose(0, 2, 1).reshape(-1, 6)
+    motion = (frame.T @ columns).reshape(-1, 3, 6)
     at_held = motion[:, [COMPONENTS.index(c) for c in components]].reshape(-1, 6)
     size = np.linalg.norm(motion.reshape(-1, 6), axis=0)
     singular_values = np.linalg.svd(at_held / size, compute_uv=False)
     free = 6 - np.count_nonzero(singular_values > 1e-9 * singular_values[0])
     if free:
         raise ValueError(
-            f"support.held = {list(components)} leaves the disk {free} rigid-body motion(s): hold "
+            f"support.held = {list(components)} leaves the disk {free} rigid-body motion(s); hold "
             f"more components",
         )

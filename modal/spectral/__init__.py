@@ -1,2 +1,2 @@
-"""Modes of axisymmetric solids by Ritz's method in Fourier series and polynomials, order by
-order."""
+"""Compute the modes of axisymmetric solids by Ritz's method with Fourier series and
+polynomials."""

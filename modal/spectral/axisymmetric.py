@@ -1,7 +1,9 @@
-"""The modes of an axisymmetric solid: every order n >= 1 gives degenerate pairs of a cosine and a
-sine mode."""
+"""Compute the modes of an axisymmetric solid, with degenerate cosine and sine modes for
+every order n >= 1."""
 
+from collections.abc import Sequence
 from math import pi
+from typing import Any
 
 import numpy as np
 
@@ -11,16 +13,22 @@ from modal.elements.unfold import whole_mesh
 from modal.mesh.half_disk import MeshSize, cells_of_blocks, rim_blocks
 from modal.mesh.sector import extrude, hexahedra, sector
 from modal.modes import Modes, Support
-from modal.spectral.basis import Plate
-from modal.spectral.p_refinement import Eigenpairs, all_eigenpairs, displacement_amplitudes
+from modal.spectral.basis import Plate, RitzProblem
+from modal.spectral.p_refinement import (
+    Eigenpairs,
+    all_eigenpairs,
+    displacement_amplitudes,
+)
 from modal.spectral.ritz import gauss_grid
 
 
-def displacement_at_angles(amplitude, n, angle, odd):
-    """Return the cylindrical displacement (..., 3) at angles (q,) [rad] from amplitudes (3, ..., q)
-    of order n.
+def displacement_at_angles(
+    amplitude: Sequence[np.ndarray] | np.ndarray, n: int, angle: np.ndarray, odd: bool
+) -> np.ndarray:
+    """Return the cylindrical displacement (..., 3) at angles (q,) [rad] from amplitudes
+    (3, ..., q) of order n.
 
-    The sine partner if `odd`, the cosine mode otherwise.
+    It is that of the sine partner if `odd`, and of the cosine mode otherwise.
     """
     c = np.cos(n * angle)
     s = np.sin(n * angle)
@@ -28,16 +36,18 @@ def displacement_at_angles(amplitude, n, angle, odd):
     return np.stack([a * f for a, f in zip(amplitude, factors, strict=True)], axis=-1)
 
 
-def sine_partner_flags(pairs: Eigenpairs):
-    """Return False for a cosine mode and True for its sine partner, for each member of a pair.
+def sine_partner_flags(pairs: Eigenpairs) -> tuple[bool, ...]:
+    """Return a flag for each member of a pair: False for the cosine mode, True for its
+    sine partner.
 
-    Torsion is a single mode and counts as the sine partner, since its u_theta is even in theta.
+    A torsional mode is single and counts as a sine partner, because its u_theta is even
+    in theta.
     """
     return (False, True) if pairs.problem.n else (pairs.problem.family == "torsional",)
 
 
-def cosine_participation(plate, pairs):
-    """Return the participation (k, 6) of the cosine modes, see `Modes`."""
+def cosine_participation(plate: Plate, pairs: Eigenpairs) -> np.ndarray:
+    """Return the participations (k, 6) of the cosine modes, see `Modes`."""
     n = pairs.problem.n
     rho, zeta, radial_weight, axial_weight = gauss_grid(plate, n, pairs.size)
     a, b, w = displacement_amplitudes(plate, pairs, rho, zeta)
@@ -54,15 +64,17 @@ def cosine_participation(plate, pairs):
     return np.einsum("fkrz,rz->kf", work, weight)
 
 
-def family_name(problem):
-    """Return the family of `Modes` that the modes of a `Problem` belong to."""
+def family_name(problem: RitzProblem) -> str:
+    """Return the name of the family of the modes of a `RitzProblem`, see `Modes`."""
     if problem.family == "torsional":
         return "torsional"
     return "extensional" if problem.even > 0 else "flexural"
 
 
-def mode_columns(plate, pairs, odd, drawing_nodes):
-    """Return the arrays (k, ...) that one problem contributes to `Modes`; `drawing_nodes` as in
+def mode_columns(
+    plate: Plate, pairs: Eigenpairs, odd: bool, drawing_nodes: tuple[Any, ...]
+) -> dict[str, np.ndarray]:
+    """Return the arrays (k, ...) of `Modes` for one problem; `drawing_nodes` is from
     `drawing_mesh`."""
     p = pairs.problem
     n = pairs.problem.n
@@ -73,7 +85,9 @@ def mode_columns(plate, pairs, odd, drawing_nodes):
     angle = sample.rim_angles()
     rim = displacement_amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
     r, _, theta = sample.face_grid(1.0, plate.hole)
-    faces = displacement_amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
+    faces = displacement_amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[
+        2
+    ].transpose(0, 2, 1)
     around = np.sin(n * theta) if odd else np.cos(n * theta)
     node_angle, (rho, at_rho), (zeta, at_zeta) = drawing_nodes
     inside = displacement_amplitudes(plate, pairs, rho, zeta)[..., at_rho, at_zeta]
@@ -94,26 +108,33 @@ def mode_columns(plate, pairs, odd, drawing_nodes):
         "face_shape": faces[..., None] * around,
         "residual": pairs.residual,
         "error": pairs.error.sum(axis=0),
-        "displacement": sample.polar_components(cylindrical, -node_angle),  # back to x, y, z
+        "displacement": sample.polar_components(
+            cylindrical, -node_angle
+        ),  # Cartesian components
     }
 
 
-def drawing_mesh_split(highest_order: int, mode_count: int, max_bytes: float = 4e8) -> int:
-    """Return into how many parts to split the cell edges of the `drawing_mesh`.
+def drawing_mesh_split(
+    highest_order: int, mode_count: int, max_bytes: float = 4e8
+) -> int:
+    """Return the number of parts into which cell edges of the `drawing_mesh` are split.
 
-    The cells resolve waves of the highest order, unless the displacements of all modes would take
-    more than `max_bytes`.
+    The cells resolve waves of the highest order, unless the displacements of all modes
+    would exceed `max_bytes`.
     """
     bytes_unsplit = 800 * 3 * 8  # 800 nodes with three displacements each
     affordable = (max_bytes / (bytes_unsplit * max(mode_count, 1))) ** (1 / 3)
     return max(1, min(1 + highest_order // 6, int(affordable)))
 
 
-def drawing_mesh(plate, split):
+def drawing_mesh(
+    plate: Plate, split: int
+) -> tuple[np.ndarray, np.ndarray, tuple[Any, ...]]:
     """Return nodes (p, 3) [m], cells and node coordinates of a mesh of the whole plate.
 
-    Every cell edge is split into `split` parts. The node coordinates are the angles (p,) [rad], and
-    the distinct relative radii and heights, each with indices (p,) into them.
+    Every cell edge is split into `split` parts. The node coordinates are the angles
+    (p,) [rad] and the distinct relative radii and heights, both with the index (p,) of
+    each node in them.
     """
     size = MeshSize(width=pi / 8, depth=0.38, rings=1, split=split)
     if plate.hole:
@@ -122,7 +143,9 @@ def drawing_mesh(plate, split):
         mesh = hexahedra(extrude(cells_of_blocks(blocks, size) * plate.radius, heights))
     else:
         mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
-    points, cells, _ = whole_mesh(mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True)
+    points, cells, _ = whole_mesh(
+        mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True
+    )
     x, y, z = points.T
     rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1).round(12)
     zeta = np.clip(2 * z / plate.thickness, -1, 1).round(12)
@@ -137,14 +160,16 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
     Parameters
     ----------
     plate : Plate
+        The plate.
     below : float
-        Highest frequency [Hz], excluded.
+        Exclusive upper limit of the frequencies [Hz].
     accuracy : {"draft", "standard", "reference"}, optional
+        Accuracy of the solver.
 
     Returns
     -------
     Modes
-        Empty if there is no mode below `below`.
+        Modes below `below`; may be empty.
 
     Examples
     --------
@@ -155,12 +180,14 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
     [2, 2, 0]
     """
     limit = below
-    found = []
+    found: list[Eigenpairs] = []
     while not found:
         found = all_eigenpairs(plate, limit, ACCURACY_LEVELS[accuracy].free_error)
         limit *= 2
     highest_order = max(pairs.problem.n for pairs in found)
-    mode_count = sum(len(sine_partner_flags(pairs)) * len(pairs.values) for pairs in found)
+    mode_count = sum(
+        len(sine_partner_flags(pairs)) * len(pairs.values) for pairs in found
+    )
     split = drawing_mesh_split(highest_order, mode_count)
     points, cells, drawing_nodes = drawing_mesh(plate, split)
     parts = []
@@ -168,8 +195,12 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
         for odd in sine_partner_flags(pairs):
             part = mode_columns(plate, pairs, odd, drawing_nodes)
             parts.append(part | {"pair": 1000 * number + part["pair"]})
-    columns = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    columns = {name: value[columns["frequency"] < below] for name, value in columns.items()}
+    columns = {
+        name: np.concatenate([part[name] for part in parts]) for name in parts[0]
+    }
+    columns = {
+        name: value[columns["frequency"] < below] for name, value in columns.items()
+    }
     return sample.sorted_modes(
         columns,
         plate.material,

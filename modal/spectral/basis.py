@@ -1,10 +1,11 @@
-"""The basis of Ritz's method for axisymmetric solids: one family of functions per component, order
-n and z symmetry.
+"""Define the basis of Ritz's method for axisymmetric solids of one order n and symmetry
+in z.
 
-u_r = a cos n theta, u_theta = b sin n theta, u_z = w cos n theta. A displacement is smooth on the
-axis if a + b, a - b and w are r^|n+1|, r^|n-1| and r^n times polynomials in r^2. The basis
-functions are Jacobi polynomials in r times Legendre polynomials in z. With a hole about the axis
-there is no such condition, and the polynomials in r are Legendre polynomials, too.
+The displacement is u_r = a cos n theta, u_theta = b sin n theta, u_z = w cos n theta.
+It is smooth on the axis if a + b, a - b and w are r^|n+1|, r^|n-1| and r^n times
+polynomials in r^2. The basis functions are Jacobi polynomials in r times Legendre
+polynomials in z. If there is a hole around the axis, this condition does not apply, and
+Legendre polynomials in r are used.
 """
 
 from dataclasses import dataclass
@@ -19,32 +20,33 @@ EDGE_CONDITIONS = {
     "supported": ("axial",),
     "clamped": ("radial", "tangential", "axial"),
 }
-"""Components of the displacement that vanish on the whole outer lateral surface, by edge."""
+"""Components of the displacement that vanish on the outer lateral surface for each edge
+condition."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Plate:
     """A cylindrical plate of any thickness.
 
-    An elastic ring may resist the axial motion averaged over the thickness. The average is needed
-    because the displacement of a solid under a line load is infinite.
+    An elastic ring may resist the axial motion averaged over the thickness. The average
+    is used because the displacement of a solid under a line load is infinite.
 
     Attributes
     ----------
     radius, thickness : float
         Size [m].
     material : Material
-        Its young [Pa], poisson and loss_factor are used.
+        Object with young [Pa], poisson and loss_factor.
     density : float
         Density [kg/m^3].
     edge : {"free", "supported", "clamped"}
-        Condition on the lateral surface.
+        Boundary condition on the lateral surface.
     inner_radius : float
-        Radius [m] of a hole along the axis; 0 without one.
+        Radius [m] of a hole along the axis, or 0 if there is none.
     ring_radius : float
         Radius [m] of the elastic ring.
     ring_stiffness : float
-        Stiffness of the ring per length [N/m^2]; 0 without a ring.
+        Stiffness of the ring per length [N/m^2], or 0 if there is none.
 
     Raises
     ------
@@ -69,19 +71,23 @@ class Plate:
     ring_radius: float = 0.0
     ring_stiffness: float = 0.0
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.edge not in EDGE_CONDITIONS:
-            raise ValueError(f"edge = {self.edge!r}: one of {', '.join(EDGE_CONDITIONS)}")
+            raise ValueError(
+                f"edge = {self.edge!r}: must be one of {', '.join(EDGE_CONDITIONS)}"
+            )
         is_cylinder = 0 <= self.inner_radius < self.radius and self.thickness > 0
         if not is_cylinder or not self.density > 0:
             raise ValueError(
-                "a plate has 0 <= inner_radius < radius, and thickness and density above 0",
+                "a plate must have 0 <= inner_radius < radius and thickness and density above 0",
             )
 
     @property
     def mass(self) -> float:
         """Mass [kg]."""
-        return self.density * pi * (self.radius**2 - self.inner_radius**2) * self.thickness
+        return (
+            self.density * pi * (self.radius**2 - self.inner_radius**2) * self.thickness
+        )
 
     @property
     def hole(self) -> float:
@@ -90,65 +96,95 @@ class Plate:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Term:
-    """A family of basis functions of rho = r/R and of z.
+class BasisFamily:
+    """A family of basis functions of rho = r/R and z.
 
-    In the radius they are rho^power times polynomials in rho^2, or polynomials in rho where there
-    is a hole.
+    The radial functions are rho^power times polynomials in rho^2, or polynomials in rho
+    if there is a hole.
     """
 
     power: int
-    """Power of rho on the axis."""
-    share: tuple[float, float, float]
+    """Exponent of rho near the axis."""
+    component_factors: tuple[float, float, float]
     """Factors of the functions in (u_r, u_theta, u_z)."""
     even: int
     """Symmetry in z: 1 or -1."""
     held: bool = False
     """True if the functions vanish on the lateral surface."""
     hole: float = 0.0
-    """Inner over outer radius."""
+    """Ratio of the inner to the outer radius."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Problem:
-    """One separate eigenvalue problem of an axisymmetric solid."""
+class RitzProblem:
+    """Separate eigenvalue problem of an axisymmetric solid."""
 
     n: int
-    """Order around the axis."""
+    """Circumferential order."""
     even: int
     """Symmetry of the in-plane motion in z: 1 or -1."""
     family: str
-    """Components that move: "meridional", or "torsional" (n = 0 only)."""
-    terms: tuple[Term, ...]
+    """Components in motion: "meridional", or "torsional" (n = 0 only)."""
+    terms: tuple[BasisFamily, ...]
     """Families of basis functions."""
 
 
-def problem(plate, n, even, torsional=False):
-    """Return the `Problem` of one order and symmetry; the in-plane terms of n >= 1 are held
-    together."""
+def ritz_problem(
+    plate: Plate, n: int, even: int, torsional: bool = False
+) -> RitzProblem:
+    """Return the `RitzProblem` of one order and symmetry.
+
+    For n >= 1 both in-plane terms vanish on a lateral surface that is held radially."""
     held = EDGE_CONDITIONS[plate.edge]
     hole = plate.hole
     if n == 0 and torsional:
-        term = Term(power=1, share=(0, 1, 0), even=even, held="tangential" in held, hole=hole)
-        return Problem(n=n, even=even, family="torsional", terms=(term,))
-    axial = Term(power=n, share=(0, 0, 1), even=-even, held="axial" in held, hole=hole)
-    powers = [(1, (1, 0, 0))] if n == 0 else [(n + 1, (1, 1, 0)), (n - 1, (1, -1, 0))]
+        term = BasisFamily(
+            power=1,
+            component_factors=(0, 1, 0),
+            even=even,
+            held="tangential" in held,
+            hole=hole,
+        )
+        return RitzProblem(n=n, even=even, family="torsional", terms=(term,))
+    axial = BasisFamily(
+        power=n,
+        component_factors=(0, 0, 1),
+        even=-even,
+        held="axial" in held,
+        hole=hole,
+    )
+    powers = [(1, (1, 0, 0))]
+    if n > 0:
+        powers = [(n + 1, (1, 1, 0)), (n - 1, (1, -1, 0))]
     plane = []
-    for k, share in powers:
-        plane.append(Term(power=k, share=share, even=even, held="radial" in held, hole=hole))
-    return Problem(n=n, even=even, family="meridional", terms=(*plane, axial))
+    for k, factors in powers:
+        plane.append(
+            BasisFamily(
+                power=k,
+                component_factors=factors,
+                even=even,
+                held="radial" in held,
+                hole=hole,
+            )
+        )
+    return RitzProblem(n=n, even=even, family="meridional", terms=(*plane, axial))
 
 
-def legendre_values(order, x):
-    """Return values and slopes (j, k) of Legendre polynomials of orders (j, 1) at x (k,); slopes
-    need |x| < 1."""
+def legendre_values(order: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return values and slopes (j, k) of Legendre polynomials of orders (j, 1) at x
+    (k,).
+
+    Slopes are valid for |x| < 1."""
     value = eval_legendre(order, x)
     previous = eval_legendre(np.maximum(order - 1, 0), x)
     return value, order * (previous - x * value) / np.maximum(1 - x**2, 1e-300)
 
 
-def radial_functions(term, count, rho):
-    """Return values and slopes (count, k) of the radial functions of a `Term` at rho (k,)."""
+def radial_functions(
+    term: BasisFamily, count: int, rho: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return values and slopes (count, k) of the radial functions of a `BasisFamily` at
+    rho (k,)."""
     j = np.arange(count)[:, None]
     if term.hole:
         value, slope = legendre_values(
@@ -163,27 +199,36 @@ def radial_functions(term, count, rho):
     return (1 - rho**2) * value, (1 - rho**2) * slope - 2 * rho * value
 
 
-def jacobi_values(j, power, rho):
-    """Return values and slopes of rho^power times Jacobi polynomials of orders j (count, 1) in
-    rho^2."""
+def jacobi_values(
+    j: np.ndarray, power: int, rho: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return values and slopes of rho^power times Jacobi polynomials of orders j
+    (count, 1) in rho^2."""
     k = power
     x = 2 * rho**2 - 1
     poly = eval_jacobi(j, 0, k, x)
     slope = (
-        2 * rho * (j + k + 1) * np.where(j > 0, eval_jacobi(np.maximum(j - 1, 0), 1, k + 1, x), 0.0)
+        2
+        * rho
+        * (j + k + 1)
+        * np.where(j > 0, eval_jacobi(np.maximum(j - 1, 0), 1, k + 1, x), 0.0)
     )
     return rho**k * poly, rho**k * slope + (k * rho ** max(k - 1, 0)) * poly
 
 
-def axial_functions(term, count, zeta):
-    """Return values and slopes (count, k) of the axial functions of a `Term` at zeta (k,) in [-1,
-    1]."""
-    return legendre_values(np.arange(0 if term.even > 0 else 1, 2 * count, 2)[:, None], zeta)
+def axial_functions(
+    term: BasisFamily, count: int, zeta: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return values and slopes (count, k) of the axial functions of a `BasisFamily` at
+    zeta (k,) in [-1, 1]."""
+    return legendre_values(
+        np.arange(0 if term.even > 0 else 1, 2 * count, 2)[:, None], zeta
+    )
 
 
-def rigid_mode_count(plate, p):
-    """Return how many rigid-body modes (0 or 1) a `Problem` has: those that neither edge nor ring
-    resists."""
+def rigid_mode_count(plate: Plate, p: RitzProblem) -> int:
+    """Return the number (0 or 1) of rigid-body modes of a `RitzProblem` not prevented
+    by edge or ring."""
     held = EDGE_CONDITIONS[plate.edge]
     n = p.n
     if p.family == "torsional":
@@ -193,18 +238,19 @@ def rigid_mode_count(plate, p):
     return int(n <= 1 and "axial" not in held and not plate.ring_stiffness)
 
 
-def rigid_mode(plate, p, size):
-    """Return the rigid-body mode (N, rigid_mode_count) of a `Problem` in the basis of `size`
-    (radial, axial).
+def rigid_mode(plate: Plate, p: RitzProblem, size: tuple[int, int]) -> np.ndarray:
+    """Return the rigid-body mode (N, rigid_mode_count) of a `RitzProblem` in the basis
+    of `size` (radial, axial).
 
-    Its parts are rho^power in the radius, with power 0 or 1, and the lowest polynomial in z.
+    Its parts are rho^power with power 0 or 1 times the lowest polynomial in z.
     """
     if len(p.terms) == 1:
-        weights = (1.0,)
+        weights: tuple[float, ...] = (1.0,)
     elif len(p.terms) == 2:
         weights = (0.0, 1.0)
     elif p.n == 1 and p.even < 0:
-        weights = (0.0, -plate.thickness / (2 * plate.radius), 1.0)  # a rotation about a diameter
+        # rotation about a diameter
+        weights = (0.0, -plate.thickness / (2 * plate.radius), 1.0)
     else:
         weights = (0, 1.0, 0)
     lowest = np.eye(size[1])[0]
@@ -214,9 +260,10 @@ def rigid_mode(plate, p, size):
     return np.concatenate(parts)[:, None][:, : rigid_mode_count(plate, p)]
 
 
-def power_coefficients(term, count):
-    """Return the coefficients (count,) of rho^power in the radial functions; with a hole for power
-    0 or 1 only."""
+def power_coefficients(term: BasisFamily, count: int) -> np.ndarray:
+    """Return the coefficients (count,) of rho^power in the radial functions.
+
+    If there is a hole, the power must be 0 or 1."""
     first = [1.0]
     if term.hole and term.power:
         first = [(1 + term.hole) / 2, (1 - term.hole) / 2]

@@ -1,5 +1,5 @@
-"""Stiffness and mass of an axisymmetric solid in the basis of basis.py, by Gauss quadrature that is
-exact for it."""
+"""Assemble stiffness and mass of an axisymmetric solid in the basis of basis.py by
+exact quadrature."""
 
 from functools import cache
 from math import atanh, ceil, log, pi
@@ -13,13 +13,13 @@ leggauss = cache(np.polynomial.legendre.leggauss)
 
 
 def strain_coefficients(term, n):
-    """Return the coefficients (6, 3, 2) of the strains in products of radial and axial functions of
-    a `Term`.
+    """Return the coefficients (6, 3, 2) of strains in products of radial and axial
+    factors of a `BasisFamily`.
 
-    The strains are rr, theta theta, zz, and twice rz, r theta, theta z. The radial factors are
-    value, slope and value over r, the axial functions value and slope.
+    The strains are rr, theta theta, zz, and twice rz, r theta, theta z. The radial
+    factors are value, slope and value/r; the axial factors are value and slope.
     """
-    a, b, w = term.share
+    a, b, w = term.component_factors
     strain = np.zeros((6, 3, 2))
     strain[0, 1, 0] = a
     strain[1, 2, 0] = a + n * b
@@ -34,11 +34,12 @@ def strain_coefficients(term, n):
 
 
 def gauss_grid(plate, n, size):
-    """Return Gauss points rho in [hole, 1] and zeta in [-1, 1] and their weights [m^2], [m], exact
-    for the basis.
+    """Return Gauss points rho and zeta and their weights [m^2] and [m], exact for the
+    basis.
 
-    On a solid plate the integrands are polynomials in rho^2, and the points are those of Gauss in
-    rho^2. Around a hole they are polynomials over rho, integrated by `graded_gauss`.
+    The ranges are [hole, 1] for rho and [-1, 1] for zeta. For a solid plate the
+    integrands are polynomials in rho^2, and Gauss points in rho^2 are used. Around a
+    hole they are polynomials divided by rho, integrated by `graded_gauss`.
     """
     zeta, axial_weight = leggauss(2 * size[1] + 2)
     around = 2 * pi if n == 0 else pi
@@ -48,17 +49,24 @@ def gauss_grid(plate, n, size):
     else:
         x, weight = leggauss(size[0] + n // 2 + 4)
         rho = ((x + 1) / 2) ** 0.5
-    return rho, zeta, around * weight / 4 * plate.radius**2, axial_weight * plate.thickness / 2
+    return (
+        rho,
+        zeta,
+        around * weight / 4 * plate.radius**2,
+        axial_weight * plate.thickness / 2,
+    )
 
 
 def graded_gauss(hole, count, digits=16):
-    """Return points and weights (k,) for int f drho over [hole, 1], f a polynomial of degree 2
-    count over rho.
+    """Return points and weights (k,) for integrals over [hole, 1] of polynomials
+    divided by rho.
 
-    They are Gauss points in intervals of equal ratio, each at most a decade. For an interval that
-    begins at the share s of its end, the pole at rho = 0 is on the ellipse of log-radius e = 2
-    atanh(sqrt(s)); n points leave exp(-2 n e) of it (Trefethen, Approximation Theory and
-    Approximation Practice, theorem 19.3), which is 10^-digits with n = digits ln(10)/(2 e).
+    The degree of the polynomials is at most 2 `count`. Gauss points are used in
+    geometrically graded intervals of at most a decade. For an interval with the ratio s
+    of its ends, the pole at rho = 0 lies on the ellipse of log-radius e = 2
+    atanh(sqrt(s)), and the relative error with n points is exp(-2 n e) (Trefethen,
+    Approximation Theory and Approximation Practice, theorem 19.3), which is 10^-digits
+    for n = digits ln(10)/(2 e).
     """
     intervals = ceil(-log(hole) / log(10))
     share = hole ** (1 / intervals)
@@ -69,20 +77,20 @@ def graded_gauss(hole, count, digits=16):
 
 
 def functions_on_grid(plate, term, size, rho, zeta):
-    """Return value, slope, value over r (3, a, k) of the radial functions, and value, slope (2, c,
-    l) of the axial."""
+    """Return radial factors (3, a, k) and axial factors (2, c, l) on the grid, see
+    `strain_coefficients`."""
     value, slope = radial_functions(term, size[0], rho)
     axial_value, axial_slope = axial_functions(term, size[1], zeta)
     radial = np.stack([value, slope / plate.radius, value / (rho * plate.radius)])
     return radial, np.stack([axial_value, axial_slope * 2 / plate.thickness])
 
 
-def matrices(plate, p, size):
-    """Return stiffness and mass (N, N) of one `Problem`: int lam tr(eps)^2 + 2 mu eps:eps, and int
-    rho u.u.
+def stiffness_and_mass(plate, p, size):
+    """Return stiffness and mass (N, N) of one `RitzProblem`.
 
-    All pairs of terms s, t are treated at once; i, j index the radial factors of
-    `functions_on_grid`, x, y the axial ones.
+    They are int lam tr(eps)^2 + 2 mu eps:eps and int rho u.u. In the sums, s and t are
+    the indices of terms, i and j those of radial factors, x and y those of axial
+    factors of `functions_on_grid`.
     """
     rho, zeta, radial_weight, axial_weight = gauss_grid(plate, p.n, size)
     lam, mu = lame_constants(plate.material)
@@ -94,34 +102,45 @@ def matrices(plate, p, size):
     radial_products = np.einsum("siak,tjbk->stijab", r * radial_weight, r)
     axial_products = np.einsum("sxcl,tydl->stxycd", z * axial_weight, z)
     strain = np.stack([strain_coefficients(t, p.n) for t in p.terms])
-    share = np.array([t.share for t in p.terms], float)
-    energy = np.einsum("IJ,sIix,tJjy->stxyij", elasticity, strain, strain, optimize=True)
+    share = np.array([t.component_factors for t in p.terms], float)
+    energy = np.einsum(
+        "IJ,sIix,tJjy->stxyij", elasticity, strain, strain, optimize=True
+    )
     radial_energy = np.einsum("stxyij,stijab->stxyab", energy, radial_products)
     stiffness = tensor_product(radial_energy, axial_products)
     radial_inertia = (
-        radial_products[:, :, 0, 0] * plate.density * (share @ share.T)[:, :, None, None]
+        radial_products[:, :, 0, 0]
+        * plate.density
+        * (share @ share.T)[:, :, None, None]
     )
     mass = tensor_product(radial_inertia, axial_products[:, :, 0, 0])
     return stiffness + ring_matrix(plate, p, size), mass
 
 
 def tensor_product(radial, axial):
-    """Return the matrix (N, N) of unknowns (s a c), (t b d) from factors (s, t, ..., a, b) and (s,
-    t, ..., c, d).
+    """Return the matrix (N, N) with rows (s a c) and columns (t b d) from its radial
+    and axial factors.
 
-    The remaining indices are summed.
+    The shapes of the factors are (s, t, ..., a, b) and (s, t, ..., c, d); the remaining
+    indices are summed.
     """
     s, t, *_, a, b = radial.shape
     c, d = axial.shape[-2:]
-    flat = radial.reshape(s, t, -1, a * b).swapaxes(2, 3) @ axial.reshape(s, t, -1, c * d)
-    return flat.reshape(s, t, a, b, c, d).transpose(0, 2, 4, 1, 3, 5).reshape(s * a * c, t * b * d)
+    flat = radial.reshape(s, t, -1, a * b).swapaxes(2, 3) @ axial.reshape(
+        s, t, -1, c * d
+    )
+    return (
+        flat.reshape(s, t, a, b, c, d)
+        .transpose(0, 2, 4, 1, 3, 5)
+        .reshape(s * a * c, t * b * d)
+    )
 
 
 def ring_matrix(plate, p, size):
-    """Return the stiffness (N, N) of the elastic ring: ring_stiffness times the integral along it
-    of u_z^2.
+    """Return the stiffness (N, N) of the elastic ring, ring_stiffness times the
+    integral of u_z^2 along it.
 
-    u_z is averaged over z; of the Legendre polynomials only the constant has an average.
+    u_z is averaged over z, so only the constant Legendre polynomial contributes.
     """
     if not plate.ring_stiffness or p.even > 0:
         return 0.0
@@ -129,7 +148,10 @@ def ring_matrix(plate, p, size):
     constant = np.eye(size[1])[0]
     at_ring = [radial_functions(t, size[0], rho)[0][:, 0] for t in p.terms]
     u_z = np.concatenate(
-        [t.share[2] * np.kron(r, constant) for t, r in zip(p.terms, at_ring, strict=True)],
+        [
+            t.component_factors[2] * np.kron(r, constant)
+            for t, r in zip(p.terms, at_ring, strict=True)
+        ],
     )
     around = (2 * pi if p.n == 0 else pi) * plate.ring_radius
     return plate.ring_stiffness * around * np.outer(u_z, u_z)

@@ -1,1 +1,2 @@
-"""Modes of a disk on a patch, from the modes of the free disk and tractions on the patch."""
+"""Synthesise the modes of a disk on a patch from those of the free disk and tractions
+on the patch."""

@@ -1,10 +1,10 @@
-"""A disk on a patch by synthesis: modes of the free disk, the flexibility of the others, tractions
-on the patch.
+"""Synthesise a disk on a patch from modes of the free disk, residual flexibility and
+tractions.
 
-With q the free modes, -p the tractions and B their work, (Omega^2 - w^2) q + B^T p = 0 and B q = (F
-+ w^2 G) p. F and w^2 G are the flexibility of the other modes to first order in w^2. With P = F^-1
-B to the same order, (Omega^2 + P^T F P) q = w^2 (1 + P^T G P) q (MacNeal 1971, Rubin 1975).
-`tractions` has the tractions.
+For amplitudes q of the free modes, tractions -p and their work B, (Omega^2 - w^2) q +
+B^T p = 0 and B q = (F + w^2 G) p. F and w^2 G are the flexibility of the omitted modes
+to first order in w^2. With P = F^-1 B to the same order, (Omega^2 + P^T F P) q = w^2 (1
++ P^T G P) q (MacNeal 1971, Rubin 1975). The module `tractions` defines the tractions.
 """
 
 from dataclasses import dataclass, replace
@@ -18,51 +18,65 @@ from scipy.linalg import cholesky, eigh, solve_triangular
 
 from modal.elements.elastic import lame_constants
 from modal.mesh.sector import patch_edge
-from modal.mesh.symmetry import check_held
+from modal.mesh.symmetry import check_no_rigid_motion
 from modal.modes import Support
-from modal.progress import reporting
-from modal.spectral.basis import Plate, problem, rigid_mode_count
-from modal.spectral.ritz import matrices
-from modal.synthesis.clamped import HeldClass, held_class
-from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, PatchTractions, Richness
+from modal.progress import report_each
+from modal.spectral.basis import Plate, RitzProblem, rigid_mode_count, ritz_problem
+from modal.spectral.ritz import stiffness_and_mass
+from modal.synthesis.clamped import HeldSymmetryClass, solve_held_class
+from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, BasisSizes, PatchTractions
 
 
 @dataclass(frozen=True, kw_only=True)
 class FreeOrder:
-    """One order and z symmetry of the free disk, by the Legendre coefficients of (u_r, u_theta,
-    u_z) at the rim."""
+    """Modes of the free disk of one order and z symmetry, as Legendre coefficients at
+    the rim.
+
+    The coefficients are those of (u_r, u_theta, u_z)."""
 
     values: np.ndarray
-    """Eigenvalues (k,) [1/s^2] of the kept modes, rigid ones first with value 0."""
+    """Eigenvalues (k,) [1/s^2] of the retained modes; those of rigid-body modes come
+    first and are 0."""
     shapes: np.ndarray
-    """Shapes (3 nz, k) of the kept modes."""
-    rest: np.ndarray
-    """Of all other modes (3, 3 nz, 3 nz): static flexibility [m/N], its slope over w^2 [m s^2/N],
-    and the contribution of the highest polynomials of the basis to it [m/N]."""
+    """Shapes (3 nz, k) of the retained modes."""
+    omitted_flexibility: np.ndarray
+    """Flexibility (3, 3 nz, 3 nz) of all other modes: static value [m/N], derivative
+    with respect to w^2 [m s^2/N], and contribution of the highest polynomials of the
+    basis to the static value [m/N]."""
 
 
-def rim_matrix(p, size):
-    """Return S (3 nz, N): Legendre coefficients of (u_r, u_theta, u_z) at the rim, where radial
-    functions are 1."""
+def rim_coefficient_matrix(p: RitzProblem, size: tuple[int, int]) -> np.ndarray:
+    """Return the matrix (3 nz, N) from basis to Legendre coefficients of (u_r, u_theta,
+    u_z) at the rim.
+
+    There all radial functions are 1."""
     axial = np.tile(np.eye(size[1]), size[0])
-    return np.hstack([np.kron(np.array(t.share, float)[:, None], axial) for t in p.terms])
+    return np.hstack(
+        [np.kron(np.array(t.component_factors, float)[:, None], axial) for t in p.terms]
+    )
 
 
-def free_order(plate, p, size, cutoff, missing_share=2.6) -> FreeOrder:
-    """Return the `FreeOrder` of a `Problem`, with the modes up to cutoff [Hz]; with cutoff 0
-    without any mode.
+def solve_free_order(
+    plate: Plate,
+    p: RitzProblem,
+    size: tuple[int, int],
+    cutoff: float,
+    missing_share: float = 2.6,
+) -> FreeOrder:
+    """Return the `FreeOrder` of a `RitzProblem` with modes up to `cutoff` [Hz], or
+    without modes if it is 0.
 
-    The factor of the stiffness has the highest polynomials last, so that its rows state their
-    contribution. `missing_share` is the flexibility of all polynomials that the basis lacks over
-    that contribution: it decreases slowly with the size of the basis, because rim and faces meet at
-    a corner.
+    The highest polynomials come last in the factor of the stiffness, so that its last
+    rows yield their contribution. `missing_share` is the ratio of the flexibility of
+    all polynomials beyond the basis to this contribution; the flexibility decreases
+    slowly with the size of the basis, because rim and faces meet at a corner.
     """
     is_highest = np.zeros((len(p.terms), *size), bool)
     is_highest[:, -1] = True
     is_highest[:, :, -1] = True
     sequence = np.argsort(is_highest.ravel(), kind="stable")
-    k, m = (a[np.ix_(sequence, sequence)] for a in matrices(plate, p, size))
-    rim = rim_matrix(p, size)[:, sequence]
+    k, m = (a[np.ix_(sequence, sequence)] for a in stiffness_and_mass(plate, p, size))
+    rim = rim_coefficient_matrix(p, size)[:, sequence]
     limit = (2 * pi * cutoff) ** 2
     if cutoff:
         rigid = rigid_mode_count(plate, p)
@@ -80,21 +94,27 @@ def free_order(plate, p, size, cutoff, missing_share=2.6) -> FreeOrder:
     weighted = shapes / np.where(values > 0, values, limit)
     from_highest = highest.T @ highest
     static = half.T @ half - weighted @ shapes.T + missing_share * from_highest
-    other_modes = solve_triangular(factor, half, lower=True, trans=1) - vectors @ weighted.T
+    other_modes = (
+        solve_triangular(factor, half, lower=True, trans=1) - vectors @ weighted.T
+    )
     slope = other_modes.T @ m @ other_modes
-    return FreeOrder(values=values, shapes=shapes, rest=np.stack([static, slope, from_highest]))
+    return FreeOrder(
+        values=values,
+        shapes=shapes,
+        omitted_flexibility=np.stack([static, slope, from_highest]),
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class FreeDisk:
-    """The free disk, to be held on patches; the first patch takes the longest, others reuse its
-    results.
+    """Free disk that can be held on patches; results computed for the first patch are
+    reused for others.
 
     Attributes
     ----------
     plate : Plate
         A solid plate with a free edge.
-    richness : Richness, optional
+    richness : BasisSizes, optional
         Sizes of the bases.
 
     Raises
@@ -112,52 +132,64 @@ class FreeDisk:
     """
 
     plate: Plate
-    richness: Richness = DEFAULT_BASIS_SIZES
+    richness: BasisSizes = DEFAULT_BASIS_SIZES
 
-    def __post_init__(self):
-        if self.plate.edge != "free" or self.plate.inner_radius or self.plate.ring_stiffness:
-            raise ValueError("synthesis is for a solid plate with a free edge and no ring")
+    def __post_init__(self) -> None:
+        if (
+            self.plate.edge != "free"
+            or self.plate.inner_radius
+            or self.plate.ring_stiffness
+        ):
+            raise ValueError(
+                "synthesis requires a solid plate with a free edge and no ring"
+            )
 
     @property
     def cutoff(self) -> float:
         """Highest frequency [Hz] of the free modes."""
         shear_modulus = lame_constants(self.plate.material)[1]
         return (
-            self.richness.cutoff * (shear_modulus / self.plate.density) ** 0.5 / self.plate.radius
+            self.richness.cutoff
+            * (shear_modulus / self.plate.density) ** 0.5
+            / self.plate.radius
         )
 
     @cached_property
-    def kept(self) -> dict:
-        """Solved orders (`FreeOrder`) of the free disk by (n, even, torsional).
+    def solved_orders(self) -> dict[tuple[int, int, bool], FreeOrder]:
+        """Directly solved orders (`FreeOrder`) of the free disk by (n, even,
+        torsional).
 
-        They are all orders up to `direct` and all orders with modes below the cutoff.
+        They are all orders up to `BasisSizes.highest_direct_order` and all orders with
+        modes below the cutoff.
         """
         orders = {}
         n = 0
         found_modes = True
-        while found_modes or n <= self.richness.direct:
+        while found_modes or n <= self.richness.highest_direct_order:
             found_modes = False
             symmetries = [(1, False), (-1, False)]
             if n == 0:
                 symmetries += [(1, True), (-1, True)]
             for even, torsional in symmetries:
-                p = problem(self.plate, n, even, torsional)
-                order = free_order(self.plate, p, self.richness.size, self.cutoff)
+                p = ritz_problem(self.plate, n, even, torsional)
+                order = solve_free_order(self.plate, p, self.richness.size, self.cutoff)
                 orders[n, even, torsional] = order
                 found_modes = found_modes or len(order.values) > 0
             n += 1
         return orders
 
     @cached_property
-    def high(self) -> dict:
-        """Orders (k,) beyond the kept ones and their rest (k, 3, 3 nz, 3 nz), interpolated, by z
-        symmetry.
+    def interpolated_orders(self) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+        """Further orders (k,) and their interpolated flexibility (k, 3, 3 nz, 3 nz), by
+        z symmetry.
 
-        Flexibilities decrease as 1/n and angular frequencies grow as n.
+        Flexibilities decrease as 1/n, and angular frequencies increase as n.
         """
-        last = max(n for n, _, _ in self.kept)
-        top = self.richness.top
-        solved = np.unique(np.rint(np.geomspace(last, max(top, 2 * last), 14)).astype(int))
+        last = max(n for n, _, _ in self.solved_orders)
+        top = self.richness.highest_order
+        solved = np.unique(
+            np.rint(np.geomspace(last, max(top, 2 * last), 14)).astype(int)
+        )
         every = np.arange(last + 1, solved[-1] + 1)
         exponents = -np.array([1.0, 3.0, 1.0])[:, None, None]
         decrease_at_solved, decrease = (
@@ -165,8 +197,13 @@ class FreeDisk:
         )
         result = {}
         for even in (1, -1):
-            problems = [problem(self.plate, n, even) for n in solved]
-            rest = [free_order(self.plate, p, self.richness.size, 0.0).rest for p in problems]
+            problems = [ritz_problem(self.plate, n, even) for n in solved]
+            rest = [
+                solve_free_order(
+                    self.plate, p, self.richness.size, 0.0
+                ).omitted_flexibility
+                for p in problems
+            ]
             spline = CubicSpline(np.log(solved), rest / decrease_at_solved)
             result[even] = every, spline(np.log(every)) * decrease
         return result
@@ -184,7 +221,7 @@ class FreeDisk:
         support : Support
             A patch over the whole thickness.
         below : float
-            Highest frequency [Hz], excluded.
+            Exclusive upper limit of the frequencies [Hz].
 
         Returns
         -------
@@ -194,10 +231,12 @@ class FreeDisk:
         Raises
         ------
         ValueError
-            If the patch is lower than the disk, or leaves a rigid-body motion free.
+            If the patch is lower than the disk or does not prevent rigid-body motion.
         """
         return np.sort(
-            np.concatenate([c.frequency[c.frequency < below] for c in self.held(support, below)]),
+            np.concatenate(
+                [c.frequency[c.frequency < below] for c in self.held(support, below)]
+            ),
         )
 
     def held(
@@ -206,7 +245,7 @@ class FreeDisk:
         below: float,
         angle: ArrayLike = (),
         max_extra_tractions: int = 15,
-    ) -> list[HeldClass]:
+    ) -> list[HeldSymmetryClass]:
         """Compute the modes of the disk held on a patch.
 
         Parameters
@@ -214,30 +253,39 @@ class FreeDisk:
         support : Support
             A patch over the whole thickness.
         below : float
-            Highest frequency [Hz], excluded.
+            Exclusive upper limit of the frequencies [Hz].
         angle : array_like, shape (n,), optional
             Angles [rad] at which the motion of the rim is computed.
         max_extra_tractions : int, optional
-            Largest number of circumferential tractions that are added on a patch whose length
-            exceeds its
-            height: tractions vary over a distance of one thickness at its ends.
+            Largest number of circumferential tractions that are added on a patch whose
+            length exceeds its height: tractions vary over a distance of one thickness
+            at its ends.
 
         Returns
         -------
-        list of HeldClass
-            The modes by symmetry class, in the order of `modal.mesh.symmetry.symmetry_classes`.
+        list of HeldSymmetryClass
+            The modes by symmetry class, in the order of
+            `modal.mesh.symmetry.symmetry_classes`.
 
         Raises
         ------
         ValueError
-            If the patch is lower than the disk, or leaves a rigid-body motion free.
+            If the patch is lower than the disk or does not prevent rigid-body motion.
         """
         arc = np.deg2rad(support.half_angle_deg) * self.plate.radius
         extra = min(max_extra_tractions, int(0.7 * arc / self.plate.thickness))
-        richness = replace(self.richness, around=self.richness.around + extra)
+        richness = replace(
+            self.richness,
+            circumferential_tractions=self.richness.circumferential_tractions + extra,
+        )
         patch = PatchTractions(plate=self.plate, support=support, richness=richness)
-        check_held(patch_edge(self.plate.radius, self.plate.thickness, support), support.held)
+        check_no_rigid_motion(
+            patch_edge(self.plate.radius, self.plate.thickness, support), support.held
+        )
         angle = np.asarray(angle, float)
         symmetries = [(y, even) for y in (1, -1) for even in (1, -1)]
-        classes = (held_class(self, patch, y, even, below, angle) for y, even in symmetries)
-        return list(reporting(classes, len(symmetries)))
+        classes = (
+            solve_held_class(self, patch, y, even, below, angle)
+            for y, even in symmetries
+        )
+        return list(report_each(classes, len(symmetries)))

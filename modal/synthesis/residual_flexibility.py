@@ -1,10 +1,11 @@
-"""Flexibility of a free disk as a body under a force on its edge, without the local flexibility
-near the force.
+"""Compute the flexibility of a free disk at its edge without the local flexibility near
+the force.
 
-Under a force spread over a strip of the edge, s long and s high, a disk yields F(s) = a/s + F0 +
-small terms. The part a/s is that of the material near the force, which Hertz's springs include; F0
-is that of the body. The effect of the shape of a fillet of radius s is of the order (1 - nu^2)/(2
-pi E s), an eighth of F0 for the toy, and is neglected.
+The flexibility under a force spread over a strip of the edge of length and height s is
+F(s) = a/s + F0 + small terms. The part a/s is due to the material near the force and is
+included in Hertz's springs; F0 is that of the whole body. The effect of the shape of a
+fillet of radius s, of the order (1 - nu^2)/(2 pi E s), is neglected; for the toy it is
+an eighth of F0.
 """
 
 from dataclasses import dataclass
@@ -19,14 +20,14 @@ from modal.spectral.basis import Plate
 from modal.synthesis.free_disk import FreeDisk
 
 FINEST_STRIP_SHARE = 1 / 8
-"""Smallest height of a strip that the polynomials resolve, divided by the thickness."""
+"""Smallest height of a strip resolved by the polynomials, divided by the thickness."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Edge:
     """Flexibility of a free elastic disk at its bottom edge.
 
-    The three directions are those of radius, rim and axis of the disk.
+    The three directions are radial, tangential and axial.
 
     Attributes
     ----------
@@ -35,9 +36,18 @@ class Edge:
     squared : ndarray, shape (m,)
         Squared angular frequencies of the lowest elastic modes [1/s^2].
     shapes : ndarray, shape (m, 3)
-        Displacement of the edge in these modes at unit modal mass [kg^-1/2].
+        Displacement of the edge in these modes of unit modal mass [kg^-1/2].
     order : ndarray of int, shape (m,)
-        Number of waves of these modes around the rim.
+        Circumferential order of these modes.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, yielding_edge
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> edge = yielding_edge(plate)
+    >>> len(edge.squared) == len(edge.shapes)
+    True
     """
 
     flexibility: np.ndarray
@@ -57,43 +67,53 @@ def yielding_edge(plate: Plate) -> Edge:
     Returns
     -------
     Edge
-        Cached: the same object for equal plates.
+        Flexibility of the edge; the same cached object for equal plates.
 
     Raises
     ------
     ValueError
         If the plate has a hole, a ring or an edge that is not free.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate, yielding_edge
+    >>> steel = Material(name="steel")
+    >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
+    >>> edge = yielding_edge(plate)
+    >>> f"{edge.flexibility[2, 2]:.2g} m/N"
+    '2.8e-07 m/N'
     """
-    return _edge_of(plate)
+    return _cached_edge(plate)
 
 
 @lru_cache(maxsize=32)
 @one_blas_thread
-def _edge_of(plate):
+def _cached_edge(plate: Plate) -> Edge:
     disk = FreeDisk(plate=plate)
     size = FINEST_STRIP_SHARE * plate.thickness
-    orders = [(n, even, order) for (n, even, _), order in disk.kept.items()]
+    orders = [(n, even, order) for (n, even, _), order in disk.solved_orders.items()]
     squared = np.concatenate([order.values for _, _, order in orders])
     shapes = np.concatenate(
         [strip_means(disk, size, n, even, order.shapes) for n, even, order in orders],
     )
-    in_pair = np.array(
-        [[1, 0, 1], [0, 1, 0]],
-    )  # one mode moves radius and axis, its partner the rim
+    # one mode has radial and axial motion, its partner tangential motion
+    in_pair = np.array([[1, 0, 1], [0, 1, 0]])
     pair_shapes = shapes[:, None] * in_pair
     waves = np.concatenate([np.full(len(order.values), n) for n, _, order in orders])
     elastic = squared > 0
     return Edge(
-        flexibility=regular_flexibility(disk, size)[0],
+        flexibility=nonlocal_flexibility(disk, size)[0],
         squared=np.repeat(squared[elastic], 2),
         shapes=pair_shapes[elastic].reshape(-1, 3),
         order=np.repeat(waves[elastic], 2),
     )
 
 
-def strip_means(disk, size, n, even, shapes):
-    """Return the means (k, 3) of shapes (3 nz, k) of order n over a strip of the edge of a size
-    [m]."""
+def strip_means(
+    disk: FreeDisk, size: float, n: int, even: int, shapes: np.ndarray
+) -> np.ndarray:
+    """Return the means (k, 3) of shapes (3 nz, k) of order n over a strip of a size [m]
+    at the edge."""
     through = legendre_means(disk.axial_count, even, size / disk.plate.thickness * 2)
     return np.sinc(n * size / (2 * pi * disk.plate.radius)) * np.einsum(
         "ca,cak->kc",
@@ -102,23 +122,30 @@ def strip_means(disk, size, n, even, shapes):
     )
 
 
-def regular_flexibility(disk: FreeDisk, size: float, missing_factor: float = 2):
-    """Return F0 (3, 3) [m/N] along radius, rim and axis of the bottom edge, and the uncertainty
-    (3,) of its diagonal.
+def nonlocal_flexibility(
+    disk: FreeDisk, size: float, missing_factor: float = 2
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return F0 (3, 3) [m/N] of the bottom edge and the uncertainty (3,) of its
+    diagonal.
 
-    F0 = 2 F(2 s) - F(s) with s = size [m]. The basis lacks at most `missing_factor` times what its
-    highest polynomials contribute; tests/modal/test_spring_supported_modes.py checks this.
+    The directions are radial, tangential and axial. F0 = 2 F(2 s) - F(s) with s = size
+    [m]. The contribution of polynomials beyond the basis is at most `missing_factor`
+    times that of its highest polynomials, see
+    tests/modal/test_spring_supported_modes.py.
     """
     wide, wide_highest = strip_flexibility(disk, 2 * size)
     narrow, narrow_highest = strip_flexibility(disk, size)
-    return 2 * wide - narrow, missing_factor * np.diag(2 * wide_highest + narrow_highest)
+    return 2 * wide - narrow, missing_factor * np.diag(
+        2 * wide_highest + narrow_highest
+    )
 
 
-def strip_flexibility(disk: FreeDisk, size: float):
+def strip_flexibility(disk: FreeDisk, size: float) -> np.ndarray:
     """Return F(s) (3, 3) [m/N] and the contribution of the highest polynomials to it.
 
-    F(s) is the mean displacement of a strip of the lateral surface, size [m] along the rim and up
-    from the bottom edge, under a force spread evenly over it, with the rigid-body motion held.
+    F(s) is the mean displacement of a strip of the lateral surface, with length and
+    height `size` [m] from the bottom edge, under a unit force spread evenly over it,
+    without rigid-body motion.
     """
     half = size / (2 * disk.plate.radius)
     through = {
@@ -126,43 +153,47 @@ def strip_flexibility(disk: FreeDisk, size: float):
         for even in (1, -1)
     }
     result = np.zeros((2, 3, 3))
-    for (n, even, _), order in disk.kept.items():
+    for (n, even, _), order in disk.solved_orders.items():
         elastic = order.values > 0
-        kept = (order.shapes[:, elastic] / order.values[elastic]) @ order.shapes[:, elastic].T
+        kept = (order.shapes[:, elastic] / order.values[elastic]) @ order.shapes[
+            :, elastic
+        ].T
         result += np.sinc(n * half / pi) ** 2 * flexibility_of_strip_means(
             through[even],
-            order.rest[[0, 2]] + [kept, 0 * kept],
+            order.omitted_flexibility[[0, 2]] + [kept, 0 * kept],
         )
-    for even, (n, rest) in disk.high.items():
-        far = np.arange(n[-1] + 1, n[-1] + 30 / half)
+    for even, (orders, rest) in disk.interpolated_orders.items():
+        last = orders[-1]
+        far = np.arange(last + 1, last + 30 / half)
         local = flexibility_of_strip_means(through[even], rest[:, [0, 2]])
-        share = np.sinc(n * half / pi) ** 2
-        result += (
-            np.tensordot(share, local, 1)
-            + (np.sinc(far * half / pi) ** 2 * n[-1] / far).sum() * local[-1]
-        )
-    same_parity = np.array(
-        [[1, 0, 1], [0, 1, 0], [1, 0, 1]],
-    )  # radial, axial: cosine modes; tangential: sine partners
+        share = np.sinc(orders * half / pi) ** 2
+        far_share = (np.sinc(far * half / pi) ** 2 * last / far).sum()
+        result += np.tensordot(share, local, 1) + far_share * local[-1]
+    # radial and axial motion: cosine modes; tangential motion: sine partners
+    same_parity = np.array([[1, 0, 1], [0, 1, 0], [1, 0, 1]])
     return result * same_parity
 
 
-def legendre_means(count, even, height):
-    """Return the means (3, count) of the Legendre polynomials of u_r, u_theta, u_z over [-1, height
-    - 1]."""
-    degree = 2 * np.arange(count) + np.array([even < 0, even < 0, even > 0])[:, None]
+def legendre_means(count: int, even: int, height: float) -> np.ndarray:
+    """Return the means (3, count) over [-1, height - 1] of the Legendre polynomials of
+    u_r, u_theta, u_z."""
+    is_odd = np.array([even < 0, even < 0, even > 0])
+    degree = 2 * np.arange(count) + is_odd[:, None]
     next_value = eval_legendre(degree + 1, height - 1.0) - (-1.0) ** (degree + 1)
     previous_degree = np.abs(degree - 1)
-    previous_value = eval_legendre(previous_degree, height - 1.0) - (-1.0) ** previous_degree
-    return (next_value - np.where(degree, previous_value, 0)) / (2 * degree + 1) / height
+    previous_value = (
+        eval_legendre(previous_degree, height - 1.0) - (-1.0) ** previous_degree
+    )
+    return (
+        (next_value - np.where(degree, previous_value, 0)) / (2 * degree + 1) / height
+    )
 
 
-def flexibility_of_strip_means(through, nodal):
+def flexibility_of_strip_means(through: np.ndarray, nodal: np.ndarray) -> np.ndarray:
     """Return the flexibility (..., 3, 3) of mean strip displacements.
 
-    `nodal` (..., 3 nz, 3 nz) is the flexibility of the polynomial coefficients, and `through` (3,
-    nz)
-    contains the strip means of the polynomials.
+    `nodal` (..., 3 nz, 3 nz) is the flexibility of the polynomial coefficients, and
+    `through` (3, nz) contains the strip means of the polynomials.
     """
     count = through.shape[1]
     parts = nodal.reshape(*nodal.shape[:-2], 3, count, 3, count)

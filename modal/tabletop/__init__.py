@@ -1,1 +1,1 @@
-"""Modes of the table top."""
+"""Compute the modes of the table top."""

@@ -1,6 +1,9 @@
-"""Modes of a table on a user's mesh: held on named surfaces or sets of nodes, its top face found
-and checked."""
+"""Compute the modes of a table on a user's mesh, held on named surfaces or sets of
+nodes."""
 
+import os
+from dataclasses import replace
+from functools import lru_cache
 from math import ceil, pi
 
 import numpy as np
@@ -9,41 +12,69 @@ from skfem.refdom import RefTri
 
 from modal.elements.elastic import bending_wave_number
 from modal.elements.user_mesh import solve_body
-from modal.elements.user_mesh_error import CORNER_ERROR_RATIO
+from modal.elements.user_mesh_error import CORNER_REMAINING_ERROR_RATIO
 from modal.elements.user_mesh_modes import interpolate_on_face
 from modal.mesh.read import read_checked
 from modal.mesh.symmetry import COMPONENTS
+from modal.modes import Material
 from modal.radiation import SOUND_SPEED
 from modal.tabletop.record import SurfaceModes, fit_splines, spline_values
 
 
 def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
-    """Return the `SurfaceModes` below `below` [Hz] of the mesh in `surface.file`.
+    """Return the `SurfaceModes` below a frequency [Hz] of the mesh in `surface.file`.
 
-    The contact circle has the radius `contact_radius` [m]. Every cell is divided into eight unless
-    a symmetry class would then have more than `max_unknowns` unknowns; `error` is far too large in
-    that case. ValueError for a mesh without a top face, for a place of the disk beyond it, and for
-    unknown sets or sets of single nodes.
+    The contact circle has the radius `contact_radius` [m]. Every cell is divided into
+    eight unless a symmetry class would then have more than `max_unknowns` unknowns; in
+    that case `error` is far too high. Raises ValueError if the mesh has no top face, if
+    the disk is not on it, or if sets are unknown or consist of single nodes.
     """
-    mesh, sets = read_checked(surface.file)
+    mesh, _ = read_checked(surface.file)
     top = top_face_triangles(mesh, surface.file)
     check_place(top, np.array(surface.place), contact_radius, surface.file)
-    facets = held_facets(mesh, sets, surface.held, surface.file)
+    found = undamped_mesh_modes(
+        surface.file,
+        os.stat(surface.file).st_mtime_ns,
+        Material(young=surface.young, poisson=surface.poisson),
+        surface.density,
+        tuple(surface.held),
+        below,
+        max_unknowns,
+    )
+    return replace(
+        found,
+        decay_rate=pi * found.frequency * surface.loss_factor,
+        place=np.array(surface.place),
+    )
+
+
+@lru_cache(1)
+def undamped_mesh_modes(
+    file, modified, material, density, held, below, max_unknowns
+) -> SurfaceModes:
+    """Return the undamped `SurfaceModes` of a mesh, with the disk at the origin.
+
+    The result for the last mesh is cached, because tables may differ only in place and
+    loss factor. `modified` is the time of the last change of the file [ns].
+    """
+    mesh, sets = read_checked(file)
+    top = top_face_triangles(mesh, file)
+    facets = held_facets(mesh, sets, held, file)
     solved = solve_body(
         mesh,
         facets,
         COMPONENTS,
-        surface,
-        surface.density,
+        material,
+        density,
         below,
         max_unknowns,
-        CORNER_ERROR_RATIO,
+        CORNER_REMAINING_ERROR_RATIO,
     )
     solid = solved.body.solid
     shapes = solved.shapes
     frequency = np.sqrt(solved.values) / (2 * pi)
     top_height = mesh.p[2].max()
-    wave_number = bending_wave_number(surface, np.ptp(mesh.p[2]), surface.density, below)
+    wave_number = bending_wave_number(material, np.ptp(mesh.p[2]), density, below)
 
     def shape(x, y):
         points = np.column_stack([x, y])
@@ -51,23 +82,26 @@ def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
 
     return SurfaceModes(
         frequency=frequency,
-        decay_rate=pi * frequency * surface.loss_factor,
+        decay_rate=np.zeros(len(frequency)),
         order=np.full(len(frequency), -1),
         **sample_top_face(shape, top, 2 * pi / wave_number, below),
         radius=0.0,
-        place=np.array(surface.place),
+        place=np.zeros(2),
         residual=solved.residual,
         error=solved.error,
         mass=solid.total_mass,
-        method="finite elements on the given mesh" + ", each cell cut in eight" * solved.divided,
+        method="finite elements on the given mesh"
+        + ", each cell divided into eight" * solved.divided,
         unknowns=3 * len(solid.points),
     )
 
 
 def top_face_triangles(mesh, name, tolerance=1e-6):
-    """Return the top face as triangles (k, 3, 2) [m]; ValueError for a mesh without one.
+    """Return the top face as triangles (k, 3, 2) [m]; raises ValueError if there is
+    none.
 
-    Facets of the top face are within `tolerance` times the size of the mesh of its greatest height.
+    The distance of its facets from the greatest height is below `tolerance` times the
+    size of the mesh.
     """
     facets = mesh.facets[:, mesh.boundary_facets()]
     height = mesh.p[2]
@@ -75,36 +109,43 @@ def top_face_triangles(mesh, name, tolerance=1e-6):
     found = facets[:, is_high.all(axis=0)]
     if not found.size:
         raise ValueError(
-            f"surface.file = {name!r}: no level face at its greatest height, {height.max():g} m: "
+            f"surface.file = {name!r}: no level face at its greatest height, {height.max():g} m; "
             f"z must point upwards",
         )
     corners = mesh.p[:2, found].T
-    return np.concatenate([corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)])
+    return np.concatenate(
+        [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    )
 
 
 def check_place(top, place, contact_radius, name):
-    """Raise ValueError unless the disk at its place (2,) [m] has its middle and contact circle on
-    the top face."""
+    """Raise ValueError if centre or contact circle of a disk at a place (2,) [m] are
+    not on the top face."""
     angle = np.linspace(0, 2 * pi, 33)
-    unit_circle = np.column_stack([np.append(np.cos(angle), 0), np.append(np.sin(angle), 0)])
+    unit_circle = np.column_stack(
+        [np.append(np.cos(angle), 0), np.append(np.sin(angle), 0)]
+    )
     if not on_top_face(top, place + contact_radius * unit_circle).all():
         low = top.min(axis=(0, 1))
         high = top.max(axis=(0, 1))
         raise ValueError(
-            f"surface.place = {place.tolist()}: a disk of radius {contact_radius:g} m there is "
-            f"not on "
-            f"the top face of {name!r}, which extends from {low[0]:g} to {high[0]:g} m in x, "
+            f"surface.place = {place.tolist()}: a disk of radius {contact_radius:g} m at this "
+            f"place is not on the top face of {name!r}, which extends from "
+            f"{low[0]:g} to {high[0]:g} m in x, "
             f"{low[1]:g} to {high[1]:g} m in y"
         )
 
 
 def on_top_face(top, points):
-    """Return the mask (k,) of points (k, 2) [m] on the triangles of a top face (t, 3, 2)."""
+    """Return the mask (k,) of points (k, 2) [m] on the triangles of a top face (t, 3,
+    2)."""
     sides = []
     for i in range(3):
         start = top[:, i - 1]
         sides.append(cross_product(top[:, i] - start, points[:, None] - start))
-    orientation = np.sign(cross_product(top[:, 1] - top[:, 0], top[:, 2] - top[:, 0]))
+    first = top[:, 1] - top[:, 0]
+    second = top[:, 2] - top[:, 0]
+    orientation = np.sign(cross_product(first, second))
     return (np.array(sides) * orientation > -1e-12).all(axis=0).any(axis=1)
 
 
@@ -115,7 +156,9 @@ def cross_product(a, b):
 
 def held_facets(mesh, sets, names, file):
     """Return the facets (k,) of the named surfaces or sets of nodes."""
-    between_nodes = {name: facets_between(mesh, points) for name, points in sets.items()}
+    between_nodes = {
+        name: facets_between(mesh, points) for name, points in sets.items()
+    }
     known = (mesh.boundaries or {}) | between_nodes
     for name in names:
         if name not in known:
@@ -124,9 +167,12 @@ def held_facets(mesh, sets, names, file):
             )
         if not len(known[name]):
             raise ValueError(
-                f"surface.held: {name!r} of {file!r} has no whole face: single nodes hold no solid",
+                f"surface.held: {name!r} of {file!r} contains no complete facet; "
+                f"single nodes cannot hold a solid",
             )
-    return np.unique(np.concatenate([known[name] for name in names] or [np.zeros(0)])).astype(int)
+    return np.unique(
+        np.concatenate([known[name] for name in names] or [np.zeros(0)])
+    ).astype(int)
 
 
 def facets_between(mesh, points):
@@ -134,21 +180,27 @@ def facets_between(mesh, points):
     facets = mesh.boundary_facets()
     tolerance = 1e-9 * np.ptp(mesh.p, axis=1).max()
     corners = np.unique(mesh.facets[:, facets])
-    distance = np.abs(mesh.p[:, corners].T[:, None] - points).max(axis=2).min(axis=1)
-    return facets[np.isin(mesh.facets[:, facets], corners[distance < tolerance]).all(axis=0)]
+    offsets = mesh.p[:, corners].T[:, None] - points
+    distance = np.abs(offsets).max(axis=2).min(axis=1)
+    return facets[
+        np.isin(mesh.facets[:, facets], corners[distance < tolerance]).all(axis=0)
+    ]
 
 
 def sample_top_face(shape, top, shortest_wave, below, max_order=19, spare_orders=6):
-    """Return the fields points, weights, face, knots and coefficients of `SurfaceModes` for a
-    triangulated top face.
+    """Return points, weights, face, knots and coefficients of `SurfaceModes` for a
+    triangulated face.
 
-    shape(x (k,), y (k,)) -> (m, k) are the mode shapes; `shortest_wave` [m] is the shortest
-    wavelength among them. The quadrature is exact for polynomials of an order `spare_orders` above
-    the phase [rad] of a sound wave across a triangle, at most `max_order`. The face is read from
-    the splines, which are as accurate between the nodes as an interpolation of the nodes.
+    The function shape(x (k,), y (k,)) -> (m, k) returns the mode shapes, and
+    `shortest_wave` [m] is their shortest wavelength. The quadrature is exact for
+    polynomials of order `spare_orders` plus the phase [rad] of a sound wave across a
+    triangle, at most `max_order`. The face is evaluated by the splines, which are as
+    accurate between the nodes as nodal interpolation.
     """
     longest_side = np.linalg.norm(top - np.roll(top, 1, axis=1), axis=2).max()
-    order = min(max_order, spare_orders + ceil(2 * pi * below / SOUND_SPEED * longest_side))
+    order = min(
+        max_order, spare_orders + ceil(2 * pi * below / SOUND_SPEED * longest_side)
+    )
     (u, v), share = get_quadrature(RefTri, order)
     first = top[:, 1] - top[:, 0]
     second = top[:, 2] - top[:, 0]

@@ -1,19 +1,24 @@
-"""Elastic modes of a table: `surface_modes(scene)`, by the method that suits the kind of table."""
+"""Compute the elastic modes of a table by the method appropriate to its kind."""
 
+from collections.abc import Callable
 from math import ceil, pi
 from typing import Any
 
 import numpy as np
 
-from modal.accuracy import ACCURACY_LEVELS
+from modal.accuracy import ACCURACY_LEVELS, AccuracyLevel
 from modal.blas_threads import one_blas_thread
-from modal.elements.elastic import bending_wave_number, mode_count
+from modal.elements.elastic import bending_wave_number, estimated_mode_count
 from modal.modes import UnsolvableError
 from modal.radiation import SOUND_SPEED
 from modal.solve import DEFAULT_HIGHEST_FREQUENCY, MAX_MODE_COUNT
 from modal.spectral.axisymmetric import sine_partner_flags
 from modal.spectral.basis import Plate
-from modal.spectral.p_refinement import all_eigenpairs, displacement_amplitudes
+from modal.spectral.p_refinement import (
+    Eigenpairs,
+    all_eigenpairs,
+    displacement_amplitudes,
+)
 from modal.tabletop.record import SurfaceModes, fit_splines
 
 
@@ -24,14 +29,15 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
     Parameters
     ----------
     scene : Scene
-        Its sections surface and numerics are read, and disk.radius [m] unless the table is a plate.
+        Scene with the sections surface and numerics and, unless the table is a plate,
+        disk.radius [m].
     below : float, optional
-        Highest frequency [Hz], excluded.
+        Exclusive upper limit of the frequencies [Hz].
 
     Returns
     -------
     SurfaceModes
-        Without any mode for a rigid or an infinite table.
+        Modes of the table; none if it is rigid or infinite.
 
     Raises
     ------
@@ -50,7 +56,8 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
     disk = scene.disk
     level = ACCURACY_LEVELS[scene.numerics.accuracy]
     if surface.kind == "mesh":
-        from modal.tabletop.meshed import table_on_mesh  # scikit-fem's input loads slowly
+        # slow import of mesh input
+        from modal.tabletop.meshed import table_on_mesh
 
         return table_on_mesh(surface, disk.radius, below, level.max_table_unknowns)
     if surface.kind == "plate":
@@ -58,7 +65,7 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
     return table_modes_from_numbers(surface, disk, below)
 
 
-def round_plate_modes(surface, below, level):
+def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> SurfaceModes:
     """Return the `SurfaceModes` of a round plate by Ritz's method.
 
     The shapes are w(r) cos n theta and w(r) sin n theta.
@@ -72,19 +79,21 @@ def round_plate_modes(surface, below, level):
         ring_radius=surface.ring_radius or 0.0,
         ring_stiffness=surface.ring_stiffness or 0.0,
     )
-    count = mode_count(plate, below)
+    count = estimated_mode_count(plate, below)
     if count > MAX_MODE_COUNT:
         raise UnsolvableError(
-            f"surface: so soft or so large a table has some {count:.0f} modes or more "
-            f"below {below:g} Hz; no more than {MAX_MODE_COUNT} can be computed: "
-            "give it a loss factor and use kind = 'infinite'"
+            f"surface: such a soft or large table has at least about {count:.0f} modes "
+            f"below {below:g} Hz, but at most {MAX_MODE_COUNT} can be computed; "
+            "use kind = 'infinite' with a loss factor"
         )
     found = all_eigenpairs(plate, below, level.free_error)
     members = [(pairs, odd) for pairs in found for odd in sine_partner_flags(pairs)]
-    frequency = np.concatenate([np.sqrt(p.values) / (2 * pi) for p, _ in members] or [np.zeros(0)])
+    frequency = np.concatenate(
+        [np.sqrt(p.values) / (2 * pi) for p, _ in members] or [np.zeros(0)]
+    )
     ascending = np.argsort(frequency, kind="stable")
 
-    def shape(r, theta):
+    def shape(r: np.ndarray, theta: np.ndarray) -> np.ndarray:
         rho = np.minimum(r, plate.radius) / plate.radius
         distinct, position = np.unique(rho.round(12), return_inverse=True)
         parts = []
@@ -95,10 +104,16 @@ def round_plate_modes(surface, below, level):
             parts.append(axial * around(pairs.problem.n * theta))
         return np.concatenate(parts or [np.zeros((0, len(r)))])[ascending]
 
-    def sorted_values(values_of_pairs):
-        return np.concatenate([values_of_pairs(p) for p, _ in members] or [np.zeros(0)])[ascending]
+    def sorted_values(
+        values_of_pairs: Callable[[Eigenpairs], np.ndarray],
+    ) -> np.ndarray:
+        return np.concatenate(
+            [values_of_pairs(p) for p, _ in members] or [np.zeros(0)]
+        )[ascending]
 
-    shortest_wave = 2 * pi / bending_wave_number(surface, plate.thickness, plate.density, below)
+    shortest_wave = (
+        2 * pi / bending_wave_number(surface, plate.thickness, plate.density, below)
+    )
     return SurfaceModes(
         frequency=frequency[ascending],
         decay_rate=pi * frequency[ascending] * surface.loss_factor,
@@ -114,12 +129,13 @@ def round_plate_modes(surface, below, level):
     )
 
 
-def table_modes_from_numbers(surface, disk, below):
-    """Return the `SurfaceModes` of a table given by numbers; none for other kinds of table.
+def table_modes_from_numbers(surface: Any, disk: Any, below: float) -> SurfaceModes:
+    """Return the `SurfaceModes` of a table given by numbers, or no modes for other
+    kinds of table.
 
-    The shapes are r^n cos n theta and r^n sin n theta over sqrt(modal mass), with r = 1 on the
-    contact circle, which moves with the disk. Only the circle radiates, because nothing is known
-    outside it.
+    The shapes are r^n cos n theta and r^n sin n theta divided by sqrt(modal mass), with
+    r = 1 at the radius of the disk, and move with the disk. Only the area of the circle
+    radiates, because the shapes outside it are unknown.
     """
     known = surface.modes if surface.kind == "modes" else ()
     radius = disk.radius
@@ -136,14 +152,16 @@ def table_modes_from_numbers(surface, disk, below):
     odd = np.array([is_odd for _, is_odd in members], bool)
     amplitude = np.array([mode.modal_mass for mode, _ in members]) ** -0.5
 
-    def shape(r, theta):
+    def shape(r: np.ndarray, theta: np.ndarray) -> np.ndarray:
         phase = np.multiply.outer(order, theta) - pi / 2 * odd[:, None]
         return amplitude[:, None] * (r / radius) ** order[:, None] * np.cos(phase)
 
     shortest_wave = 2 * pi * radius / max(order.max(initial=1), 1)
     return SurfaceModes(
         frequency=np.array([mode.frequency for mode, _ in members]),
-        decay_rate=np.array([2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]),
+        decay_rate=np.array(
+            [2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]
+        ),
         order=order,
         **sample_round_table(shape, radius, shortest_wave, below),
         radius=0.0,
@@ -156,23 +174,35 @@ def table_modes_from_numbers(surface, disk, below):
     )
 
 
-def sample_round_table(shape, radius, shortest_wave, below, spare_points=16):
-    """Return the fields points, weights, face, knots and coefficients of `SurfaceModes` for a round
-    table.
+def sample_round_table(
+    shape: Callable[[np.ndarray, np.ndarray], np.ndarray],
+    radius: float,
+    shortest_wave: float,
+    below: float,
+    spare_points: int = 16,
+) -> dict[str, Any]:
+    """Return points, weights, face, knots and coefficients of `SurfaceModes` for a
+    round table.
 
-    shape(r (k,), theta (k,)) -> (m, k) are the mode shapes; `shortest_wave` [m] is the shortest
-    wavelength among them. The points are Gauss points in the radius and equidistant angles, `spare_points`
-    more than shapes and sound paths need.
+    The function shape(r (k,), theta (k,)) -> (m, k) returns the mode shapes, and
+    `shortest_wave` [m] is their shortest wavelength. The points are Gauss points in the
+    radius and equally spaced angles, `spare_points` more than required by shapes and
+    sound paths.
     """
-    # shape and sound path together
+    # of the product of shape and sound path
     waves_around_rim = radius * 2 * pi * (below / SOUND_SPEED + 1 / shortest_wave)
-    node, share = np.polynomial.legendre.leggauss(spare_points + ceil(waves_around_rim / 2))
+    node, share = np.polynomial.legendre.leggauss(
+        spare_points + ceil(waves_around_rim / 2)
+    )
     angle_count = ceil(waves_around_rim) + spare_points
     theta = np.arange(angle_count) * 2 * pi / angle_count
-    r, angle = (grid.ravel() for grid in np.meshgrid(radius * (1 + node) / 2, theta, indexing="ij"))
+    r, angle = (
+        grid.ravel()
+        for grid in np.meshgrid(radius * (1 + node) / 2, theta, indexing="ij")
+    )
     corner = np.array([radius, radius])
 
-    def shape_at(x, y):
+    def shape_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
         return shape(np.hypot(x, y), np.arctan2(y, x))
 
     knots, coefficients = fit_splines(shape_at, -corner, corner, shortest_wave)

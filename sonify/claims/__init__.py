@@ -1,1 +1,2 @@
-"""RESULT -> FINDINGS: one function per claim, with an expected range, a tolerance and a source."""
+"""Findings of a result: one function per claim, with an expected range, a tolerance and
+a source."""

@@ -1,4 +1,4 @@
-"""Self-checks: every run checks its own numbers and writes the results to run.json."""
+"""Self-checks of the numbers of a run, which run.json records."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,11 +18,11 @@ from sonify.sound.pressure import Sound
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """One number that must be within `tolerance` of `expected`; `source` gives the reason.
+    """A number that must be within `tolerance` of `expected`, for the reason in
+    `source`.
 
-    A `one_sided` check has no lower limit. `key` is the name of the checking function and is the
-    same in every version.
-    """
+    A `one_sided` check has no lower limit. `key` is the name of the checking function
+    and is the same in every version."""
 
     key: str
     name: str
@@ -43,20 +43,22 @@ class Check:
 
     @property
     def expectation(self) -> str:
-        """The range in words."""
+        """The allowed range as text."""
         if self.one_sided:
             return f"at most {self.expected + self.tolerance:g}"
         return f"{self.expected:g} ± {self.tolerance:g}"
 
 
 def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
-    """Turn a function that returns a value into one that returns a `Check`."""
+    """Convert a function that returns a value to one that returns a `Check`."""
 
     def decorator(function: Callable[..., float]) -> Callable[..., Check]:
         @wraps(function)
         def judge(*arguments, **options) -> Check:
             value = float(function(*arguments, **options))
-            return Check(key=function.__name__, value=value, name=name, source=source, **ends)
+            return Check(
+                key=function.__name__, value=value, name=name, source=source, **ends
+            )
 
         JUDGES[function.__name__] = Judge(judge, needs)
         return judge
@@ -65,43 +67,43 @@ def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
 
 
 @check(
-    "energy and dissipated energy add up",
+    "the sum of energy and dissipated energy is constant",
     "dE/dt is the power of friction and resisting moments, (3.2), (3.3)",
     needs=("motion",),
     tolerance=1e-8,
 )
 def energy_balance(motion: Motion):
-    """The largest change of energy plus dissipated energy, relative to its initial value."""
+    """The largest relative change of the sum of energy and dissipated energy."""
     total = motion.energy(motion.t) + motion.state[:, 10]
     return np.abs(total / total[0] - 1).max()
 
 
 @check(
     "energy balance",
-    "the energy and the losses of a rattling disk, step by step: the error is of second order",
+    "energy and losses of a rattling disk after each step; the error is of second order",
     needs=("motion",),
     tolerance=1.0,
 )
 def rattling_energy_balance(motion: RattlingMotion):
-    """The largest change of energy plus losses over the initial energy, over its limit.
+    """The largest change of energy plus losses, relative to the initial energy and to
+    its limit.
 
-    The limit is 4e-5 for a million steps per second; 0.4e-5 to 2.3e-5 were measured.
-    """
+    The limit is 2e-5 for a million steps per second; measured values are 0.02e-5 to
+    0.6e-5."""
     total = motion.energy(motion.t) + motion.state[:, 10]
-    limit = 4e-5 * (1e6 / motion.model.rate) ** 2
+    limit = 2e-5 * (1e6 / motion.model.rate) ** 2
     return np.abs(total / total[0] - 1).max() / limit
 
 
 @check(
     "dissipated energy never falls",
-    "no power of (3.2), (3.3) is ever negative; sums of steps that are exact to 1e-12 each",
+    "no power of (3.2), (3.3) is negative; each step is exact to 1e-12",
     needs=("motion",),
     tolerance=1e-9,
 )
 def dissipation_never_falls(motion: Motion):
-    """The largest decrease of the dissipated energy between any two instants, over the initial
-    energy.
-    """
+    """The largest decrease of the dissipated energy between two instants, relative to
+    the initial energy."""
     return motion.largest_regain() / float(motion.energy(0.0)[0])
 
 
@@ -112,9 +114,8 @@ def dissipation_never_falls(motion: Motion):
     tolerance=1e-6,
 )
 def friction_cone(motion: Motion):
-    """The largest excess of |F|/N over the static coefficient in rolling, or its largest distance
-    from the dynamic coefficient in sliding.
-    """
+    """The larger of the excess of |F|/N over mu_s in rolling and its deviation from
+    mu_d in sliding."""
     return motion.friction_excess()
 
 
@@ -124,21 +125,28 @@ def friction_cone(motion: Motion):
     needs=("motion",),
 )
 def pushing_contact(motion: Motion, resolution: float = 1e-5):
-    """The share of the time in which the normal force pulls, or vanishes outside the losses of
-    contact.
+    """The share of the duration in which the normal force is tensile, or zero outside
+    the losses of contact.
 
-    The forces of an elastic contact are interpolated means over `resolution` [s]. A force counts as
-    zero only if it is also zero one `resolution` before and after.
-    """
+    The forces of an elastic contact are interpolated means over `resolution` [s]. A
+    force therefore counts as zero only if it is also zero one `resolution` earlier and
+    later, and each loss of contact is extended by two means at both ends. The end is
+    not evaluated: a lift-off is located where the force is zero up to rounding."""
     t = motion.t[:-1]
     around = [
-        motion.force(np.clip(t + shift, 0.0, motion.t[-1]))[:, 2]
+        motion.force(np.clip(t + shift, 0.0, t[-1]))[:, 2]
         for shift in (-resolution, 0.0, resolution)
     ]
     losses = np.reshape(
-        [(loss.t, loss.t + loss.duration) for loss in motion.contact_losses], (-1, 2)
+        [
+            (loss.t - 2 * resolution, loss.t + loss.duration + 2 * resolution)
+            for loss in motion.contact_losses
+        ],
+        (-1, 2),
     )
-    in_a_loss = np.searchsorted(losses[:, 0], t, "right") > np.searchsorted(losses[:, 1], t)
+    in_a_loss = np.searchsorted(losses[:, 0], t, "right") > np.searchsorted(
+        losses[:, 1], t
+    )
     pulls = (np.min(around, axis=0) < 0) | ((np.max(around, axis=0) <= 0) & ~in_a_loss)
     return np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]
 
@@ -155,8 +163,8 @@ def mode_residuals(modes: Modes):
 
 
 @check(
-    "no frequency may be wrong by as much as itself",
-    "distance between two meshes or bases",
+    "the relative error of every frequency is below 1",
+    "difference between two meshes or bases",
     needs=("modes",),
     expected=1.0,
     one_sided=True,
@@ -167,27 +175,28 @@ def mode_errors(modes: Modes):
 
 
 @check(
-    "the elastic model weighs what the disk weighs",
+    "the elastic model has the mass of the disk",
     "mass of the scene",
     needs=("modes",),
     expected=1.0,
     tolerance=1e-3,
 )
 def discrete_mass(modes: Modes, disk: Disk):
-    """The mass of the elastic model over that of the disk."""
+    """The ratio of the mass of the elastic model to that of the disk."""
     return modes.mass / disk.mass
 
 
 @check(
-    "no sample of sound.wav is clipped, all are finite",
-    "a PCM file holds -1 to 1",
+    "all samples of sound.wav are finite and none is clipped",
+    "a PCM file stores values from -1 to 1",
     needs=("sound",),
     expected=1.0,
     one_sided=True,
 )
 def no_sample_clipped(sound: Sound):
-    """The peak of sound.wav over full scale; infinite if a sample of the pressure is not finite."""
-    return sound.peak / sound.full_scale if sound.finite else inf
+    """The ratio of the peak of sound.wav to full scale; infinite if a pressure sample
+    is not finite."""
+    return sound.peak / sound.full_scale if sound.is_finite else inf
 
 
 def motion_checks(scene: Scene, motion: Motion) -> list[Check]:
@@ -207,4 +216,8 @@ def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
 
 def all_checks(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Check]:
     """Return every check of a run."""
-    return [*motion_checks(scene, motion), *mode_checks(scene, modes), no_sample_clipped(sound)]
+    return [
+        *motion_checks(scene, motion),
+        *mode_checks(scene, modes),
+        no_sample_clipped(sound),
+    ]

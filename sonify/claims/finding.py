@@ -1,4 +1,5 @@
-"""The `Finding` record, and the decorator that turns a measuring function into a finding."""
+"""The `Finding` record, and the decorator that turns a measuring function into a
+finding."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -11,15 +12,14 @@ import numpy as np
 from sonify.suggestions import did_you_mean
 
 Verdict = Literal["yes", "no", "undecided"]
-"""Result of a finding: the claim holds, does not hold, or is undecided."""
+"""Verdict on a claim: it holds, does not hold, or is undecided."""
 Need = Literal["scene", "motion", "modes", "sound", "tone", "film law", "contact law"]
 """Input of a finding; "tone" is the rising tone, tracked in the sound alone."""
 
 
 class Measured(NamedTuple):
-    """Result of a measuring function: value, uncertainty, further numbers, and the reason why the
-    claim stays undecided, if any.
-    """
+    """Result of a measuring function: value, uncertainty, further numbers, and the
+    reason for an undecided claim, if any."""
 
     value: float
     margin: float = 0.0
@@ -46,13 +46,13 @@ class Finding:
     tolerance : float
         Widening of the range at both ends.
     margin : float
-        Uncertainty of the value, as estimated by the method or the plan.
+        Uncertainty of the value, estimated by the method or the plan.
     details : mapping of str to float
-        Further numbers by name; `sonify.claims.details` puts them into words.
+        Further numbers by name, which `sonify.claims.details` describes.
     cause : str
-        Cause that the finding names; empty if it names none.
+        Cause named by the finding; empty if there is none.
     undecided_because : str
-        Reason why the claim stays undecided, such as "chaotic"; otherwise empty.
+        Reason for an undecided claim, such as "chaotic"; otherwise empty.
     needs : tuple of str
         Inputs of the finding.
     source : str
@@ -80,14 +80,17 @@ class Finding:
 
     def __post_init__(self):
         if isnan(self.value) or isnan(self.margin):
-            raise ValueError(f"{self.key} = {self.value} ± {self.margin}: a finding needs a number")
+            raise ValueError(
+                f"{self.key} = {self.value} ± {self.margin}: a finding needs a number"
+            )
 
     def __repr__(self):
         return f"Finding({self.key}: {self.answer}, {self.value:.5g} {self.unit})"
 
     @property
     def verdict(self) -> Verdict:
-        """Return "yes" or "no", or "undecided" if an end of the range is within the margin."""
+        """Return "yes" or "no", or "undecided" if a limit of the range is within the
+        margin."""
         low = self.at_least - self.tolerance
         high = self.at_most + self.tolerance
         near_an_end = min(abs(self.value - low), abs(self.value - high)) <= self.margin
@@ -97,7 +100,8 @@ class Finding:
 
     @property
     def holds(self) -> bool | None:
-        """Return True if the claim holds, False if it does not, and None if it is undecided."""
+        """True if the claim holds, False if it does not, and None if it is
+        undecided."""
         return {"yes": True, "no": False, "undecided": None}[self.verdict]
 
     @property
@@ -107,9 +111,7 @@ class Finding:
 
     @property
     def measured(self) -> str:
-        """The value, rounded to the first digit of its margin but to at least two digits, and the
-        margin.
-        """
+        """The value and its margin, rounded to the first digit of the margin."""
         if not (self.margin > 0 and isfinite(self.value) and isfinite(self.margin)):
             return f"{self.value:.4g}"
         margin = float(f"{self.margin:.1g}")
@@ -118,12 +120,15 @@ class Finding:
         digits = -int(np.floor(np.log10(self.margin)))
         shown = round(self.value, digits) + 0.0
         return (
-            f"{shown:.{digits}f} ± {margin:g}" if 0 <= digits <= 6 else f"{shown:.6g} ± {margin:g}"
+            f"{shown:.{digits}f} ± {margin:g}"
+            if 0 <= digits <= 6
+            else f"{shown:.6g} ± {margin:g}"
         )
 
     @property
     def expectation(self) -> str:
-        """The range in words, without a tolerance below 1e-4 of its largest end."""
+        """The allowed range as text, without a tolerance below 1e-4 of the largest
+        limit."""
         if self.at_least == self.at_most:
             return f"{self.at_least:.6g} ± {self.tolerance:.2g}"
         ends = {"at least": self.at_least, "at most": self.at_most}
@@ -134,14 +139,15 @@ class Finding:
 
 
 class Judge(NamedTuple):
-    """A function that judges one claim, and its inputs."""
+    """Function that judges one claim, with its inputs."""
 
     function: Callable[..., Any]
     needs: tuple[Need, ...]
 
 
 JUDGES: dict[str, Judge] = {}
-"""Judging functions by the key of their finding. Each module adds its own when it is imported."""
+"""Judging functions by the key of their finding; each module registers its own on
+import."""
 
 
 def finding(
@@ -154,7 +160,8 @@ def finding(
     at_most: float = inf,
     tolerance: float = 0.0,
 ):
-    """Turn a function that returns a number or `Measured` into one that returns a `Finding`.
+    """Convert a function that returns a number or `Measured` to one that returns a
+    `Finding`.
 
     Parameters
     ----------
@@ -176,7 +183,9 @@ def finding(
                 claim=claim,
                 value=float(measured.value),
                 margin=float(measured.margin),
-                details={name: float(number) for name, number in measured.details.items()},
+                details={
+                    name: float(number) for name, number in measured.details.items()
+                },
                 unit=unit,
                 undecided_because=measured.undecided_because,
                 needs=needs,
@@ -192,7 +201,8 @@ def finding(
 
 
 def register_judge(needs: tuple[Need, ...]):
-    """Register a function that returns the `Finding` with its own name as key."""
+    """Register a function that returns a `Finding`; the key is the name of the
+    function."""
 
     def decorator(function: Callable[..., Finding]) -> Callable[..., Finding]:
         JUDGES[function.__name__] = Judge(function, needs)
@@ -202,19 +212,22 @@ def register_judge(needs: tuple[Need, ...]):
 
 
 def median_with_margin(values, independent: float = 1.0) -> Measured:
-    """Return the median of values (n,) with a margin of two standard errors, 2.5 sigma/sqrt(m).
+    """Return the median of values (n,) with a margin of two standard errors, 2.5
+    sigma/sqrt(m).
 
-    sigma follows from the quartiles. m = `independent` * n is the number of independent values.
-    """
+    The standard deviation sigma follows from the quartiles; m = `independent` * n
+    values are independent."""
     low, middle, high = np.percentile(values, [25, 50, 75])
     sigma = (high - low) / 1.349
     return Measured(
-        float(middle), float(2 * 1.25 * sigma / np.sqrt(max(independent * len(values), 1.0)))
+        float(middle),
+        float(2 * 1.25 * sigma / np.sqrt(max(independent * len(values), 1.0))),
     )
 
 
 class Findings(list[Finding]):
-    """The findings of a run in order, indexed by position or by key: `findings["energy_falls"]`."""
+    """Ordered findings of a run, indexed by position or by key:
+    `findings["energy_falls"]`."""
 
     @overload
     def __getitem__(self, which: str) -> Finding: ...
@@ -228,4 +241,6 @@ class Findings(list[Finding]):
         for finding in self:
             if finding.key == which:
                 return finding
-        raise KeyError(f"{which}{did_you_mean(which, [finding.key for finding in self])}")
+        raise KeyError(
+            f"{which}{did_you_mean(which, [finding.key for finding in self])}"
+        )

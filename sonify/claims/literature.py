@@ -1,4 +1,4 @@
-"""RESULT -> FINDINGS: claims of other authors about the sound and the end of the motion."""
+"""Findings on claims of other authors about the sound and the end of the motion."""
 
 import numpy as np
 from scipy.ndimage import median_filter
@@ -12,32 +12,36 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-ENVELOPE_WINDOW = 0.01  # s
-ENVELOPE_MIN_FREQUENCY = 700.0  # Hz
 SMOOTHING_SAMPLES = 101
-"""Length of the median filter that removes slow variations of the envelope [samples]."""
+"""Length of the median filter that removes slow variations [samples]."""
 
 
-def literature_findings(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Finding]:
-    """Return the claims of other authors that this run can judge.
+def literature_findings(
+    scene: Scene, motion: Motion, modes: Modes, sound: Sound
+) -> list[Finding]:
+    """Return the findings on claims of other authors that apply to this run.
 
-    The claim on impacts needs losses of contact, the claim on force peaks needs roughness on an
-    elastic contact, and the claim on modes needs a free disk.
-    """
+    The claim on impacts needs losses of contact, the claim on force peaks needs
+    roughness on an elastic contact, and the claim on modes needs a free disk."""
     found = motion_findings(motion)
     found += (
         [force_peaks_sound(motion, sound)]
         if scene.contact.law == "elastic" and scene.roughness
         else []
     )
-    found += [deformation_makes_the_tone(sound)] if motion.outcome.name == "SETTLED" else []
+    found += (
+        [deformation_makes_the_tone(sound)] if motion.outcome.name == "SETTLED" else []
+    )
     return found + (
-        [mode_ratio(modes)] if scene.support.kind == "free" and len(set(modes.order)) > 1 else []
+        [mode_ratio(modes)]
+        if scene.support.kind == "free" and len(set(modes.order)) > 1
+        else []
     )
 
 
 def motion_findings(motion: Motion) -> list[Finding]:
-    """Return the claims of other authors that the motion alone can judge."""
+    """Return the findings on claims of other authors that follow from the motion
+    alone."""
     if not motion.state[-1, 10] > 0:
         return []
     impacts = [impacts_are_not_the_loss(motion)] if motion.contact_losses else []
@@ -45,46 +49,52 @@ def motion_findings(motion: Motion) -> list[Finding]:
 
 
 @finding(
-    "Slip is the main loss",
-    "of the energy lost, while the disk slides",
+    "Slip dissipates most of the energy",
+    "of the energy lost while the disk slides",
     "Caps et al. (2004)",
     needs=("motion",),
     at_least=0.5,
 )
 def slip_is_the_loss(motion: Motion):
-    """The share of the energy lost while the disk slides, an upper bound for sliding friction."""
+    """The share of the energy lost while the disk slides, an upper bound on that of
+    sliding friction."""
     middle = (motion.t[1:] + motion.t[:-1]) / 2
     lost = np.diff(motion.state[:, 10])
     share = lost[np.char.startswith(motion.regime(middle), "slide")].sum() / lost.sum()
     margin = 0.0
-    if motion.solves_contact:  # the work of slip includes slips shorter than the pieces
-        taken = energy_taken(motion)
+    if (
+        motion.solves_contact
+    ):  # the work of slip also includes slips shorter than a piece
+        taken = energy_lost_by_cause(motion)
         margin = abs(taken["slip"] / sum(taken.values()) - share)
     return Measured(share, margin)
 
 
 @finding(
-    "Impacts are not what ends the motion",
-    "of the energy lost, in the compression of the contact",
+    "Causes other than impacts end the motion",
+    "of the energy lost by compression of the contact",
     "Baranyai & Varkonyi (2017)",
     needs=("motion",),
     at_most=0.5,
 )
 def impacts_are_not_the_loss(motion: Motion):
-    """The share of the energy loss due to compression of the contact, with and without impacts.
+    """The share of the energy loss due to compression of the contact, with or without
+    impacts.
 
-    A motion that starts on a rigid contact loses nothing to compression before it switches to the
-    elastic contact. The change of energy at this switch has no cause assigned; its share is the
-    margin.
-    """
+    A motion that starts with a rigid contact loses no energy by compression before the
+    switch to an elastic contact. The energy change at this switch has no assigned
+    cause; its share is the margin."""
     lost = motion.state[-1, 10]
-    taken = energy_taken(motion)
+    taken = energy_lost_by_cause(motion)
     return Measured(taken["contact"] / lost, abs(sum(taken.values()) - lost) / lost)
 
 
-def energy_taken(motion: Motion) -> dict[str, float]:
-    """Return the energy [J] lost to each cause up to the end of a motion."""
-    return {cause: float(taken[0]) for cause, taken in motion.energy_lost(motion.t[-1:]).items()}
+def energy_lost_by_cause(motion: Motion) -> dict[str, float]:
+    """Return the energy [J] lost in the whole motion, by cause."""
+    return {
+        cause: float(taken[0])
+        for cause, taken in motion.energy_lost(motion.t[-1:]).items()
+    }
 
 
 @finding(
@@ -95,12 +105,15 @@ def energy_taken(motion: Motion) -> dict[str, float]:
     at_least=0.5,
 )
 def force_peaks_sound(motion: Motion, sound: Sound):
-    """The correlation of the sound level with the normal force, both without slow variations."""
+    """The correlation of sound level and normal force after removal of slow
+    variations."""
     delay = sound.source_end - motion.t[-1]
+    window = 0.01  # s
     seen = spectrogram(
-        sound.pressure, ENVELOPE_WINDOW, columns=1 << 20, span=(delay, sound.source_end)
+        sound.pressure, window, columns=1 << 20, span=(delay, sound.source_end)
     )
-    power = seen.power[seen.frequency > ENVELOPE_MIN_FREQUENCY].sum(axis=0)
+    lowest_frequency = 700.0  # Hz
+    power = seen.power[seen.frequency > lowest_frequency].sum(axis=0)
     sounds = power > 0
     level = np.log(power[sounds])
     t = np.clip(seen.time[sounds] - delay, 0.0, motion.t[-1])
@@ -109,21 +122,22 @@ def force_peaks_sound(motion: Motion, sound: Sound):
         return Measured(0.0, 1.0, undecided_because="the sound is too short")
     swings = [row - median_filter(row, SMOOTHING_SAMPLES) for row in (level, load)]
     if min(np.ptp(swing) for swing in swings) == 0:
-        return Measured(0.0, 1.0, undecided_because="the level or the force does not vary")
+        return Measured(
+            0.0, 1.0, undecided_because="the level or the force does not vary"
+        )
     return Measured(np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / SMOOTHING_SAMPLES))
 
 
 @finding(
-    "The disk that deforms transversely makes the rising tone by itself",
-    "dB(A), modes moved by the smooth force over all other causes",
+    "Transverse deformation of the disk alone makes the rising tone",
+    "dB(A), modes driven by the smooth force relative to all other sources",
     "Villanueva & Epstein (2005)",
     needs=("sound",),
     at_least=0.0,
 )
 def deformation_makes_the_tone(sound: Sound):
-    """The level of the modes driven by the smooth force, relative to all other sound, in the last
-    second [dB(A)].
-    """
+    """The level of the modes driven by the smooth force relative to all other sound in
+    the last second [dB(A)]."""
     power = {name: weighted_power(sound, stem) for name, stem in sound.stems.items()}
     bending = power.pop("ringing_smooth")
     return level_db(bending) - level_db(sum(power.values()))
@@ -139,7 +153,8 @@ def deformation_makes_the_tone(sound: Sound):
     tolerance=0.03,
 )
 def mode_ratio(modes: Modes):
-    """The frequency ratio of the first two modes of the free disk with different orders."""
+    """The frequency ratio of the first two modes of the free disk with different
+    orders."""
     first = modes.frequency[0]
     second = modes.frequency[modes.order != modes.order[0]][0]
     return second / first

@@ -1,6 +1,5 @@
-"""RESULT -> ROWS: numbers from section 7 and the figures of the paper, compared with a run of the
-same scene.
-"""
+"""Comparison of numbers in section 7 and in the figures of the paper with a run of the
+same scene."""
 
 import numpy as np
 
@@ -10,8 +9,16 @@ from sonify.claims.finding import Finding
 from sonify.claims.rigid_motion import PAPER_FORCING_FREQUENCY
 from sonify.scene import Scene, load_scene
 
-PAPER_SECTIONS = ("disk", "friction", "dissipation", "release", "surface", "contact", "air")
-"""Sections of a scene that determine the motion of the paper."""
+PAPER_SECTIONS = (
+    "disk",
+    "friction",
+    "dissipation",
+    "release",
+    "surface",
+    "contact",
+    "air",
+)
+"""Sections of a scene that determine the motion in the paper."""
 PAPER_FIGURE_FINDINGS = (
     "energy_falls",
     "sliding_costs_more",
@@ -21,7 +28,7 @@ PAPER_FIGURE_FINDINGS = (
     "centre_comes_to_rest",
     "audible_modes",
 )
-"""Keys of the findings on a figure of the paper or on a number in its text."""
+"""Keys of the findings on figures of the paper and on numbers in its text."""
 
 
 def is_paper_scene(scene: Scene) -> bool:
@@ -31,8 +38,9 @@ def is_paper_scene(scene: Scene) -> bool:
 
 
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
-    """Return the numbers of section 7 and of the figures as findings, followed by the given
-    findings that are in PAPER_FIGURE_FINDINGS.
+    """Return findings on the numbers of section 7 and of the figures.
+
+    They are followed by those of the given findings that are in PAPER_FIGURE_FINDINGS.
     """
     disk = motion.disk
     rate = np.abs(precession_rate(motion.at(motion.t[-1] * np.array([0.0, 0.5, 0.99]))))
@@ -50,7 +58,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
         ),
         _paper_number(
             "half_height",
-            "H/R = 1.28/7.51, printed upside down",
+            "H/R = 1.28/7.51 (the paper prints the reciprocal)",
             disk.aspect,
             "H/R",
             1.28 / 7.51,
@@ -76,19 +84,35 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             "figure 4, caption",
         ),
         _paper_number(
-            "begins_at", "α begins at 1.0", alpha[0], "rad", 1.0, 1e-9, "figure 3 (a), (7.4)"
+            "begins_at",
+            "α begins at 1.0",
+            alpha[0],
+            "rad",
+            1.0,
+            1e-9,
+            "figure 3 (a), (7.4)",
         ),
         _paper_number(
-            "ends_at", "α tends to π/2", alpha[1], "rad", np.pi / 2, 1e-6, "figure 3 (a)"
+            "ends_at",
+            "α tends to π/2",
+            alpha[1],
+            "rad",
+            np.pi / 2,
+            1e-6,
+            "figure 3 (a)",
         ),
         *_rates_are_alike(motion),
         Finding(
             key="precession_grows",
-            claim="dθ/dτ grows considerably",
+            claim="dθ/dτ increases considerably",
             value=float(rate[2] / rate[0]),
             unit="times, from the release to 99 % of the time",
             details=dict(
-                zip(("release", "half_way", "late"), map(float, rate * disk.time_unit), strict=True)
+                zip(
+                    ("release", "half_way", "late"),
+                    map(float, rate * disk.time_unit),
+                    strict=True,
+                )
             ),
             at_least=2.0,
             source="figure 6",
@@ -98,7 +122,8 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
 
 
 def _rates_are_alike(motion):
-    """Return the row that compares precession and nutation; empty if the motion has no nutation."""
+    """Return the finding on the ratio of nutation to precession; empty without
+    nutation."""
     ratio = nutations_per_turn(motion)
     if not len(ratio):
         return []
@@ -106,10 +131,9 @@ def _rates_are_alike(motion):
     return [
         Finding(
             key="rates_are_alike",
-            claim="The figure of dθ/dτ is for the most part that of the frequency of the normal "
-            "force",
+            claim="The curve of dθ/dτ mostly resembles that of the frequency of the normal force",
             value=float((high - low) / middle / 2),
-            unit="half the range of nine tenths of their ratio, over its median",
+            unit="half the 5-95 % range of their ratio, relative to its median",
             details={"nutations_per_turn": float(middle)},
             at_most=0.1,
             source="section 7, on figures 4 (b) and 6",
@@ -118,9 +142,16 @@ def _rates_are_alike(motion):
 
 
 def _paper_number(
-    key: str, claim: str, value: float, unit: str, paper: float, digits: float, source: str
+    key: str,
+    claim: str,
+    value: float,
+    unit: str,
+    paper: float,
+    digits: float,
+    source: str,
 ) -> Finding:
-    """Return the row of a number printed in the paper, with the tolerance `digits`."""
+    """Return the finding on a number printed in the paper; `digits` is the
+    tolerance."""
     return Finding(
         key=key,
         claim=claim,

@@ -1,9 +1,8 @@
-"""CLAIM -> INPUTS: the inputs of each finding, in words."""
+"""Descriptions of the inputs of each finding."""
 
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
-from types import ModuleType
 
 from sonify import claims
 from sonify.claims.finding import JUDGES, Judge
@@ -12,27 +11,20 @@ NEED_IN_WORDS = {
     "tone": "the rising tone, tracked in the sound alone",
     "film law": "the law of the air film",
 }
-"""Inputs of findings whose description is not simply "the" and their name."""
-
-
-@cache
-def finding_modules() -> tuple[ModuleType, ...]:
-    """Return the modules of the claims."""
-    return tuple(
-        import_module(f"{claims.__name__}.{module.name}")
-        for module in iter_modules(claims.__path__)
-    )
+"""Descriptions of inputs that differ from "the" followed by the name."""
 
 
 @cache
 def registered_judges() -> dict[str, Judge]:
-    """Return the function and the inputs of every finding, by key."""
-    finding_modules()
+    """Return the function and the inputs of every finding, sorted by key."""
+    for module in iter_modules(claims.__path__):
+        import_module(f"{claims.__name__}.{module.name}")
     return dict(sorted(JUDGES.items()))
 
 
 def depends_on(key: str) -> str:
-    """Return the inputs of the finding with this key, in words."""
+    """Return a description of the inputs of the finding with this key."""
     return ", ".join(
-        NEED_IN_WORDS.get(need, f"the {need}") for need in registered_judges()[key].needs
+        NEED_IN_WORDS.get(need, f"the {need}")
+        for need in registered_judges()[key].needs
     )

@@ -1,4 +1,5 @@
-"""RATTLING DISK -> FINDINGS: losses of contact and their cause, impacts, and what is heard."""
+"""Findings on a rattling disk: losses of contact and their cause, impacts, and
+sound."""
 
 from dataclasses import replace
 
@@ -6,57 +7,43 @@ import numpy as np
 from scipy.signal import welch
 
 from dynamics import Outcome
-from dynamics.compliant.law.unevenness import rate_exponent
+from dynamics.compliant.law.unevenness import precession_rate_exponent
 from dynamics.disk import GRAVITY
-from dynamics.rattling.rattling_motion import RattlingMotion, solve_rattling_motion
+from dynamics.rattling.rattling_motion import (
+    RattlingMotion,
+    effective_restitution,
+    solve_rattling_motion,
+)
 from modal import Modes
 from sonify.claims.contact import micro_flights
 from sonify.claims.finding import Finding, Measured, finding, register_judge
-from sonify.claims.literature import energy_taken
+from sonify.claims.literature import energy_lost_by_cause
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-MIN_RATTLING_SHARE = 0.2
-"""Share of time without contact from which a disk is said to rattle."""
-EXPONENT_TOLERANCE = 0.05
-"""Largest difference between the exponents of the precession rate in theory and in a motion."""
 FIT_SAMPLES = 400
-"""Number of instants to which the law of the precession rate is fitted."""
-MAX_COMPARED_TIME = 0.4
-"""Longest time [s] for which a motion is solved again without modes or roughness."""
-SMOOTH_RMS = 1e-12
-"""Root mean square of heights [m] that no contact feels."""
-LAST_SECOND = 0.05, 1.0
-"""Time left [s] over which the precession rate is compared with its law."""
-RATE_SCATTER = 0.08
-"""Two standard deviations of the median rate over motions that differ in the seed of the
-heights."""
-IMPACT_COEFFICIENTS = ((1 - 0.8**2, 0.46), (1 - 0.5**2, 0.69), (1 - 0.3**2, 0.81))
-"""Energy that an impact loses, over its own, and k of d beta/dt = -k sqrt(g s)/R, as means of
-motions; see tests/compliant/test_rattling_disk.py."""
-SCALE_FREE_EXPONENT = 1.0
-"""Exponent of the power spectrum of heights without a preferred scale, H = 0."""
-MODE_BAND = 0.03
-"""Largest relative distance of the sound of a mode from its frequency."""
+"""Number of instants in the fit of the precession rate."""
+MODE_BAND_HALF_WIDTH = 0.03
+"""Half-width of the band around a mode, relative to its frequency."""
 MIN_HEARD_FREQUENCY = 100.0
-"""Lowest frequency [Hz] of the sound that is divided among the modes."""
-WELCH_LENGTH = 8192
-"""Samples of one section of the estimated spectrum."""
+"""Lowest frequency [Hz] of the sound power that is compared with the modes."""
 
 
 def rattling_findings(
     scene: Scene, motion: RattlingMotion, modes: Modes, sound: Sound
 ) -> list[Finding]:
-    """Return the findings on a motion with contact anywhere on the rim, and on its sound."""
+    """Return the findings on a rattling motion and its sound."""
     found = [disk_rattles(motion)]
     if motion.contact_losses:
         found.append(micro_flights(motion))
         if scene.roughness is not None:
             found.append(vibration_opens_contact(scene, motion))
     found.append(impacts_end_it(motion))
-    if scene.roughness is not None and motion.outcome in (Outcome.SETTLED, Outcome.AIRBORNE):
-        found.append(rate_follows_unevenness(scene.roughness.exponent, motion))
-        if scene.roughness.exponent == SCALE_FREE_EXPONENT and not scene.roughness.grain:
+    rough = scene.roughness
+    ended = motion.outcome in (Outcome.SETTLED, Outcome.AIRBORNE)
+    if rough is not None and ended:
+        found.append(rate_follows_unevenness(rough.exponent, motion))
+        if rough.exponent == 1.0:  # heights without a preferred scale, H = 0
             found.append(rate_is_that_of_the_table(scene, motion))
     if len(modes) and np.any(modes.frequency < sound.sample_rate / 2):
         found.append(free_modes_are_heard(sound, modes))
@@ -66,48 +53,59 @@ def rattling_findings(
 @finding(
     "The disk rattles: it flies from crest to crest of the unevenness",
     "of the time without contact",
-    "an uneven table opens the contact where the curvature of its heights exceeds that of the rim",
+    "contact with an uneven table is lost where the curvature of its heights exceeds that of the rim",
     needs=("motion", "contact law"),
-    at_least=MIN_RATTLING_SHARE,
+    at_least=0.2,
 )
 def disk_rattles(motion: RattlingMotion):
     """The share of the time without contact.
 
-    Flights count as independent events in its margin.
+    The margin assumes that the flights are independent events.
     """
     lasts = motion.contact_losses.array[:, 1]
     margin = 2 * np.sqrt(np.sum(lasts**2)) / motion.t[-1]
+    model = motion.model
+    release = float(motion.state[0, 1])
+    speed = float(np.sqrt(GRAVITY * max(model.roughness_rms, model.depth(release))))
     details = {
         "impacts_per_second": motion.impact_rate,
-        "curvature_number": motion.model.curvature_number(float(motion.state[0, 1])),
-        "rms_over_depth": motion.model.roughness_rms / motion.model.depth(motion.state[0, 1]),
+        "curvature_number": model.curvature_number(release),
+        "rms_over_depth": model.roughness_rms / model.depth(release),
+        "effective_restitution": effective_restitution(model, release, speed),
     }
     return Measured(motion.open_share, margin, details)
 
 
 @register_judge(needs=("scene", "motion", "contact law"))
 def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
-    """The share of the open time that vanishes without the modes of the disk.
+    """The share of the time without contact that vanishes in a motion without the disk
+    modes.
 
-    The motion is solved again from the release without these modes, and without roughness. The
-    margin takes the flights as independent events.
-    """
-    until = min(float(motion.t[-1]), MAX_COMPARED_TIME)
+    The motion is repeated from the release without these modes and without roughness.
+    The margin assumes that the flights are independent events."""
+    longest = 0.4  # s
+    until = min(float(motion.t[-1]), longest)
     limit = f"numerics.time_limit={until}"
     with_all, margin = open_share_until(motion, until)
-    rigid = solve_rattling_motion(scene.replace(limit, "contact.body=rigid"))
-    without_modes, own_margin = open_share_until(rigid, until)
-    smooth = scene.roughness and replace(
-        scene.roughness, rms=SMOOTH_RMS, rms_edge=0.0, profile=None, profile_edge=None
+    table = motion.model.modes
+    rigid = solve_rattling_motion(
+        scene.replace(limit, "contact.body=rigid"), modes=table
     )
-    even = solve_rattling_motion(scene.replace(limit).part(roughness=smooth))
+    without_modes, own_margin = open_share_until(rigid, until)
+    smooth_rms = 1e-12  # m; too small to affect a contact
+    smooth = scene.roughness and replace(
+        scene.roughness, rms=smooth_rms, rms_edge=0.0, profile=None, profile_edge=None
+    )
+    even = solve_rattling_motion(
+        scene.replace(limit).part(roughness=smooth), modes=table
+    )
     without_roughness, _ = open_share_until(even, until)
     opens = "vibration" if without_modes < with_all / 2 else "unevenness"
     return Finding(
         key="vibration_opens_contact",
         claim="Vibration of the disk breaks the contact",
         value=1 - without_modes / with_all if with_all else 0.0,
-        unit="of the open time, which vanishes without the modes of the disk",
+        unit="of the time without contact vanishes without the modes of the disk",
         at_least=0.5,
         margin=float(np.hypot(margin, own_margin) / with_all) if with_all else 0.0,
         details={
@@ -118,12 +116,13 @@ def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
         },
         cause=opens if without_roughness < with_all / 2 else "neither",
         needs=("scene", "motion", "contact law"),
-        source="section 8: vibrations that the contact force excites break the contact",
+        source="section 8: vibrations excited by the contact force break the contact",
     )
 
 
 def open_share_until(motion: RattlingMotion, until: float) -> tuple[float, float]:
-    """Return the share of the time up to `until` [s] without contact, and its margin."""
+    """Return the share of the time without contact up to `until` [s], and its
+    margin."""
     begin, lasts = motion.contact_losses.array[:, :2].T
     inside = np.clip(np.minimum(begin + lasts, until) - begin, 0.0, None)
     return float(inside.sum() / until), float(2 * np.sqrt(np.sum(inside**2)) / until)
@@ -133,55 +132,63 @@ def open_share_until(motion: RattlingMotion, until: float) -> tuple[float, float
 def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
     """The share of the sound power near the frequencies of the modes.
 
-    The margin is the change with bands of half and of twice the width.
+    The margin is the change of the share if the bands are half or twice as wide.
     """
     pressure = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
-    length = min(WELCH_LENGTH, len(pressure))
+    welch_length = 8192  # samples
+    length = min(welch_length, len(pressure))
     frequency, power = welch(pressure, sound.sample_rate, nperseg=length)
     audible = frequency > MIN_HEARD_FREQUENCY
     shares = []
-    for width in (MODE_BAND / 2, MODE_BAND, 2 * MODE_BAND):
+    for width in (
+        MODE_BAND_HALF_WIDTH / 2,
+        MODE_BAND_HALF_WIDTH,
+        2 * MODE_BAND_HALF_WIDTH,
+    ):
         distance = np.abs(frequency[:, None] / modes.frequency - 1).min(axis=1)
         near = audible & (distance < width)
         shares.append(float(power[near].sum() / power[audible].sum()))
     return Finding(
         key="free_modes_are_heard",
-        claim="What is heard are the modes of the disk",
+        claim="The sound is that of the modes of the disk",
         value=shares[1],
         unit=f"of the sound power above {MIN_HEARD_FREQUENCY:g} Hz, within "
-        f"{MODE_BAND:.0%} of the frequencies of the modes",
+        f"{MODE_BAND_HALF_WIDTH:.0%} of the frequencies of the modes",
         at_least=0.5,
         margin=max(shares) - min(shares),
         needs=("sound", "modes"),
-        source="recorded coins: their lines while rolling are those of the free coin within 0.3 %",
+        source="recorded coins: the spectral lines of a rolling coin are within 0.3 % of those of "
+        "the free coin",
     )
 
 
 @finding(
     "Impacts bring the disk to rest",
-    "of the energy lost, in the dashpots of the contacts",
-    "thousands of small impacts on the crests of an uneven table",
+    "of the energy is lost in the dashpots of the contacts",
+    "the disk makes thousands of small impacts on the crests of an uneven table",
     needs=("motion", "contact law"),
     at_least=0.5,
 )
 def impacts_end_it(motion: RattlingMotion):
     """The share of the energy loss in the compression of the contacts.
 
-    The margin is the energy that the balance does not explain.
+    The margin is the relative error of the energy balance.
     """
-    taken = energy_taken(motion)
+    taken = energy_lost_by_cause(motion)
     total = sum(taken.values())
     start, end = motion.energy(motion.t[[0, -1]])
     return Measured(taken["contact"] / total, abs(start - end - total) / total)
 
 
 @register_judge(needs=("motion", "contact law"))
-def rate_follows_unevenness(spectrum_exponent: float, motion: RattlingMotion) -> Finding:
-    """The exponent n of the precession rate ~ (t_end - t)^-n, and that of the unevenness.
+def rate_follows_unevenness(
+    spectrum_exponent: float, motion: RattlingMotion
+) -> Finding:
+    """The exponent n of the precession rate ~ (t_end - t)^-n.
 
-    The margin is the change of the exponent if the first or the last third is left out.
-    """
-    expected = rate_exponent(spectrum_exponent)
+    The expected value follows from the spectrum of the unevenness. The margin is the
+    change of n if the first or the last third of the motion is excluded."""
+    expected = precession_rate_exponent(spectrum_exponent)
     t = np.linspace(0.0, motion.t[-1], FIT_SAMPLES + 1)[:-1]
     inclination = motion.inclination(t)
     third = FIT_SAMPLES // 3
@@ -192,12 +199,12 @@ def rate_follows_unevenness(spectrum_exponent: float, motion: RattlingMotion) ->
     ]
     return Finding(
         key="rate_follows_unevenness",
-        claim="The precession rate rises as the spectrum of the unevenness demands",
+        claim="The precession rate rises as the spectrum of the unevenness implies",
         value=value,
         unit="exponent n of the precession rate ~ (t_end - t)^-n",
         at_least=expected,
         at_most=expected,
-        tolerance=EXPONENT_TOLERANCE,
+        tolerance=0.05,
         margin=max(abs(other - value) for other in others),
         needs=("motion", "contact law"),
         source="n = (2 - H)/(4 - H) for a power spectrum k^-(1 + 2H) of the heights",
@@ -206,12 +213,11 @@ def rate_follows_unevenness(spectrum_exponent: float, motion: RattlingMotion) ->
 
 @register_judge(needs=("scene", "motion", "contact law"))
 def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
-    """The precession rate times the root of the time left, over that of impacts alone.
+    """The ratio of the precession rate to that of a disk slowed by impacts alone.
 
-    In f = (g/s)^(1/4)/(pi sqrt(k (t_end - t))) neither radius nor mass of the disk appears. The
-    value is the median over the last second.
-    """
-    left = np.linspace(*LAST_SECOND, FIT_SAMPLES)
+    The latter, f = (g/s)^(1/4)/(pi sqrt(k (t_end - t))), is independent of radius and
+    mass of the disk. The value is the median over the last second."""
+    left = np.linspace(0.05, 1.0, FIT_SAMPLES)
     left = left[left < motion.t[-1]]
     inclination = motion.inclination(motion.t[-1] - left)
     disk = scene.disk
@@ -220,16 +226,17 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
     rms = motion.model.roughness_rms
     k = impact_coefficient(motion.model.constants.damping_ratio)
     curve = (GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k * left))
+    scatter = 0.08  # two standard deviations over seeds of the heights
     return Finding(
         key="rate_is_that_of_the_table",
-        claim="Disks of any size share one curve of the precession rate on this table",
+        claim="On this table the precession rate is the same function of time for disks of any size",
         value=float(np.median(rate / curve)),
-        unit="precession rate over that of impacts alone, which depends on the rms of the heights "
-        "and the restitution, median over the last second",
+        unit="times the precession rate due to impacts alone, a function of the rms height and the "
+        "restitution, median over the last second",
         at_least=1.0,
         at_most=1.0,
         tolerance=0.25,
-        margin=RATE_SCATTER,
+        margin=scatter,
         details={"rate_at_1s": float((GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k)))},
         needs=("scene", "motion", "contact law"),
         source="d beta/dt = -k sqrt(g s)/R for impacts on unevenness without a preferred scale",
@@ -237,25 +244,25 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
 
 
 def impact_coefficient(damping_ratio: float) -> float:
-    """Return k of d beta/dt = -k sqrt(g s)/R for contacts of a damping ratio.
+    """Return k of d beta/dt = -k sqrt(g s)/R for contacts with a damping ratio.
 
-    Interpolates the means of motions with the restitutions 0.3, 0.5 and 0.8 in the logarithms of k
-    and of the energy that a single impact loses.
-    """
+    The mean values for motions with the restitutions 0.3, 0.5 and 0.8 are interpolated
+    in log k and the logarithm of the relative energy loss per impact."""
     restitution = np.exp(-np.pi * damping_ratio / np.sqrt(1 - damping_ratio**2))
-    loss, k = np.log(IMPACT_COEFFICIENTS).T
+    # relative energy loss per impact, and k, from tests/compliant/test_rattling_disk.py
+    means = ((1 - 0.8**2, 0.46), (1 - 0.5**2, 0.69), (1 - 0.3**2, 0.81))
+    loss, k = np.log(means).T
     slope = (k[1] - k[0]) / (loss[1] - loss[0])
     x = np.log(1 - restitution**2)
     return float(np.exp(np.interp(x, loss, k) + slope * min(x - loss[0], 0.0)))
 
 
 def fitted_exponent(t: np.ndarray, inclination: np.ndarray) -> float:
-    """Return n of the precession rate ~ (t_end - t)^-n for inclinations (k,) [rad] at times (k,)
-    [s].
+    """Return n of the precession rate ~ (t_end - t)^-n for inclinations (k,) [rad] at
+    times (k,) [s].
 
-    The rate is proportional to the inverse root of the inclination. The end is the one of the best
-    fit.
-    """
+    The rate is proportional to the inverse square root of the inclination; t_end is
+    fitted."""
     logarithm = np.log(inclination)
     span = t[-1] - t[0]
     best = (np.inf, 0.0)

@@ -1,11 +1,11 @@
-"""SPECTRAL LINES + SCENE -> MATCHES: the resonance of disk, contact or table nearest to a line."""
+"""Matching of spectral lines to the resonances of disk, contact and table."""
 
 from typing import NamedTuple
 
 import numpy as np
 
 from dynamics.compliant.model_inputs import law_table
-from dynamics.compliant.model_selection import steady_rate
+from dynamics.compliant.model_selection import steady_precession_rate
 from modal import eigenmodes
 from modal.tabletop.solve import surface_modes
 from sonify.hearing.spectral_lines import Carrier
@@ -15,13 +15,14 @@ MAX_MATCH_DISTANCE = 50.0
 """Distance [cents] below which a spectral line matches a resonance."""
 MIN_RESONANCE_INCLINATION = 0.003
 """Smallest inclination at which the contact resonance is computed [rad]."""
-RESONANCE_INCLINATIONS = 40
+RESONANCE_INCLINATION_COUNT = 40
 
 
 class Match(NamedTuple):
-    """The resonance nearest to a spectral line: its owner ("disk", "table" or "contact"), its
-    frequency [Hz], and the distance of the line above it [cents].
-    """
+    """Resonance nearest to a spectral line.
+
+    It belongs to `of` ("disk", "table" or "contact") and has a `frequency` [Hz];
+    `cents` is the interval from it up to the line."""
 
     of: str
     frequency: float
@@ -29,11 +30,11 @@ class Match(NamedTuple):
 
 
 def resonances(scene: Scene) -> list[tuple[str, float]]:
-    """Return the owner and frequency [Hz] of each resonance in a scene.
+    """Return "disk", "table" or "contact" and the frequency [Hz] of each resonance of a
+    scene.
 
-    These are the modes of the disk, those of the table, and the contact resonance under the weight
-    at inclinations from the release down to MIN_RESONANCE_INCLINATION.
-    """
+    The contact resonance under the weight is computed for inclinations from the release
+    down to MIN_RESONANCE_INCLINATION."""
     found = [("disk", f) for f in eigenmodes(scene).frequency]
     table = surface_modes(scene)
     found += [("table", f) for f in table.frequency] if table is not None else []
@@ -43,9 +44,13 @@ def resonances(scene: Scene) -> list[tuple[str, float]]:
     ]
 
 
-def nearest_resonance(carrier: Carrier, known: list[tuple[str, float]]) -> Match | None:
-    """Return the known resonance nearest to a spectral line, or None if none is within MAX_MATCH_DISTANCE."""
-    apart = [Match(of, float(f), float(1200 * np.log2(carrier.frequency / f))) for of, f in known]
+def nearest_resonance(line: Carrier, known: list[tuple[str, float]]) -> Match | None:
+    """Return the resonance nearest to a spectral line; None if it is beyond
+    MAX_MATCH_DISTANCE."""
+    apart = [
+        Match(of, float(f), float(1200 * np.log2(line.frequency / f)))
+        for of, f in known
+    ]
     best = min(apart, key=lambda match: abs(match.cents), default=None)
     return best if best is not None and abs(best.cents) < MAX_MATCH_DISTANCE else None
 
@@ -55,11 +60,13 @@ def _contact_resonances(scene):
     beta = np.geomspace(
         MIN_RESONANCE_INCLINATION,
         max(np.radians(scene.release.inclination_deg), 2 * MIN_RESONANCE_INCLINATION),
-        RESONANCE_INCLINATIONS,
+        RESONANCE_INCLINATION_COUNT,
     )
-    speed = np.array([steady_rate(disk, b) for b in beta]) * disk.radius
+    speed = np.array([steady_precession_rate(scene, b) for b in beta]) * disk.radius
     return (
         law_table(scene)
-        .carrier(beta, np.full(RESONANCE_INCLINATIONS, disk.weight), speed)
+        .contact_resonance(
+            beta, np.full(RESONANCE_INCLINATION_COUNT, disk.weight), speed
+        )
         .frequency
     )

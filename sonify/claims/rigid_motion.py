@@ -1,28 +1,30 @@
-"""Claims of the paper about the motion of the disk and about its modes."""
+"""Findings on the claims of the paper about the motion and the modes of the disk."""
 
 from math import inf
 
 import numpy as np
 
 from dynamics import Motion
+from dynamics.motion import piece_ends_and_middles
 from dynamics.observables import (
-    nutation_ends,
+    nutation_end_time,
     nutation_frequency,
-    piece_ends_and_middles,
     precession_rate,
-    slips,
+    slip_start_times,
 )
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import Modes
 from sonify.claims.finding import Finding, Measured, finding, median_with_margin
 
 AUDIBLE_RANGE = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
-PAPER_FORCING_FREQUENCY = 2.5  # over chi: the frequency of the normal force named in figure 4
-PAPER_FORCING_FREQUENCY_TIME = 214.6  # over chi: when the published disk reaches it
+PAPER_FORCING_FREQUENCY = 2.5
+"""Frequency of the normal force in figure 4, in units of 1/chi."""
+PAPER_FORCING_FREQUENCY_TIME = 214.6
+"""Time at which figure 4 reaches PAPER_FORCING_FREQUENCY, in units of chi."""
 
 
 @finding(
-    "The disk goes from rolling to sliding again and again",
+    "The disk repeatedly changes from rolling to sliding",
     "transitions",
     "section 1 of the paper",
     needs=("motion",),
@@ -30,18 +32,19 @@ PAPER_FORCING_FREQUENCY_TIME = 214.6  # over chi: when the published disk reache
 )
 def repeated_slips(motion: Motion):
     """The number of changes from rolling to sliding; rounding may change it by one."""
-    return Measured(len(slips(motion)), 1.0)
+    return Measured(len(slip_start_times(motion)), 1.0)
 
 
 @finding(
-    "The normal force is never zero",
-    "least normal force / weight",
+    "The normal force stays positive",
+    "times the weight (least normal force)",
     "section 7, figure 4 (a)",
     needs=("motion",),
     at_least=1e-9,
 )
 def contact_kept(motion: Motion):
-    """The least normal force over the weight, at the ends and middles of all pieces."""
+    """The least ratio of normal force to weight at the ends and middles of all
+    pieces."""
     load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
     least = 0.0 if motion.contact_losses else float(load.min())
     return Measured(least, load[::2].min() - load.min())
@@ -49,80 +52,95 @@ def contact_kept(motion: Motion):
 
 @finding(
     "The frequency of the normal force rises as the disk declines",
-    "last tenth of the peaks / first tenth",
+    "times the frequency of the first tenth of the peaks (last tenth)",
     "section 7, figure 4 (b)",
     needs=("motion",),
     at_least=1.5,
 )
 def load_frequency_rises(motion: Motion):
-    """The frequency of the normal force in the last tenth of the peaks over that in the first."""
+    """The ratio of the frequencies of the normal force in the last and first tenths of
+    its peaks."""
     frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
     early = median_with_margin(frequency[:tenth])
     late = median_with_margin(frequency[-tenth:])
     ratio = late.value / early.value
-    margin = ratio * float(np.hypot(early.margin / early.value, late.margin / late.value))
-    return Measured(ratio, margin, nutation_details(motion))
+    margin = ratio * float(
+        np.hypot(early.margin / early.value, late.margin / late.value)
+    )
+    return Measured(ratio, margin, nutation_end_times(motion))
 
 
-def nutation_details(motion: Motion) -> dict[str, float]:
-    """Return the times [s] at which nutation and motion end; empty if they end together."""
-    end = nutation_ends(motion)
-    return {} if end is None else {"nutates_until": end, "motion_ends": float(motion.t[-1])}
+def nutation_end_times(motion: Motion) -> dict[str, float]:
+    """Return the times [s] at which nutation and motion end; empty if they end
+    together."""
+    end = nutation_end_time(motion)
+    return (
+        {}
+        if end is None
+        else {"nutates_until": end, "motion_ends": float(motion.t[-1])}
+    )
 
 
 @finding(
     "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
-    "chi from the release, inf if it never does",
+    "χ of (4.5) after the release (inf: never)",
     "figure 4 (b), read in quadruple precision; footnote 3",
     needs=("motion",),
     at_most=PAPER_FORCING_FREQUENCY_TIME,
     tolerance=0.5,
 )
 def load_frequency_reached(motion: Motion):
-    """The first time, over chi of (4.5), at which the normal force has the frequency 2.5/chi."""
+    """The first time, in units of chi of (4.5), at which the normal force has the
+    frequency 2.5/chi."""
     chi = motion.disk.time_unit
     time, frequency = nutation_frequency(motion)
     reached = time[chi * frequency >= PAPER_FORCING_FREQUENCY]
     first = reached[0] / chi if len(reached) else inf
-    return Measured(first, 1 / PAPER_FORCING_FREQUENCY, nutation_details(motion))
+    return Measured(first, 1 / PAPER_FORCING_FREQUENCY, nutation_end_times(motion))
 
 
 @finding(
     "The energy falls monotonically",
-    "greatest gain between two instants / energy at the start",
+    "times the initial energy (greatest increase between two instants)",
     "sections 6.3 and 7, figure 3 (b)",
     needs=("motion",),
     at_most=0.0,
     tolerance=1e-12,
 )
 def energy_falls(motion: Motion):
-    """The greatest gain of energy between successive instants, over the initial energy."""
+    """The greatest increase of energy between successive instants, relative to the
+    initial energy."""
     gain = np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0]
     return Measured(gain, 16 * np.finfo(float).eps)
 
 
 @finding(
     "Sliding dissipates more than rolling",
-    "power in a slide / the greater of those before and after, median",
+    "times the greater of the powers before and after a slide, median",
     "section 7, figure 3 (b)",
     needs=("motion",),
     at_least=1.0,
 )
 def sliding_costs_more(motion: Motion):
-    """The median of the power lost in a slide over the greater of those in the rolling before and
-    after it.
+    """The median ratio of the power lost in a slide to that in the adjacent rolling.
+
+    The greater of the powers before and after the slide counts.
     """
-    power, slides = stretch_powers(motion)
+    power, slides = powers_by_regime(motion)
     around = np.maximum(power[slides - 1], power[slides + 1])
     return median_with_margin(power[slides] / around)
 
 
-def stretch_powers(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
-    """Return the mean power lost [W] in each interval of rolling or sliding, and the indices of the
-    slides between two intervals of rolling.
+def powers_by_regime(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """Return the mean power lost [W] in each interval of rolling or sliding, and
+    indices of slides.
+
+    The indices include only slides between two intervals of rolling.
     """
-    sliding = np.char.startswith(motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide")
+    sliding = np.char.startswith(
+        motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide"
+    )
     edges = np.concatenate([[0], np.flatnonzero(np.diff(sliding)) + 1, [len(sliding)]])
     power = np.diff(motion.state[edges, 10]) / np.diff(motion.t[edges])
     first_slide = 2 if sliding[0] else 1
@@ -147,13 +165,14 @@ def audible_modes(modes: Modes):
 
 @finding(
     "The motion of the centre diminishes until it is almost negligible",
-    "extent of the path, last fifth / first fifth",
+    "times the extent of the path in its first fifth (last fifth)",
     "section 7, figure 5",
     needs=("motion",),
     at_most=0.1,
 )
 def centre_comes_to_rest(motion: Motion):
-    """The extent of the path of the centre in the last fifth of the time over that in the first."""
+    """The ratio of the extents of the path of the centre in the last and first fifths
+    of the time."""
     t = np.linspace(0, motion.t[-1], 20001)
     path = motion.at(t)[:, 3:5]
     extent = extent_ratio(path)
@@ -161,41 +180,46 @@ def centre_comes_to_rest(motion: Motion):
 
 
 def extent_ratio(path: np.ndarray) -> float:
-    """Return the extent of a path (k, 2) in its last fifth over that in its first."""
+    """Return the ratio of the extents of the last and first fifths of a path (k, 2)."""
     fifth = len(path) // 5
-    return float(np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max())
+    return float(
+        np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max()
+    )
 
 
 @finding(
-    "There is no finite-time singularity: the precession rate stays finite",
-    "exponent of the precession rate in the time left (negative: it diverges)",
+    "The precession rate stays finite",
+    "exponent of the precession rate as a power of the remaining time (negative: it diverges)",
     "section 7",
     needs=("motion",),
     at_least=0.0,
     tolerance=0.05,
 )
 def no_singularity(motion: Motion):
-    """The exponent of the precession rate as a power of the time left."""
+    """The exponent of the precession rate as a power of the remaining time."""
     least = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
-    time_left = np.geomspace(least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400)
+    time_left = np.geomspace(
+        least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400
+    )
     rate = np.abs(precession_rate(motion.at(motion.t_end - time_left)))
     (exponent, _), covariance = np.polyfit(np.log(time_left), np.log(rate), 1, cov=True)
     return Measured(exponent, 2 * covariance[0, 0] ** 0.5)
 
 
-def nears_its_end(motion: Motion) -> bool:
-    """Return True if a motion gets close enough to inclination 0 for a power-law fit of its end."""
+def allows_end_fit(motion: Motion) -> bool:
+    """Return True if a motion comes close enough to inclination 0 for a power-law fit
+    of its end."""
     return 16 * (motion.t_end - motion.t[-1]) <= motion.t_end
 
 
 def motion_findings(motion: Motion) -> list[Finding]:
-    """Return the claims about the motion that it can judge.
+    """Return the findings on the motion.
 
-    Claims on the frequency of the normal force need peaks of that force. Claims on sliding need
-    rolling before and after it. Claims on the end need a disk that settles.
-    """
+    Claims about the frequency of the normal force require peaks of that force, claims
+    about sliding require rolling before and after it, and claims about the end require
+    a disk that settles."""
     has_peaks = len(nutation_frequency(motion)[0]) > 0
-    has_slides = len(stretch_powers(motion)[1]) > 0
+    has_slides = len(powers_by_regime(motion)[1]) > 0
     settles = motion.outcome.name == "SETTLED"
     claims = [
         repeated_slips,
@@ -204,16 +228,16 @@ def motion_findings(motion: Motion) -> list[Finding]:
         energy_falls,
         *([sliding_costs_more] if has_slides else []),
         *([centre_comes_to_rest] if settles else []),
-        *([no_singularity] if settles and nears_its_end(motion) else []),
+        *([no_singularity] if settles and allows_end_fit(motion) else []),
     ]
     return [claim(motion) for claim in claims]
 
 
 def mode_findings(modes: Modes) -> list[Finding]:
-    """Return the claims that the modes alone can judge."""
+    """Return the findings on the modes."""
     return [audible_modes(modes)]
 
 
-def all_findings(motion: Motion, modes: Modes) -> list[Finding]:
-    """Return every claim about motion and modes that this run can judge."""
+def motion_and_mode_findings(motion: Motion, modes: Modes) -> list[Finding]:
+    """Return the findings on the motion and the modes of a run."""
     return [*motion_findings(motion), *mode_findings(modes)]

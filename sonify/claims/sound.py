@@ -1,4 +1,4 @@
-"""SOUND -> VERDICT: analysis of the rendered sound, compared with the solved motion and modes."""
+"""Findings on the rendered sound, compared with the solved motion and modes."""
 
 import numpy as np
 from scipy.signal import sosfilt
@@ -21,41 +21,48 @@ from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track
 
 LAST_SECONDS = 1.0
-"""Length of the final interval of the motion, in which the pitch is claimed to rise sharply [s]."""
-INDEPENDENT_FRAME_SHARE = 0.05
-"""Share of independent, non-overlapping frames among the frames of a tone."""
+"""Length of the final interval [s] in which the paper claims a sharp rise of the
+pitch."""
 
 
 def analyse_sound(sound: Sound) -> tuple[Heard | None, list[str]]:
-    """Return the analysis of the rendered sound, or None, and notes on claims without a verdict."""
+    """Return the analysis of the rendered sound, or None, and notes on claims that were
+    not judged."""
     try:
         heard = listen(sound.pressure, sound.source_end)
     except RecordingError as error:
-        return None, [f"A verdict by ear: {error}.", *unheard()]
-    silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
+        return None, [f"Verdicts on the sound: {error}.", *unheard()]
+    silent = (
+        ["Claims on the rising tone, because no rising tone stands out."]
+        if heard.tone is None
+        else []
+    )
     return heard, [*unheard(), *silent]
 
 
-def all_sound_findings(
+def sound_findings(
     heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0
 ) -> list[Finding]:
-    """Return the findings on the sound that this run can judge.
+    """Return the findings on the sound of a run.
 
-    Claims on the end need a disk that settles. `error` is the predicted relative rms deviation of
-    the sound from the reference.
-    """
-    energy = [modes_take_little(motion, sound, error)]
+    Claims about the end require a disk that settles. `error` is the predicted relative rms
+    deviation of the sound from that at accuracy "reference"."""
+    energy = [modes_take_little(motion, sound, error), sound_is_audible(sound)]
     if heard is None:
         return energy
     found = [carriers_are_steady(heard)] if heard.lines else []
-    found += [carriers_are_modes(heard, modes)] if heard.lines and len(modes.frequency) else []
+    found += (
+        [carriers_are_modes(heard, modes)]
+        if heard.lines and len(modes.frequency)
+        else []
+    )
     found += energy
     if motion.outcome.name != "SETTLED" or heard.tone is None:
         return found
     tone = heard.tone
     return [
         pitch_rises(tone),
-        *rates_heard(tone, motion, sound),
+        *tone_rate_findings(tone, motion, sound),
         tone_is_heard(tone, sound),
         modes_carry_the_end(sound, error),
         tone_ends_with_the_motion(tone, sound),
@@ -63,88 +70,97 @@ def all_sound_findings(
     ]
 
 
-def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
-    """Return the findings that compare the tone with a solved rate; empty without nutation.
+def tone_rate_findings(tone, motion: Motion, sound: Sound) -> list[Finding]:
+    """Return the findings that compare the tone with solved rates; empty without
+    nutation.
 
-    The tone is compared with the precession in the last second, and with the nutation before the
-    last four seconds while the disk nutates.
-    """
+    The tone is compared with the precession in the last second, and with the nutation
+    until four seconds before the end."""
     nutates = nutation_frequency(motion)[0]
     if not len(nutates):
         return []
     last = tone.time > sound.source_end - LAST_SECONDS
     delay = sound.source_end - motion.t[-1]
-    early = (tone.time < sound.source_end - 4 * LAST_SECONDS) & (tone.time - delay <= nutates[-1])
+    early = (tone.time < sound.source_end - 4 * LAST_SECONDS) & (
+        tone.time - delay <= nutates[-1]
+    )
     found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
-    return found + ([tone_was_nutation(tone, early, motion, sound)] if early.any() else [])
+    return found + (
+        [tone_was_nutation(tone, early, motion, sound)] if early.any() else []
+    )
 
 
 @finding(
     "The pitch rises sharply towards the end",
-    "times over the ridge that is heard",
-    "abstract and section 1; from the sound alone",
+    "times from the start to the end of the detected tone",
+    "abstract and section 1; determined from the sound alone",
     needs=("tone",),
     at_least=2.0,
 )
 def pitch_rises(tone):
-    """The frequency of the tone at the end of its ridge over that at the start."""
+    """The ratio of the final to the initial frequency of the tone."""
     return Measured(
-        tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
+        tone.factor,
+        2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent,
     )
 
 
 @finding(
     "In the last second the rising tone is the precession of the contact",
-    "tone heard / precession solved, median",
-    "section 8 leaves open what rises; the solved precession",
+    "times the solved precession, median",
+    "section 8 does not state which frequency rises; here it is compared with the precession",
     needs=("tone", "motion", "sound"),
     at_least=0.97,
     at_most=1.03,
 )
 def tone_is_precession(tone, last, motion: Motion, sound: Sound):
-    """The median of the tone frequency over the solved precession, in the frames `last` (r,)."""
+    """The median ratio of the tone frequency to the solved precession in the frames
+    `last` (r,)."""
     return _tone_ratio(tone, last, motion, sound, precession_frequency(motion))
 
 
 @finding(
     "Until four seconds before the end the tone is the nutation, the frequency of the normal force",
-    "tone heard / nutation solved, median",
-    "section 8: the normal force as a measure of the forcing",
+    "times the solved nutation, median",
+    "section 8: the normal force is a measure of the forcing",
     needs=("tone", "motion", "sound"),
     at_least=0.97,
     at_most=1.03,
 )
 def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
-    """The median of the tone frequency over the solved nutation, in the frames `early` (r,)."""
+    """The median ratio of the tone frequency to the solved nutation in the frames
+    `early` (r,)."""
     return _tone_ratio(tone, early, motion, sound, nutation_frequency(motion))
 
 
 @finding(
-    "The tone heard runs to the end of the motion",
-    "s from the end of the motion to the end fitted to the tone",
+    "The rising tone lasts until the end of the motion",
+    "s from the end of the motion to the fitted end of the tone",
     "section 1: the abrupt halt",
     needs=("tone", "sound"),
     at_least=-0.1,
     at_most=0.1,
 )
 def tone_ends_with_the_motion(tone, sound: Sound):
-    """The time [s] from the end of the motion, at the listener, to the fitted end of the tone."""
+    """The time [s] from the end of the motion, at the listener, to the fitted end of
+    the tone."""
     return Measured(tone.end - sound.source_end, 2 * tone.end_error)
 
 
 @finding(
     "The rising tone can be heard",
-    "s before the end from which it stays above the threshold of ISO 226",
+    "s of uninterrupted audibility before the end (threshold of ISO 226)",
     "section 8: the frequencies are in the audible range",
     needs=("tone", "sound"),
     at_least=0.5,
 )
 def tone_is_heard(tone, sound: Sound):
-    """The time before the end [s] from which the third octave of the tone stays above the threshold
-    of hearing.
-    """
+    """The time before the end [s] from which the third-octave band of the tone stays
+    above the threshold of hearing."""
     seen = spectrogram(sound.pressure, WINDOW / 4)
-    inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
+    inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (
+        seen.time > 0.1
+    )
     bands = np.array(list(ISO_226))
     above = (band_levels(seen) - THRESHOLD_DB[:, None])[:, inside]
     pitch = tone.at(seen.time[inside])
@@ -161,44 +177,70 @@ def tone_is_heard(tone, sound: Sound):
 
 
 @finding(
-    "What is heard of the disk in the last second is the vibration of its modes",
-    "dB(A), ringing of the modes over rigid motion of the disk",
-    "section 8: this is not the primary sound source; the forcing excites modes",
+    "The sound exceeds the threshold of hearing",
+    "dB above the threshold (greatest third-octave level in 200 ms)",
+    "ISO 389-7, equal to the thresholds of ISO 226",
+    needs=("sound",),
+    at_least=0.0,
+)
+def sound_is_audible(sound: Sound, window: float = 0.2):
+    """The greatest third-octave level above the threshold of hearing [dB] in windows of
+    `window` [s].
+
+    The details include the share of the windows with a level above the threshold.
+    """
+    seen = spectrogram(sound.pressure, window, span=(0.0, sound.source_end))
+    loudest = (band_levels(seen) - THRESHOLD_DB[:, None]).max(axis=0)
+    details = {"audible_share": float((loudest > 0).mean())}
+    return Measured(float(loudest.max()), details=details)
+
+
+@finding(
+    "In the last second, the sound of the disk is the vibration of its modes",
+    "dB(A), ringing modes relative to the rigid motion of the disk",
+    "section 8: the motion of the disk is not the primary sound source; the forcing excites modes",
     needs=("sound",),
     at_least=0.0,
 )
 def modes_carry_the_end(sound: Sound, error: float = 0.0):
-    """The level of the modes relative to the rigid motion of the disk, in the last second [dB(A)].
+    """The level of the modes relative to the rigid motion of the disk in the last
+    second [dB(A)].
 
-    A sound with the relative rms error `error` has an energy within a factor of (1 + error)^2.
-    """
-    heave, tilt, smooth, jumps = (weighted_power(sound, sound.track(name)) for name in STEMS)
-    return Measured(level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error))
+    The energy of a sound with the relative rms error `error` is accurate to a factor (1
+    + error)^2."""
+    heave, tilt, smooth, jumps = (
+        weighted_power(sound, sound.track(name)) for name in STEMS
+    )
+    return Measured(
+        level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error)
+    )
 
 
 @finding(
-    "The modes take too little energy to act back on the motion",
+    "The modes hold too little energy to affect the motion",
     "s before the end when the modes first hold as much energy as the disk",
-    "section 8: the vibrations will result in a loss of contact; here they do not act back",
+    "section 8: the vibrations will result in a loss of contact; here the coupling is one-way",
     needs=("motion", "sound"),
     at_most=0.0,
 )
 def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0):
-    """The time before the end [s] when the energy of the modes first exceeds that of the disk.
+    """The time before the end [s] at which the energy of the modes first exceeds that
+    of the disk.
 
-    One-way coupling is valid before it. The energy of the modes is known within a factor of (1 +
-    error)^2, as in `modes_carry_the_end`.
-    """
+    Until then one-way coupling is valid. The energy of the modes is accurate to a
+    factor (1 + error)^2, as in `modes_carry_the_end`."""
     return time_of_energy_share(motion, sound.energy_time, sound.energy, error)
 
 
-def time_of_energy_share(motion: Motion, t, energy, error: float, share: float = 1.0) -> Measured:
-    """Return the time before the end [s] when an energy first exceeds a share of that of the disk.
+def time_of_energy_share(
+    motion: Motion, t, energy, error: float, share: float = 1.0
+) -> Measured:
+    """Return the time before the end [s] at which an energy first exceeds a share of
+    that of the disk.
 
-    The energy (e,) [J] is given at times t (e,) [s] and is known within a factor of (1 + error)^2.
-    The value is 0 if the energy never exceeds the share. The margin is the change of a positive
-    value at the lowest energy, or of a zero value at the highest.
-    """
+    The energy (e,) [J] at times t (e,) [s] is accurate to a factor (1 + error)^2. The
+    time is 0 if the energy never exceeds the share. The margin is the change of a
+    positive time for the lowest possible energy, or of a zero time for the highest."""
     inside = (t >= 0) & (t <= motion.t[-1])
     t = t[inside]
     energy = energy[inside]
@@ -214,19 +256,21 @@ def time_of_energy_share(motion: Motion, t, energy, error: float, share: float =
 
 
 @finding(
-    "The strongest steady tone keeps its pitch: no mode rises",
+    "The strongest steady tone keeps its pitch",
     "cents, spread over the sound",
-    "linear modes; from the sound alone",
+    "modes are linear; determined from the sound alone",
     needs=("sound",),
     at_most=5.0,
 )
 def carriers_are_steady(heard: Heard):
     """The greater of the spread and the drift of the strongest spectral line [cents].
 
-    Five frames determine the spread to within one half of its value.
+    The spread of five frames is accurate to one half of its value.
     """
     one = heard.lines[0]
-    drift, error = (x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error))
+    drift, error = (
+        x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error)
+    )
     return Measured(max(one.spread, drift), max(one.spread / 2, 2 * error))
 
 
@@ -245,17 +289,20 @@ def carriers_are_modes(heard: Heard, modes: Modes):
 
 
 def _tone_ratio(tone, here, motion, sound, solved):
-    """Return the median of the tone frequency over a solved rate, in the frames `here` (r,)."""
+    """Return the median ratio of the tone frequency to a solved rate in the frames
+    `here` (r,)."""
     delay = sound.source_end - motion.t[-1]
     rate = np.interp(tone.time[here] - delay, *solved)
-    return median_with_margin(tone.frequency[here] / rate, INDEPENDENT_FRAME_SHARE)
+    independent_share = 0.05  # of the frames, which overlap
+    return median_with_margin(tone.frequency[here] / rate, independent_share)
 
 
 def weighted_power(sound: Sound, stem: Track) -> float:
-    """Return the A-weighted mean square [Pa^2] of a stem over the last second of the motion."""
+    """Return the A-weighted mean square [Pa^2] of a stem over the last second of the
+    motion."""
     rate = sound.sample_rate
     end = int(sound.source_end * rate)
     begin = max(end - int(LAST_SECONDS * rate), 0)
-    settled = max(begin - rate // 2, 0)  # lets the filter transient decay
+    settled = max(begin - rate // 2, 0)  # leaves time for the filter transient to decay
     weighted = sosfilt(a_weighting(rate), stem.read(settled, end).astype(float))
     return float(np.mean(weighted[begin - settled :] ** 2))

@@ -1,6 +1,7 @@
-"""FINDINGS -> ANSWERS: for each surface, the sound source, the pitch, losses of contact, and the
-cause of the end.
-"""
+"""Short answers from the findings on each surface.
+
+The questions concern the sound source, the pitch, losses of contact and the cause of
+the end."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -9,50 +10,71 @@ from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
 
 SURFACES = {
-    "published": "rigid table, in a vacuum",
-    "granite": "rough granite slab, in air",
-    "glass-plate": "glass plate, 6 mm thick, in a vacuum",
-    "wood-table": "wooden table on four feet, in a vacuum",
-    "light-plate": "light glass plate, 3 mm thick, in a vacuum",
+    "published": "rigid table",
+    "glass-plate": "glass, 6 mm",
+    "wood-table": "wooden table",
+    "light-plate": "glass, 3 mm",
+    "granite": "granite slab",
+    "mirror-base": "the toy's mirror",
+    "coin": "stone, a coin",
 }
-"""Scene -> the surface under its disk and the surrounding medium."""
+"""Surface under the disk, by scene."""
 
 
 class AnswerSentences(NamedTuple):
-    """Answers to a question if a claim holds, fails or is undecided; {value} is its value."""
+    """Answers for a claim that holds, fails or is undecided; {value} is its value."""
 
     yes: str
     no: str
     undecided: str
 
 
-LAST_ENERGY_TEXT = "{value:.0%} of the last tenth of the energy"
-LEVEL_TEXT = "{value:+.0f} dB(A)"
+ENERGY_SHARE_FORMAT = "{value:.0%}"
+LEVEL_FORMAT = "{value:+.0f} dB(A)"
+ADVANCE_FORMAT = (
+    "{value:.2f} s early (1e-5 rad), {advance_at_100_urad:.2f} s (1e-4 rad)"
+)
 ANSWERS: dict[str, dict[str, AnswerSentences]] = {
-    "what you hear": {
+    "what do you hear": {
         "table_is_louder": AnswerSentences(
-            f"the table, {LEVEL_TEXT} relative to the disk",
-            f"the disk, the table {LEVEL_TEXT} relative to it",
-            f"undecided: the table, {LEVEL_TEXT} relative to the disk",
+            f"the table, {LEVEL_FORMAT}",
+            f"the disk, the table {LEVEL_FORMAT}",
+            f"undecided: the table, {LEVEL_FORMAT}",
         ),
         "carrier_is_contact": AnswerSentences(
-            "the contact resonance, at {value:.2f} of the predicted frequency",
-            "a resonance at {value:.2f} times the frequency of the contact's",
-            "undecided: the contact resonance, at {value:.2f} of the predicted frequency",
+            "the contact resonance, {value:.2f} of its prediction",
+            "a resonance at {value:.2f} times the contact's",
+            "undecided: the contact resonance, {value:.2f} of its prediction",
         ),
         "modes_carry_the_end": AnswerSentences(
-            f"the modes, {LEVEL_TEXT} relative to the motion in the last second",
-            f"the motion of the disk, its modes {LEVEL_TEXT} relative to it in the last second",
-            f"undecided: the modes, {LEVEL_TEXT} relative to the motion in the last second",
+            f"the modes at the end, {LEVEL_FORMAT}",
+            f"the motion of the disk, modes {LEVEL_FORMAT}",
+            f"undecided: the modes at the end, {LEVEL_FORMAT}",
+        ),
+        "free_modes_are_heard": AnswerSentences(
+            "the modes of the disk, {value:.0%} of the power",
+            "more than the modes of the disk, {value:.0%} of the power",
+            "undecided: the modes of the disk, {value:.0%} of the power",
+        ),
+        "heard_through_film": AnswerSentences(
+            "the motion of the disk, {value:+.0f} dB relative to the threshold of hearing",
+            "not the motion of the disk: {value:+.0f} dB relative to the threshold of hearing",
+            "undecided: the motion of the disk, {value:+.0f} dB relative to the threshold of hearing",
         ),
     },
     "does the pitch rise": {
-        "table_tone_rises": AnswerSentences("yes", "no", "undecided"),  # the factor is chaotic
+        "table_tone_rises": AnswerSentences(
+            "yes", "no", "undecided"
+        ),  # without the factor, which is chaotic
         "carrier_rises": AnswerSentences(
-            "yes, {value:.1f} times", "no, {value:.1f} times", "undecided, {value:.1f} times"
+            "yes, {value:.1f}-fold",
+            "no, {value:.1f}-fold",
+            "undecided, {value:.1f}-fold",
         ),
         "pitch_rises": AnswerSentences(
-            "yes, {value:.1f} times", "no, {value:.1f} times", "undecided, {value:.1f} times"
+            "yes, {value:.1f}-fold",
+            "no, {value:.1f}-fold",
+            "undecided, {value:.1f}-fold",
         ),
     },
     "is contact lost": {
@@ -63,16 +85,21 @@ ANSWERS: dict[str, dict[str, AnswerSentences]] = {
             "undecided, {value:.1%} of the time",
         ),
         "contact_kept": AnswerSentences(
-            "no, the least force is {value:.1f} of the weight",
+            "no, least force {value:.1f} of the weight",
             "yes",
-            "undecided, the least force is {value:.1f} of the weight",
+            "undecided, least force {value:.1f} of the weight",
         ),
     },
     "what ends the motion": {
+        "impacts_end_it": AnswerSentences(
+            "impacts: {value:.0%} of the energy",
+            "several causes, impacts with {value:.0%} of the energy",
+            "undecided: impacts, {value:.0%} of the energy",
+        ),
         "halt_comes_earlier": AnswerSentences(
-            "the table, {value:.1f} s earlier than with one-way coupling",
-            "the same as with one-way coupling, {value:.1f} s earlier",
-            "undecided: the table, {value:.1f} s earlier than with one-way coupling",
+            f"the table: {ADVANCE_FORMAT}",
+            f"not the table: {ADVANCE_FORMAT}",
+            f"undecided: the table, {ADVANCE_FORMAT}",
         ),
         "table_takes_little": AnswerSentences(
             "as on a rigid table",
@@ -81,65 +108,122 @@ ANSWERS: dict[str, dict[str, AnswerSentences]] = {
             "undecided: the table, not solved, {value:.1f} s before the end",
         ),
         "what_ends": AnswerSentences(
-            f"{{cause}}: {LAST_ENERGY_TEXT}",
-            f"several causes, most of it {{cause}}: {LAST_ENERGY_TEXT}",
-            f"undecided: {{cause}}, {LAST_ENERGY_TEXT}",
+            f"{{cause}}: {ENERGY_SHARE_FORMAT}",
+            f"several causes, mainly {{cause}}: {ENERGY_SHARE_FORMAT}",
+            f"undecided: {{cause}}, {ENERGY_SHARE_FORMAT}",
         ),
     },
 }
-"""Question -> key of a finding -> its answers; the first finding that a run has is used."""
+"""Answers by question and by key of a finding; the first available finding gives the
+answer."""
 LOSS_QUESTION = "is contact lost"
+SOUND_QUESTION = "what do you hear"
+AIR_QUESTION = "in air"
+"""Table column on the same scene with an air film."""
+NO_ANSWER_REASONS = {
+    SOUND_QUESTION: "neither a table, nor a noise band, nor a disk that settles",
+    "does the pitch rise": "no tone stands out",
+    LOSS_QUESTION: "no motion was solved",
+    "what ends the motion": "the motion was interrupted",
+}
+"""Reason for a missing answer, by question."""
+MIN_REPORTED_END_CHANGE = 0.05
+"""Least change of the end of the motion by the table [s] that is reported."""
 
 
 def complete_answers(findings: Iterable[Finding]) -> dict[str, str]:
-    """Return the answer to each question from the findings of a run.
-
-    Raises
-    ------
-    LookupError
-        If no finding answers one of the questions.
-    """
-    found = answers_in_short(findings)
-    for question in ANSWERS.keys() - found.keys():
-        raise LookupError(f"none of the findings {', '.join(ANSWERS[question])}")
-    return found
+    """Return the answer to each question from the findings of a run, or the reason for
+    its absence."""
+    found = short_answers(findings)
+    return {
+        question: found.get(question, f"not evaluated: {NO_ANSWER_REASONS[question]}")
+        for question in ANSWERS
+    }
 
 
-def answers_in_short(findings: Iterable[Finding]) -> dict[str, str]:
-    """Return the answers to those questions that the findings of a run can answer.
+def short_answers(findings: Iterable[Finding]) -> dict[str, str]:
+    """Return the answers to the questions that the findings of a run cover, by
+    question.
 
-    A disk carried by the air film has lost its contact at the end, independently of vibrations.
-    """
+    Answers about the sound state whether it is audible. A disk carried by the air film
+    finally loses contact, whether or not it vibrates. Answers about a motion without a
+    film are marked as answers in a vacuum."""
     by_key = {finding.key: finding for finding in findings}
     found = {
         question: first_answer(by_key, words)
         for question, words in ANSWERS.items()
         if by_key.keys() & words
     }
+    audible = by_key.get("sound_is_audible")
+    if audible and audible.verdict == "no":
+        found[SOUND_QUESTION] = "nothing above the threshold of hearing"
+    elif audible and SOUND_QUESTION in found:
+        share = audible.details["audible_share"]
+        found[SOUND_QUESTION] += f", audible {share:.0%}"
     carried = by_key.get("carried_by_air")
+    if carried and not carried.cause:
+        for question in found.keys() - {SOUND_QUESTION}:
+            found[question] += ", in a vacuum"
     if LOSS_QUESTION in found and carried and carried.holds and carried.cause == "film":
         found[LOSS_QUESTION] += (
-            ", to the air"
-            if found[LOSS_QUESTION] == "yes"
-            else "; finally the air carries the disk"
+            ", to the air" if found[LOSS_QUESTION] == "yes" else "; finally to the air"
         )
     return found
 
 
-def first_answer(by_key: Mapping[str, Finding], words: Mapping[str, AnswerSentences]) -> str:
+def answer_in_air(findings: Iterable[Finding]) -> str:
+    """Return a description of the end of a motion with an air film, from its
+    findings."""
+    by_key = {finding.key: finding for finding in findings}
+    carried = by_key.get("carried_by_air")
+    if "disk_rattles" in by_key:
+        return "rattles in air"
+    if carried is None or not carried.cause:
+        return "not evaluated: there is no film of air"
+    if not carried.holds:
+        return "the air does not carry the disk"
+    words = f"carried after {carried.details['time']:.5g} s"
+    table = by_key.get("air_carries_earlier")
+    if table is None:
+        return words
+    if abs(table.value) >= MIN_REPORTED_END_CHANGE:
+        return f"{words}, {table.value:.2f} s earlier than on a rigid table"
+    acts = 1e3 * table.details["acts_before_end"]
+    when = f"acts for {acts:.2g} ms" if acts else "never acts"
+    return f"{words}, as on a rigid table; {when}"
+
+
+def first_answer(
+    by_key: Mapping[str, Finding], words: Mapping[str, AnswerSentences]
+) -> str:
+    """Return the answer of the first finding in `words` that is available in
+    `by_key`."""
     key = next(key for key in words if key in by_key)
     finding = by_key[key]
     cause = CAUSE_IN_WORDS.get(finding.cause, "")
-    return getattr(words[key], finding.verdict).format(value=finding.value, cause=cause)
+    return getattr(words[key], finding.verdict).format(
+        value=finding.value, cause=cause, **finding.details
+    )
 
 
-def answer_table(runs: Mapping[str, Iterable[Finding]]) -> str:
-    """Return a Markdown table of answers, one row per scene, from the findings by scene name."""
-    header = ["scene", "the disk is on", *ANSWERS]
+def answer_table(
+    runs: Mapping[str, Iterable[Finding]], in_air: Mapping[str, Iterable[Finding]]
+) -> str:
+    """Return a Markdown table of answers, one row per scene, from the findings by scene
+    name.
+
+    `in_air` contains the findings on the motions of the same scenes with an air film.
+    """
+    header = ["scene", "the disk is on", *ANSWERS, AIR_QUESTION]
     rows = [
-        [f"`{name}`", SURFACES[name], *complete_answers(findings).values()]
+        [
+            f"`{name}`",
+            SURFACES[name],
+            *complete_answers(findings).values(),
+            answer_in_air(in_air[name]),
+        ]
         for name, findings in runs.items()
     ]
-    lines = [f"| {' | '.join(row)} |" for row in (header, *rows)]
+    lines = [f"|{'|'.join(row)}|" for row in (header, *rows)]
     lines.insert(1, "|---" * len(header) + "|")
     return "\n".join(lines)

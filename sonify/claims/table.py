@@ -1,4 +1,4 @@
-"""TABLE: its part in the sound, and the time from which its reaction on the disk matters."""
+"""Findings on the table: its sound, and the onset of its reaction on the disk."""
 
 import numpy as np
 
@@ -15,13 +15,9 @@ from sonify.sound.pressure import Sound
 from sonify.sound.radiation import Listener
 
 LEVEL_WINDOW = 0.1  # s
-LEVELS_PER_SECOND = 40
 RADIATED_POWER_TIME = 10.0
-"""Time before the end [s] over which the radiated power of the table is computed."""
-THIRD_OCTAVE_EDGE = 2 ** (1 / 6)
-"""Frequency ratio between the centre and an edge of a third octave."""
-ENDING_OUTCOMES = ("SETTLED", "FELL")
-"""Outcomes in which the disk lies flat."""
+"""Length of the final interval [s] for which the power radiated by the table is
+computed."""
 
 
 def table_findings(
@@ -34,9 +30,8 @@ def table_findings(
 ) -> list[Finding]:
     """Return the findings on a wavy table and on the sound of an elastic table.
 
-    Claims on the end need a disk that lies flat. `tone` is the rising tone of the whole sound, or
-    None; `error` is the relative rms error of the sound.
-    """
+    Claims about the end require a disk that finally lies flat. `tone` is the rising tone of
+    the whole sound, or None; `error` is the relative rms error of the sound."""
     found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
@@ -45,70 +40,91 @@ def table_findings(
     )  # otherwise the contact stem includes sound of the table
     found += [table_is_louder(motion, sound, error)] if apart else []
     found += [radiation_takes_little(motion, sound, listener, error)]
-    found += [waves_become_heat(motion, sound, listener)] if two_way.two_way_part(motion) else []
+    found += (
+        [waves_become_heat(motion, sound, listener)]
+        if two_way.two_way_part(motion)
+        else []
+    )
     if sound.table_energy is not None:  # an infinite plate stores no energy
         found += [
             table_takes_little(motion, sound, error),
             table_takes_a_hundredth(motion, sound, error),
         ]
-    if motion.outcome.name not in ENDING_OUTCOMES:
+    if motion.outcome.name not in (
+        "SETTLED",
+        "FELL",
+    ):  # the disk does not come to lie flat
         return found
-    carries = [table_carries_the_tone(sound, tone, error)] if tone is not None and apart else []
+    carries = (
+        [table_carries_the_tone(sound, tone, error)]
+        if tone is not None and apart
+        else []
+    )
     return [*found, table_tone_rises(sound), *carries]
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return the findings that the motion alone can judge; they need a wavy table."""
+    """Return the findings that follow from the motion alone; empty without a wavy
+    table."""
     return [waves_break_contact(scene, motion)] if scene.imperfection else []
 
 
 @finding(
     "The waves of the table break the contact where they outweigh the inclination",
-    "inclination at the first loss of contact over (n^2 - 1) amplitude/radius",
-    "section 8: the vibrations will result in a loss of contact; here the waves are those of the "
-    "table",
+    "times (n^2 - 1) amplitude/radius (inclination at the first loss of contact)",
+    "section 8: the vibrations will result in a loss of contact; here the table is wavy",
     needs=("scene", "motion"),
     at_least=0.7,
     at_most=1.8,
 )
 def waves_break_contact(scene: Scene, motion: Motion) -> float:
-    """The inclination at the first loss of contact over (n^2 - 1) delta/R; 0 without a loss.
+    """The ratio of the inclination at the first loss of contact to (n^2 - 1) delta/R,
+    or 0.
 
-    Below the inclination (n^2 - 1) delta/R a plane rim no longer fits into a trough. Relative to a
-    tilted plane, a wave h curves upwards by h + h'' = (n^2 - 1) delta along the rim, and the rim of
-    a disk at inclination beta curves upwards by beta R.
-    """
+    Below the inclination (n^2 - 1) delta/R a plane rim no longer fits into a trough:
+    relative to a tilted plane, a wave h has the upward curvature h + h'' = (n^2 - 1)
+    delta along the rim, and the rim of a disk at inclination beta has the curvature
+    beta R."""
     lost = motion.contact_losses
     waves = scene.imperfection
-    scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
+    scale = (
+        (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
+    )
     return float(motion.at([lost[0].t])[0, 1]) / scale if lost else 0.0
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
-    """Return the A-weighted mean square (t,) [Pa^2] of every stem in each second from `begin` to
-    `end` [s].
-    """
+    """Return the A-weighted mean square [Pa^2] of every stem in each second from
+    `begin` to `end` [s]."""
     found = {}
     for name, stem in sound.stems.items():
-        seen = spectrogram(stem, LEVEL_WINDOW, span=(begin, end))
-        power = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
+        # Shorter windows spread low tones to frequencies that A-weighting attenuates less.
+        seen = spectrogram(stem, 4 * LEVEL_WINDOW, span=(begin, end))
+        power = (
+            10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
+        )
+        levels_per_second = 10
         found[name] = np.array(
-            [part.mean() for part in np.array_split(power, max(len(power) // LEVELS_PER_SECOND, 1))]
+            [
+                part.mean()
+                for part in np.array_split(
+                    power, max(len(power) // levels_per_second, 1)
+                )
+            ]
         )
     return found
 
 
 @finding(
-    "The table, and not the disk, is what is heard",
-    "dB(A), table over disk in a second, median over the motion",
+    "The table is louder than the disk",
+    "dB(A), table relative to disk, median over the seconds of the motion",
     "section 1: vibrations of disk and surface",
     needs=("motion", "sound"),
     at_least=0.0,
 )
 def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measured:
-    """The level of the table relative to all other sound, median over the seconds of the motion
-    [dB(A)].
-    """
+    """The median over the seconds of the motion of the table level relative to all
+    other sound [dB(A)]."""
     levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
     table = levels.pop("table")
     louder = float(np.median(level_db(table) - level_db(sum(levels.values()))))
@@ -117,80 +133,85 @@ def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measure
 
 @finding(
     "The tone of the table rises",
-    "times over the ridge that is heard in its stem alone; 1 if none stands out",
-    "section 8: the frequencies rise; a point of the table hears n times the precession",
+    "times from the start to the end of the tone in the stem of the table (1: no tone)",
+    "section 8: the frequencies rise; the table is driven at n times the precession frequency",
     needs=("sound",),
     at_least=2.0,
 )
 def table_tone_rises(sound: Sound) -> Measured:
-    """The final over the initial frequency of the rising tone in the sound of the table alone."""
+    """The ratio of the final to the initial frequency of the rising tone in the stem of
+    the table."""
     tone = rising_tone(sound.track("table").read().astype(float), sound.sample_rate)
     if tone is None:
         return Measured(1.0)
     return Measured(
-        tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
+        tone.factor,
+        2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent,
     )
 
 
 @finding(
-    "The rising tone of the last second is the table's",
-    "dB, table over disk in the third octave of the tone",
-    "abstract: the vibrations of disk and surface are the sound",
+    "The table emits the rising tone of the last second",
+    "dB, table relative to disk in the third-octave band of the tone",
+    "abstract: the vibrations of disk and surface produce the sound",
     needs=("tone", "sound"),
     at_least=0.0,
 )
 def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
-    """The level of the table relative to all other sound, in the third octave of the tone during
-    the last second [dB].
-    """
+    """The level of the table relative to all other sound, in the third-octave band of
+    the tone during the last second [dB]."""
     table = rest = 0.0
     for name, stem in sound.stems.items():
         seen = spectrogram(
-            stem, LEVEL_WINDOW, span=(max(sound.source_end - LAST_SECONDS, 0.0), sound.source_end)
+            stem,
+            LEVEL_WINDOW,
+            span=(max(sound.source_end - LAST_SECONDS, 0.0), sound.source_end),
         )
         pitch = tone.at(np.minimum(seen.time, tone.end - LEVEL_WINDOW / 2))
-        near = np.abs(np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)) < np.log(
-            THIRD_OCTAVE_EDGE
-        )
+        third_octave_edge = 2 ** (1 / 6)  # over the centre
+        near = np.abs(
+            np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)
+        ) < np.log(third_octave_edge)
         power = float((seen.power * near).sum())
-        table, rest = (table + power, rest) if name == "table" else (table, rest + power)
+        table, rest = (
+            (table + power, rest) if name == "table" else (table, rest + power)
+        )
     return Measured(float(level_db(table) - level_db(rest)), 20 * np.log10(1 + error))
 
 
 @finding(
-    "The table takes too little energy to act back on the motion",
+    "The table holds too little energy to affect the motion",
     "s before the end when the modes of the table first hold as much energy as the disk",
-    "section 8: the vibrations will result in a loss of contact; here they do not act back",
+    "section 8: the vibrations will result in a loss of contact; here the coupling is one-way",
     needs=("motion", "sound"),
     at_most=0.0,
 )
 def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
-    """The time before the end [s] when the energy of the table modes first exceeds that of the
-    disk, with one-way coupling.
-    """
+    """The time before the end [s] at which the energy of the table modes first exceeds
+    that of the disk, for one-way coupling."""
     return time_of_energy_share(motion, sound.energy_time, sound.table_energy, error)
 
 
 @finding(
-    "The table may be left out of the motion until the last half second",
+    "The table may be neglected in the motion until the last half second",
     f"s before the end when the modes of the table first hold {MIN_TWO_WAY_SHARE:.0%} of the energy of the disk",
-    "energy of a motion on a rigid table, and of the modes that its force drives",
+    "energies of a motion on a rigid table and of the table modes driven by its force",
     needs=("motion", "sound"),
     at_most=0.5,
 )
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
-    """The time before the end [s] when the table modes first hold ACTS of the disk energy."""
+    """The time before the end [s] at which the table modes first have MIN_TWO_WAY_SHARE
+    of the energy of the disk."""
     return time_of_energy_share(
         motion, sound.energy_time, sound.table_energy, error, MIN_TWO_WAY_SHARE
     )
 
 
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (e,) [s] in the last RADIATED_POWER_TIME seconds of a motion and the power (e,) [W] radiated by
-    the table.
+    """Return times (e,) [s] and the power (e,) [W] radiated by the table.
 
-    The power is 2 pi r^2 p^2/(rho c), with the pressure at the listener in all directions.
-    """
+    They cover the last RADIATED_POWER_TIME seconds. The power is 2 pi r^2 p^2/(rho c),
+    which assumes the pressure at the listener in all directions."""
     air = listener.air
     rate = sound.sample_rate
     first = int(max(sound.source_end - RADIATED_POWER_TIME, 0.0) * rate)
@@ -204,17 +225,18 @@ def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.nda
 
 
 @finding(
-    "What the waves of the table take becomes heat in it, and little of it sound",
-    "of what the modes of the table lose until the end is radiated",
-    "balance of energy of a table that acts back",
+    "The table converts most of the energy of its waves to heat and little to sound",
+    "of the energy lost by the modes of the table is radiated",
+    "energy balance of a table with two-way coupling",
     needs=("motion", "sound"),
     at_most=0.5,
 )
 def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measured:
-    """The energy radiated by a table with two-way coupling over the energy lost by its modes.
+    """The ratio of radiated energy to energy lost by the table modes, with two-way
+    coupling.
 
-    The radiation is assumed equal in all directions, which is accurate to a factor of two.
-    """
+    The radiation is assumed equal in all directions, which is accurate to a factor of
+    two."""
     heard = radiated_power(sound, listener)
     begin = max(heard[0][0], two_way.two_way_part(motion)[1])
     budget = two_way.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
@@ -224,18 +246,17 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
 
 
 @finding(
-    "The energy of the disk is enough for the sound of the table",
-    "s before the end from when on the table would radiate more than the disk has",
-    "balance of energy: a table that sounds so must act back",
+    "The disk has enough energy to supply the sound of the table",
+    "s before the end when the table would first radiate more energy than the disk has",
+    "energy balance: a table that radiates more must affect the motion",
     needs=("motion", "sound"),
     at_most=0.0,
 )
 def radiation_takes_little(
     motion: Motion, sound: Sound, listener: Listener, error: float = 0.0
 ) -> Measured:
-    """The time before the end [s] when the energy still to be radiated by the table first exceeds
-    the energy of the disk.
-    """
+    """The time before the end [s] at which the energy still to be radiated by the table
+    first exceeds that of the disk."""
     t, power = radiated_power(sound, listener)
     still = np.cumsum(power[::-1])[::-1] / sound.sample_rate
     return time_of_energy_share(motion, t, still, error)

@@ -1,2 +1,2 @@
-"""Short scripts to begin with: `python -m sonify.examples.one_motion`, and so on;
-tests/cli/test_examples.py runs each."""
+"""Short example scripts, run for example with `python -m sonify.examples.one_motion`;
+tests/cli/test_examples.py runs each of them."""

@@ -2,7 +2,7 @@
 A table of modes
 ================
 
-Frequencies and decay times of the published disk, held freely.
+Frequencies and decay times of the published disk without a support.
 """
 
 from modal import Modes, eigenmodes
@@ -10,7 +10,7 @@ from sonify import load_scene
 
 
 def main() -> Modes:
-    """Solve the modes, print one line for each, return them."""
+    """Solve the modes, print one line for each, and return them."""
     modes = eigenmodes(load_scene("published").replace("support.kind=free"))
     print("    Hz      T60 s   waves  family")
     for frequency, ring, order, family in zip(

@@ -2,10 +2,10 @@ r"""
 Your own law of dissipation
 ===========================
 
-Turbulent drag takes the power c \|Omega\|^3 from the disk.
+A turbulent drag dissipates the power c \|Omega\|^3.
 
-A law returns dimensionless loads: masses relative to the mass of the disk, lengths relative to its
-radius, and times relative to its `time_unit`.
+A dissipation law returns dimensionless loads. The units are the mass and the radius of the disk and
+its `time_unit`.
 """
 
 from dataclasses import dataclass
@@ -15,31 +15,30 @@ from dynamics.disk import GRAVITY
 from sonify import load_scene
 
 DRAG = 1e-9
-"""c [W s^3]."""
+"""Drag coefficient c [W s^3]."""
 
 
 @dataclass(frozen=True)
 class Turbulent(OwnLaw):
-    """The moment -c Omega |Omega| / cos(alpha) about e_3, whose power is that of the law; `drag` is
-    dimensionless."""
+    """Moment -c Omega |Omega| / cos(alpha) about e_3; `drag` is the dimensionless c."""
 
     drag: float
 
     def __call__(self, beta, omega, slip, law, flow) -> Loads:
-        """Return the loads at inclination beta and angular velocity omega; `flow` has the functions
-        to use."""
+        """Return the loads at inclination beta and angular velocity omega, with
+        functions of `flow`."""
         cos_a = flow.sin(beta)
         rate = omega[2] / cos_a
         return Loads(M3=-self.drag * rate * flow.power(rate * rate, 0.5) / cos_a)
 
 
 def main() -> Motion:
-    """Solve the published motion without and with the drag, print how long each lasts, return the
-    latter."""
+    """Solve the published motion without and with drag, print both durations, and
+    return the motion with drag."""
     scene = load_scene("published").replace("numerics.accuracy=draft")
     inertia = (
         scene.disk.weight / GRAVITY * scene.disk.radius**2
-    )  # the unit of c [kg m^2]: times cancel in it
+    )  # unit of c [kg m^2], in which the units of time cancel
     slowed = simulate(scene, loads=Turbulent(DRAG / inertia))
     print(f"{simulate(scene).t[-1]:.3f} s without, {slowed.t[-1]:.3f} s with the drag")
     return slowed

@@ -2,8 +2,8 @@
 A sweep as a table
 ==================
 
-The number of slips over the arm of rolling friction and the coefficient of static friction.
-"""
+Number of slips as a function of the arm of rolling friction and the static friction
+coefficient."""
 
 import pandas as pd
 
@@ -22,11 +22,14 @@ SWEEP = {
 
 
 def main(out: str = "outputs/sweeps/slips") -> pd.DataFrame:
-    """Solve the missing runs of the sweep, print a cross-table of the slips and return all rows."""
+    """Solve the missing runs, print a cross-table of the numbers of slips, and return
+    all rows."""
     table = pd.read_parquet(sweep(SWEEP, out=out))
     print(
         table.pivot(
-            index="friction.arm_rolling", columns="friction.mu_static", values="repeated_slips"
+            index="friction.arm_rolling",
+            columns="friction.mu_static",
+            values="repeated_slips",
         )
     )
     return table

@@ -4,7 +4,7 @@ The mesh of a table
 
 Mesh a table top on four feet; a scene uses it with `surface.kind = "mesh"`.
 
-This script made the file of the scene wood-table.
+The mesh file of the scene wood-table was written by this script.
 """
 
 import sys
@@ -16,34 +16,38 @@ import numpy as np
 
 LENGTH = 0.6  # m
 WIDTH = 0.4  # m
-TOP = (-0.02, 0.0)
-"""Heights between layers of cells of the top [m]."""
-FEET = (-0.04, -0.035, -0.025, -0.02)
-"""The same for the feet; thin layers at both ends."""
+TOP_LAYER_HEIGHTS = (-0.02, 0.0)
+"""Heights of the cell boundaries in the top [m]."""
+FOOT_LAYER_HEIGHTS = (-0.04, -0.035, -0.025, -0.02)
+"""Heights of the cell boundaries in the feet [m], with thin layers at both ends."""
 CELLS = 15, 10
-"""Along length and width; the four feet stand under the cells next to the corners, one each."""
-RINGS = 1.4, 1.0, 0.6
-"""Squares about the middle of a foot, of whose size one is, with cells between them: small ones
-along its sides."""
-AROUND = ((0, 0), (1, 0), (1, 1), (0, 1))
+"""Numbers of cells along length and width; one foot is under the cell diagonally next
+to each corner cell."""
+FOOT_SQUARE_SIZES = 1.4, 1.0, 0.6
+"""Sizes of concentric squares around a foot, relative to the cell; the cells between
+them are narrow at the sides of the foot."""
+CELL_CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
 Corner = tuple[int, int, float]
-"""Numbers of a corner along length and width, and on which ring it is about the foot there, if one
-is."""
+"""Indices of a node along length and width, and the relative size of its square around
+a foot."""
 
 
-def table(path: Path) -> Path:
-    """Write hexahedra (c, 8) on points (p, 3) [m], the top face at z = 0, with a surface "feet"."""
+def write_table_mesh(path: Path) -> Path:
+    """Write a hexahedral mesh with its top face at z = 0 and a surface "feet"; return
+    its path."""
     x, y = (
         np.linspace(-size / 2, size / 2, n + 1)
         for size, n in zip((LENGTH, WIDTH), CELLS, strict=True)
     )
     feet = [(i, j) for i in (1, CELLS[0] - 2) for j in (1, CELLS[1] - 2)]
-    foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in AROUND}
+    foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in CELL_CORNERS}
     numbers: dict[tuple[int, int, float, float], int] = {}
 
     def number(corner: Corner, z: float) -> int:
         i, j, ring = corner
-        return numbers.setdefault((i, j, ring if (i, j) in foot_of else 1.0, z), len(numbers))
+        return numbers.setdefault(
+            (i, j, ring if (i, j) in foot_of else 1.0, z), len(numbers)
+        )
 
     def place(i: int, j: int, ring: float, z: float) -> list[float]:
         a, b = foot_of.get((i, j), (i, j))
@@ -55,9 +59,11 @@ def table(path: Path) -> Path:
         return [*(middle + ring * (np.array([x[i], y[j]]) - middle)), z]
 
     def square(i: int, j: int, ring: float) -> list[Corner]:
-        return [(i + a, j + b, ring) for a, b in AROUND]
+        return [(i + a, j + b, ring) for a, b in CELL_CORNERS]
 
-    def hexahedra(squares: list[list[Corner]], heights: tuple[float, ...]) -> list[list[int]]:
+    def hexahedra(
+        squares: list[list[Corner]], heights: tuple[float, ...]
+    ) -> list[list[int]]:
         layers = pairwise(heights)
         return [
             [number(corner, z) for z in pair for corner in corners]
@@ -66,22 +72,25 @@ def table(path: Path) -> Path:
         ]
 
     rest = [
-        square(i, j, RINGS[0])
+        square(i, j, FOOT_SQUARE_SIZES[0])
         for i in range(CELLS[0])
         for j in range(CELLS[1])
         if (i, j) not in feet
     ]
     around: list[list[Corner]] = []
-    within = [square(*foot, RINGS[-1]) for foot in feet]
-    for outer, inner in pairwise(RINGS):
+    within = [square(*foot, FOOT_SQUARE_SIZES[-1]) for foot in feet]
+    for outer, inner in pairwise(FOOT_SQUARE_SIZES):
         for foot in feet:
             out = square(*foot, outer)
             inside = square(*foot, inner)
             sides = [[out[k - 1], out[k], inside[k], inside[k - 1]] for k in range(4)]
             (around if outer > 1 else within).extend(sides)
-    top = hexahedra(rest + around + within, TOP)
-    legs = hexahedra(within, FEET)
-    stand = [[number(corner, FEET[0]) for corner in corners] for corners in within]
+    top = hexahedra(rest + around + within, TOP_LAYER_HEIGHTS)
+    legs = hexahedra(within, FOOT_LAYER_HEIGHTS)
+    stand = [
+        [number(corner, FOOT_LAYER_HEIGHTS[0]) for corner in corners]
+        for corners in within
+    ]
     tags = [np.full(len(top) + len(legs), 1), np.full(len(stand), 2)]
     mesh = meshio.Mesh(
         [place(*key) for key in numbers],
@@ -94,4 +103,4 @@ def table(path: Path) -> Path:
 
 
 if __name__ == "__main__":
-    table(Path(sys.argv[1]))
+    write_table_mesh(Path(sys.argv[1]))

@@ -1,1 +1,2 @@
-"""SCENE -> FILES of other programs: the elastic modes, the motion, and takes of the sound."""
+"""Export the elastic modes, the motion and takes of the sound to files for other
+programs."""

@@ -1,4 +1,5 @@
-"""MOTION -> glTF 2.0: the disk, its contact and the table as an animated model, y upwards."""
+"""Convert a motion to an animated glTF 2.0 model of disk, contact and table, with the
+y axis pointing upwards."""
 
 import json
 from base64 import b64encode
@@ -15,21 +16,13 @@ from sonify import __version__
 from sonify.report.perspective import contact_points, patch_frame
 from sonify.scene import Scene
 
-MAX_SAGITTA = 2e-7
-"""Largest distance [m] between the rim and the sides of the polygon that represents it."""
-SIDES_RANGE = (96, 4096)
-"""Least and greatest number of these sides."""
-MARKED_SHARE = 1 / 24
-"""Share of the circumference that carries a coloured mark, which shows the spin."""
-MARKER_SIZE = 0.03
-"""Radius of the marker at the contact, relative to that of the disk."""
 COLOURS = {
     "metal": (0.6, 0.62, 0.65, 0.9),
     "mark": (0.63, 0.08, 0.16, 0.2),
     "contact": (0.0, 0.24, 0.55, 0.0),
     "table": (0.86, 0.84, 0.8, 0.0),
 }
-"""Material -> red, green, blue and metallic factor."""
+"""Red, green, blue and metallic factor of each material."""
 FLOAT = 5126
 UNSIGNED_INT = 5125
 ARRAY_BUFFER = 34962
@@ -38,7 +31,7 @@ ELEMENT_ARRAY_BUFFER = 34963
 
 @dataclass
 class Mesh:
-    """Triangles of one or more materials with common vertices."""
+    """Triangles of one or more materials with shared vertices."""
 
     points: np.ndarray
     normals: np.ndarray
@@ -47,14 +40,17 @@ class Mesh:
 
 @dataclass
 class Buffer:
-    """The binary part of a model, with its views and accessors."""
+    """Binary part of a model with its buffer views and accessors."""
 
     content: bytearray = field(default_factory=bytearray)
     views: list[dict] = field(default_factory=list)
     accessors: list[dict] = field(default_factory=list)
 
-    def add(self, values: np.ndarray, target: int | None = None, bounds: bool = False) -> int:
-        """Append float or index values (k,) or (k, n); return the number of their accessor."""
+    def add(
+        self, values: np.ndarray, target: int | None = None, bounds: bool = False
+    ) -> int:
+        """Append float or index values (k,) or (k, n) and return the index of their
+        accessor."""
         is_index = values.dtype.kind in "iu"
         array = np.ascontiguousarray(values, "<u4" if is_index else "<f4")
         view: dict[str, Any] = {
@@ -81,21 +77,24 @@ class Buffer:
         return len(self.accessors) - 1
 
 
-def animated_model(scene: Scene, motion: Motion, times: np.ndarray, as_text: bool) -> bytes:
-    """Return the motion at times (k,) [s] as a glTF 2.0 file, binary (.glb) or text (.gltf).
+def animated_model(
+    scene: Scene, motion: Motion, times: np.ndarray, as_text: bool
+) -> bytes:
+    """Return the motion at times (k,) [s] as a glTF 2.0 file, binary (.glb) or text
+    (.gltf).
 
-    Lengths are in metres, and the y axis points upwards. The nodes are `table`, `disk` (translation
-    and rotation are animated) and `contact` (its translation is animated).
+    Lengths are in metres, and the y axis points upwards. The nodes are `table`,
+    `disk` (animated translation and rotation) and `contact` (animated translation).
     """
     state = motion.at(times)
-    contact = upwards(contact_points(state, state[:, 1], motion.disk))
+    contact = to_y_upwards(contact_points(state, state[:, 1], motion.disk))
     centre, quaternion = body_poses(state, motion.disk)
     buffer = Buffer()
     materials = list(COLOURS)
     meshes = {
         "table": table_mesh(scene, contact),
         "disk": disk_mesh(motion.disk),
-        "contact": marker_mesh(MARKER_SIZE * motion.disk.radius),
+        "contact": marker_mesh(0.03 * motion.disk.radius),
     }
     nodes: list[dict] = [{"name": name, "mesh": i} for i, name in enumerate(meshes)]
     nodes[1] |= {"translation": centre[0].tolist(), "rotation": quaternion[0].tolist()}
@@ -108,56 +107,74 @@ def animated_model(scene: Scene, motion: Motion, times: np.ndarray, as_text: boo
         (1, "rotation", quaternion),
         (2, "translation", contact),
     ):
-        channels.append({"sampler": len(samplers), "target": {"node": node, "path": path}})
-        samplers.append({"input": clock, "output": buffer.add(values), "interpolation": "LINEAR"})
+        channels.append(
+            {"sampler": len(samplers), "target": {"node": node, "path": path}}
+        )
+        samplers.append(
+            {"input": clock, "output": buffer.add(values), "interpolation": "LINEAR"}
+        )
     model: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": f"eulers-disk-sonify {__version__}"},
         "scene": 0,
         "scenes": [{"name": scene.name, "nodes": [0, 1, 2]}],
         "nodes": nodes,
-        "meshes": [_mesh_record(name, mesh, buffer, materials) for name, mesh in meshes.items()],
+        "meshes": [
+            _mesh_record(name, mesh, buffer, materials) for name, mesh in meshes.items()
+        ],
         "materials": [_material_record(name) for name in materials],
         "animations": [{"name": "motion", "channels": channels, "samplers": samplers}],
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
     }
-    return _text(model, buffer.content) if as_text else _binary(model, buffer.content)
+    return (
+        _gltf_file(model, buffer.content)
+        if as_text
+        else _glb_file(model, buffer.content)
+    )
 
 
-def upwards(points: np.ndarray) -> np.ndarray:
-    """Return points (..., 3) with z upwards in the axes of glTF, with y upwards."""
+def to_y_upwards(points: np.ndarray) -> np.ndarray:
+    """Convert points (..., 3) from axes with z upwards to the axes of glTF with y
+    upwards."""
     x, y, z = np.moveaxis(points, -1, 0)
     return np.stack([x, z, -y], axis=-1)
 
 
 def body_poses(state: np.ndarray, disk: Disk) -> tuple[np.ndarray, np.ndarray]:
-    """Return centres (k, 3) [m] and quaternions (k, 4), x, y, z, w, of states (k, 11).
+    """Return centres (k, 3) [m] and quaternions (k, 4) in the order x, y, z, w for
+    states (k, 11).
 
-    The quaternions turn the body, with its axis along y, and their signs are continuous.
+    The quaternions rotate a body whose axis is along y; their signs are continuous in
+    time.
     """
     inclination = state[:, 1]
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
     c = np.cos(state[:, 2, None])
     s = np.sin(state[:, 2, None])
-    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(inclination)
+    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(
+        inclination
+    )
     centre = np.column_stack([state[:, 3:5], height])
-    axes = np.stack([upwards(axis) for axis in (c * x + s * y, z, s * x - c * y)], axis=2)
+    axes = np.stack(
+        [to_y_upwards(axis) for axis in (c * x + s * y, z, s * x - c * y)], axis=2
+    )
     quaternion = Rotation.from_matrix(axes).as_quat()
     reversals = np.einsum("ki,ki->k", quaternion[1:], quaternion[:-1]) < 0
     quaternion[1:][np.cumsum(reversals) % 2 == 1] *= -1
-    return upwards(centre), quaternion
+    return to_y_upwards(centre), quaternion
 
 
 def rim_sides(radius: float) -> int:
-    """Return the number of sides of the polygon for a rim of that radius [m]."""
-    least, greatest = SIDES_RANGE
-    wanted = pi / acos(max(1 - MAX_SAGITTA / radius, 0.0))
-    return min(max(ceil(wanted), least), greatest)
+    """Return the number of sides of the polygon that represents a rim of a radius
+    [m]."""
+    max_sagitta = 2e-7  # m, between the rim and the sides
+    wanted = pi / acos(max(1 - max_sagitta / radius, 0.0))
+    return min(max(ceil(wanted), 96), 4096)
 
 
 def disk_mesh(disk: Disk) -> Mesh:
-    """Return the disk or hoop about its centre, with its axis along y and a mark on its upper face
-    and rim."""
+    """Return a disk or hoop centred at the origin, with its axis along y and a mark on
+    face and rim."""
     sides = rim_sides(disk.radius)
     angle = np.arange(sides + 1) % sides * 2 * np.pi / sides
     outward = np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
@@ -165,7 +182,10 @@ def disk_mesh(disk: Disk) -> Mesh:
     axis = np.array([0.0, 1.0, 0.0])
     outer = disk.radius * outward
     inner = disk.inner_radius * outward
-    rings = [(outer - up, outward), (outer + up, outward)]  # pairs of rings: a strip each
+    rings = [
+        (outer - up, outward),
+        (outer + up, outward),
+    ]  # each pair of rings bounds a strip
     rings += [(outer + up, axis), (inner + up, axis)]
     rings += [(inner - up, -axis), (outer - up, -axis)]
     strips = [(0, True), (2, True), (4, False)]
@@ -175,7 +195,7 @@ def disk_mesh(disk: Disk) -> Mesh:
     count = sides + 1
     first = np.arange(sides)
     parts: dict[str, list[np.ndarray]] = {"metal": [], "mark": []}
-    marked = first < MARKED_SHARE * sides
+    marked = first < sides / 24  # a coloured mark makes the spin visible
     for ring, carries_mark in strips:
         a = ring * count + first
         b = a + count
@@ -184,23 +204,30 @@ def disk_mesh(disk: Disk) -> Mesh:
         if carries_mark:
             parts["mark"].append(strip[marked])
     points = np.concatenate([ring for ring, _ in rings])
-    triangles = {name: np.concatenate(some).reshape(-1, 3) for name, some in parts.items()}
+    triangles = {
+        name: np.concatenate(some).reshape(-1, 3) for name, some in parts.items()
+    }
     return Mesh(
         points=points,
-        normals=np.concatenate([np.broadcast_to(normal, (count, 3)) for _, normal in rings]),
-        triangles={name: _with_area(points, some) for name, some in triangles.items()},
+        normals=np.concatenate(
+            [np.broadcast_to(normal, (count, 3)) for _, normal in rings]
+        ),
+        triangles={
+            name: _nondegenerate_triangles(points, some)
+            for name, some in triangles.items()
+        },
     )
 
 
-def _with_area(points, triangles):
-    """Return the triangles (n, 3) with three different corners."""
+def _nondegenerate_triangles(points, triangles):
+    """Return the triangles (n, 3) of nonzero area."""
     a, b, c = points[triangles].swapaxes(0, 1)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     return triangles[area > 0]
 
 
 def marker_mesh(radius: float, bands: int = 12) -> Mesh:
-    """Return a sphere of that radius [m]."""
+    """Return a sphere of a radius [m] that marks the contact."""
     latitude, longitude = np.meshgrid(
         np.linspace(-pi / 2, pi / 2, bands + 1),
         np.linspace(0, 2 * pi, 2 * bands + 1),
@@ -223,17 +250,22 @@ def marker_mesh(radius: float, bands: int = 12) -> Mesh:
             np.column_stack([a, a + width + 1, a + width]),
         ]
     )
-    return Mesh(points=radius * normals, normals=normals, triangles={"contact": triangles})
+    return Mesh(
+        points=radius * normals, normals=normals, triangles={"contact": triangles}
+    )
 
 
 def table_mesh(scene: Scene, contact: np.ndarray) -> Mesh:
-    """Return the top of the table at y = 0: the plate of the scene, or a square below the motion."""
+    """Return the table top at y = 0: the plate of the scene, or a rectangle below the
+    motion."""
     radius = scene.disk.radius
     if isinstance(scene.surface, PlateSurface):
         angle = np.arange(240) * 2 * np.pi / 240
         x, y = scene.surface.place
         middle = np.array([-x, 0.0, y])  # the disk is released at the origin
-        edge = scene.surface.radius * np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
+        edge = scene.surface.radius * np.column_stack(
+            [np.cos(angle), 0 * angle, -np.sin(angle)]
+        )
     else:
         low = contact.min(axis=0) - 3 * radius
         high = contact.max(axis=0) + 3 * radius
@@ -276,17 +308,21 @@ def _material_record(name):
     return {"name": name, "pbrMetallicRoughness": surface}
 
 
-def _text(model, content):
+def _gltf_file(model, content):
     uri = f"data:application/octet-stream;base64,{b64encode(content).decode()}"
     buffers = [{"byteLength": len(content), "uri": uri}]
     return (json.dumps(model | {"buffers": buffers}, allow_nan=False) + "\n").encode()
 
 
-def _binary(model, content):
-    """Return the header and the two chunks of a .glb file, each padded to four bytes."""
+def _glb_file(model, content):
+    """Return a .glb file: the header and two chunks, each padded to four bytes."""
     model = model | {"buffers": [{"byteLength": len(content)}]}
     text = json.dumps(model, allow_nan=False, separators=(",", ":")).encode()
     chunks = ((b"JSON", text + b" " * (-len(text) % 4)), (b"BIN\0", bytes(content)))
-    body = b"".join(len(data).to_bytes(4, "little") + kind + data for kind, data in chunks)
-    header = b"glTF" + (2).to_bytes(4, "little") + (12 + len(body)).to_bytes(4, "little")
+    body = b"".join(
+        len(data).to_bytes(4, "little") + kind + data for kind, data in chunks
+    )
+    header = (
+        b"glTF" + (2).to_bytes(4, "little") + (12 + len(body)).to_bytes(4, "little")
+    )
     return header + body

@@ -1,19 +1,20 @@
-"""SCENE -> FILE: export the elastic modes to other programs."""
+"""Export the elastic modes of a scene to files for other programs."""
 
 from math import isfinite, radians
 from pathlib import Path
 
 from modal import Modes, as_faust, write_uff, write_vtu
-from sonify.export.scene_source import scene_of_run
+from sonify.export.scene_source import scene_or_run_record
 from sonify.pipeline import check_solvable_scene, plan_with_modes
 from sonify.runtime.files import atomic_write
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
 
 SUFFIXES = {"faust": "dsp", "uff": "uff", "vtu": "vtu"}
-"""File format -> suffix of its files."""
+"""File suffix of each format."""
 OPPOSITE_DEG = 180.0
-"""Angle of the rim point opposite the contact, the default strike position [degrees]."""
+"""Angle of the rim point opposite the contact, the default strike position
+[degrees]."""
 
 
 def export_modes(
@@ -22,7 +23,7 @@ def export_modes(
     out: str | Path | None = None,
     strike_deg: float | None = None,
 ) -> Path:
-    """Write the modes of a scene to a file, with the same damping as in a run.
+    """Write the modes of a scene to a file with the damping used in a run.
 
     Parameters
     ----------
@@ -33,8 +34,8 @@ def export_modes(
     out : str or Path, optional
         Path of the file (default: <scene name>.<suffix>).
     strike_deg : float, optional
-        Strike angle of the Faust program, from the middle of the contact [degrees] (default:
-        OPPOSITE_DEG).
+        Strike angle of the Faust program, measured from the middle of the contact
+        [degrees] (default: OPPOSITE_DEG).
 
     Returns
     -------
@@ -44,28 +45,34 @@ def export_modes(
     Raises
     ------
     InputError
-        If the scene cannot be solved or has no modes, if the format needs a missing package, or if
-        the disk cannot be struck at this angle.
+        If the scene cannot be solved or has no modes, if a package for the format is
+        missing, or if the disk cannot be struck at this angle.
     """
-    scene = check_solvable_scene(scene_of_run(scene), None)
+    scene = check_solvable_scene(scene_or_run_record(scene), None)
     _check_strike(scene, form, strike_deg)
     _, modes = plan_with_modes(scene)
     path = Path(out or f"{scene.name}.{SUFFIXES[form]}")
     try:
         with atomic_write(path) as temporary:
-            _write(modes, form, temporary, OPPOSITE_DEG if strike_deg is None else strike_deg)
+            _write_modes_file(
+                modes,
+                form,
+                temporary,
+                OPPOSITE_DEG if strike_deg is None else strike_deg,
+            )
     except (ValueError, ModuleNotFoundError) as error:
         raise InputError(str(error)) from None
     return path
 
 
 def _check_strike(scene: Scene, form: str, strike_deg: float | None):
-    """Raise InputError unless the supported disk can be struck at this angle [degrees]."""
+    """Raise InputError if the supported disk cannot be struck at this angle
+    [degrees]."""
     if strike_deg is None:
         return
     if form != "faust":
         raise InputError(
-            f"--strike = {strike_deg:g}: --as = 'faust' alone is struck, and this is {form!r}"
+            f"--strike = {strike_deg:g}: allowed only with --as faust, not with --as {form}"
         )
     if not isfinite(strike_deg) or abs(strike_deg) > 360:
         raise InputError(f"--strike = {strike_deg:g}: must be from -360 to 360 degrees")
@@ -73,12 +80,12 @@ def _check_strike(scene: Scene, form: str, strike_deg: float | None):
     half = scene.support.half_angle_deg
     if scene.support.kind == "patch" and from_patch <= half:
         raise InputError(
-            f"--strike = {strike_deg:g}: must be more than {half:g} degrees from 0, where the "
-            f"patch holds"
+            f"--strike = {strike_deg:g}: must be more than {half:g} degrees from 0, the middle of "
+            f"the patch that holds the disk"
         )
 
 
-def _write(modes: Modes, form: str, path: Path, strike_deg: float):
+def _write_modes_file(modes: Modes, form: str, path: Path, strike_deg: float):
     if form == "faust":
         path.write_text(as_faust(modes, radians(strike_deg)), "utf-8")
     elif form == "uff":

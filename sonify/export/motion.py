@@ -1,4 +1,4 @@
-"""SCENE -> FILE: export the motion as an animated model or as a table."""
+"""Export the motion of a scene as an animated model or as a table."""
 
 from collections.abc import Callable
 from math import ceil, isfinite
@@ -9,13 +9,13 @@ import pyarrow as pa
 from pyarrow import csv, parquet
 
 from dynamics import Motion
-from dynamics.compliant.two_way_onset import needs_table_modes
+from dynamics.compliant.two_way_onset import must_compute_table_modes
 from dynamics.motion import COLUMNS, FORCE_COLUMNS
 from dynamics.progress import MotionProgress
 from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify.export.gltf import animated_model
-from sonify.export.scene_source import scene_of_run
+from sonify.export.scene_source import scene_or_run_record
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, solve_motion
 from sonify.plan.table import with_table
@@ -25,11 +25,11 @@ from sonify.scene import Scene
 from sonify.scene_errors import InputError
 
 MOTION_SUFFIXES = {"gltf": "glb", "parquet": "parquet", "csv": "csv"}
-"""File format -> suffix of its files."""
+"""File suffix of each format."""
 FRAME_RATE = 60.0
-"""Frames per second of an animated model by default."""
+"""Default number of frames per second of an animated model."""
 MAX_ROWS = 20_000_000
-"""Largest number of rows or frames; a table of them takes 2 GB of memory."""
+"""Largest number of rows or frames; a table of this size occupies 2 GB of memory."""
 
 
 @one_blas_thread
@@ -49,11 +49,11 @@ def export_motion(
     form : str
         File format, one of MOTION_SUFFIXES.
     out : str or Path, optional
-        Path of the file (default: <scene name>.<suffix>). A model is written as text if the name
-        ends in .gltf.
+        Path of the file (default: <scene name>.<suffix>). A model is written as text if
+        the name ends in .gltf.
     rate : float, optional
-        Frames or rows per second (default: FRAME_RATE for a model, the ends of the pieces of the
-        solution for a table).
+        Frames or rows per second (default: FRAME_RATE for a model, the ends of the
+        pieces of the solution for a table).
     stages : Stages, optional
         Receives the progress.
 
@@ -69,12 +69,12 @@ def export_motion(
     """
     if rate is not None and not (isfinite(rate) and rate > 0):
         raise InputError(f"--rate = {rate:g}: must be greater than 0")
-    scene = check_solvable_scene(scene_of_run(scene), None)
+    scene = check_solvable_scene(scene_or_run_record(scene), None)
     path = Path(out or f"{scene.name}.{MOTION_SUFFIXES[form]}")
     stages = stages or Stages()
     with stages.stage("motion") as watch:
         motion = solved_motion(scene, watch)
-    times = _times(motion, rate if rate or form != "gltf" else FRAME_RATE)
+    times = _row_times(motion, rate if rate or form != "gltf" else FRAME_RATE)
     with stages.stage(path.name), atomic_write(path) as temporary:
         if form == "gltf":
             as_text = path.suffix.lower() == ".gltf"
@@ -91,34 +91,37 @@ def solved_motion(
     watch: Callable[..., None] = lambda share, note="": None,
     table: SurfaceModes | None = None,
 ) -> Motion:
-    """Return the motion of a scene; `watch(share, note)` is called with the share done.
+    """Return the motion of a scene; `watch(fraction, note)` is called with the
+    completed fraction.
 
-    The modes of a `table` that moves are computed if they are not given.
+    The modes of a moving `table` are computed if they are not given.
     """
-    if table is None and needs_table_modes(scene):
+    if table is None and must_compute_table_modes(scene):
         table = with_table(plan_of(scene), scene)[1]
     progress = MotionProgress(scene)
 
     def show(t, inclination, doing):
-        watch(progress.share(t, inclination), doing or f"t = {t:.2f} s")
+        watch(progress.solved_fraction(t, inclination), doing or f"t = {t:.2f} s")
 
     return solve_motion(scene, show, table)
 
 
-def _times(motion: Motion, rate: float | None) -> np.ndarray:
-    """Return the times [s] of the rows: at `rate` [1/s] from 0 on, and the end of the motion."""
+def _row_times(motion: Motion, rate: float | None) -> np.ndarray:
+    """Return the times [s] of the rows: at `rate` [1/s] from 0 on, plus the end of the
+    motion."""
     if rate is None:
         return motion.t
     end = motion.t[-1]
     if end * rate > MAX_ROWS:
         raise InputError(
-            f"--rate = {rate:g}: gives more than {MAX_ROWS} rows of a motion of {end:.3g} s"
+            f"--rate = {rate:g}: would produce more than {MAX_ROWS} rows for a motion of {end:.3g} s"
         )
     return np.append(np.arange(ceil(end * rate)) / rate, end)
 
 
 def motion_table(motion: Motion, times: np.ndarray) -> pa.Table:
-    """Return the columns of `Motion.to_frame` at times (k,) [s], after a column "t"."""
+    """Return a table of the column "t" and those of `Motion.to_frame` at times (k,)
+    [s]."""
     rows = np.column_stack([times, *motion.at_and_force(times)])
     names = ["t", *COLUMNS, *FORCE_COLUMNS]
     return pa.table(dict(zip(names, map(pa.array, rows.T.copy()), strict=True)))

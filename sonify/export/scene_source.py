@@ -1,12 +1,13 @@
-"""SCENE or RUN -> the scene of an export."""
+"""Find the scene to export, also in the folder of a run."""
 
 from pathlib import Path
 
 from sonify.scene import Scene
 
 
-def scene_of_run(scene: Scene | str | Path) -> Scene | str | Path:
-    """Return the run.json in a folder of a run, and any other scene unchanged."""
+def scene_or_run_record(scene: Scene | str | Path) -> Scene | str | Path:
+    """Return the path of run.json if `scene` is the folder of a run, and otherwise
+    `scene` unchanged."""
     if isinstance(scene, Scene):
         return scene
     record = Path(scene) / "run.json"

@@ -1,4 +1,4 @@
-"""SCENE -> WAV FILES: variations of a sound, trimmed and with loop points, for samplers."""
+"""Export variations of a sound as trimmed WAV files with loop points, for samplers."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -10,7 +10,7 @@ from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify import __version__
 from sonify.export.motion import solved_motion
-from sonify.export.scene_source import scene_of_run
+from sonify.export.scene_source import scene_or_run_record
 from sonify.hearing.audio_source import stretch
 from sonify.pipeline import cached_modes
 from sonify.plan.plan import plan_of
@@ -21,22 +21,15 @@ from sonify.runtime.progress import Stages
 from sonify.scene import Scene
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.pressure import Sound
-from sonify.sound.render import sound_of
+from sonify.sound.render import render_sound
 from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
 
 TAKE_RATES = (48000, 96000)
-"""Sample rates [Hz] that `--rate` allows."""
-RELEASE_CHANGE = 0.02
-"""Greatest relative change of inclination and angular velocity at the release."""
-MAX_SEED = 10**9
+"""Sample rates [Hz] allowed for `--rate`."""
 SILENCE_DB = -60.0
-"""Level below the peak [dB] under which the sound is trimmed at both ends."""
+"""Level relative to the peak [dB] below which the sound is trimmed at both ends."""
 FADE_IN = 0.005  # s
 FADE_OUT = 0.02  # s
-LOOP_SECONDS = 1.0
-"""Wanted length of the loop, or half of a shorter take."""
-LOOP_MATCH = 0.005
-"""Time [s] on both sides of a loop point in which the two waveforms are compared."""
 
 
 @one_blas_thread
@@ -47,12 +40,13 @@ def export_takes(
     rate: float | None = None,
     out: str | Path | None = None,
     stages: Stages | None = None,
-    tell: Callable[[Path], None] = lambda path: None,
+    on_written: Callable[[Path], None] = lambda path: None,
 ) -> list[Path]:
     """Render variations of the sound of a scene and write each to a WAV file.
 
-    Every take has its own small changes of the release and, if the scene is rough, its own seed of
-    the roughness. A take depends on `seed` and its number, not on the number of takes.
+    Every take has slightly different random release conditions and, if the scene has
+    roughness, its own roughness seed. A take depends on `seed` and on its own number,
+    but not on the number of takes.
 
     Parameters
     ----------
@@ -61,14 +55,14 @@ def export_takes(
     takes : int
         Number of takes.
     seed : int
-        Seed of the changes.
+        Seed of the random variations.
     rate : float, optional
         Sample rate [Hz], one of TAKE_RATES (default: that of the scene).
     out : str or Path, optional
         Folder of the files <scene name>-01.wav, ... (default: the current folder).
     stages : Stages, optional
         Receives the progress.
-    tell : callable
+    on_written : callable
         Called with the path of each file when it is complete.
 
     Returns
@@ -84,14 +78,18 @@ def export_takes(
     if rate is not None and rate not in TAKE_RATES:
         allowed = " or ".join(map(str, TAKE_RATES))
         raise InputError(f"--rate = {rate:g}: must be {allowed} for a sound")
-    scene = check_solvable_scene(scene_of_run(scene), None)
+    scene = check_solvable_scene(scene_or_run_record(scene), None)
     if rate is not None:
         scene = scene.replace(f"audio.sample_rate={round(rate)}")
-    variations = [varied(scene, seed, number) for number in range(1, takes + 1)]
+    variations = [varied_scene(scene, seed, number) for number in range(1, takes + 1)]
     stages = stages or Stages()
     paths = []
     with claimed_folder(out or ".") as folder, stages.stage("takes") as watch:
-        table = None if scene.surface.kind == "rigid" else with_table(plan_of(scene), scene)[1]
+        table = (
+            None
+            if scene.surface.kind == "rigid"
+            else with_table(plan_of(scene), scene)[1]
+        )
         for number, (take, changes) in enumerate(variations, 1):
             title = f"take {number} of {takes}"
 
@@ -105,14 +103,14 @@ def export_takes(
             except SceneError as error:
                 raise InputError(f"{title}: {error}") from None
             paths.append(path)
-            tell(path)
+            on_written(path)
     return paths
 
 
-def varied(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]]:
-    """Return the scene of a take, and its changes as assignments of `Scene.replace`."""
+def varied_scene(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]]:
+    """Return the scene of a take and its changes as assignments for `Scene.replace`."""
     draw = np.random.default_rng([seed, number])
-    steeper, faster = RELEASE_CHANGE * draw.uniform(-1, 1, 2)
+    steeper, faster = 0.02 * draw.uniform(-1, 1, 2)  # relative changes
     released = scene.release
     halfway_upright = (released.inclination_deg + 90) / 2
     inclination = min(released.inclination_deg * (1 + steeper), halfway_upright)
@@ -123,7 +121,7 @@ def varied(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]]:
         f"release.omega={[float(rate) for rate in omega]}",
     ]
     if scene.roughness is not None:
-        changes.append(f"roughness.seed={draw.integers(MAX_SEED)}")
+        changes.append(f"roughness.seed={draw.integers(10**9)}")
     return scene.replace(*changes), changes
 
 
@@ -132,11 +130,12 @@ def sound_of_take(
     table: SurfaceModes | None,
     watch: Callable[..., None] = lambda share, note="": None,
 ) -> Sound:
-    """Return the sound of a take; `watch(share, note)` is called with the share done."""
+    """Return the sound of a take; `watch(fraction, note)` is called with the completed
+    fraction."""
     scene = check_solvable_scene(scene, None)
     plan, modes = plan_with_modes(scene, cached_modes)
     motion = solved_motion(scene, lambda share, note="": watch(share / 2, note), table)
-    return sound_of(
+    return render_sound(
         scene,
         motion,
         modes,
@@ -150,18 +149,21 @@ def sound_of_take(
 def write_take(sound: Sound, path: Path, note: str) -> None:
     """Write a sound without the silence at both ends, as 24-bit PCM with loop points.
 
-    The text fields hold the scene, the program with its version, the pressure that 1.0 represents,
-    and `note`. Raises InputError if the sound is silent or too long for a WAV file.
+    The text fields contain the scene, the program with its version, the pressure
+    represented by 1.0, and `note`. Raises InputError if the sound is silent or too long
+    for a WAV file.
     """
-    copy = sound.copy
+    copy = sound.playback_copy
     first, last = audible_range(copy)
     samples = stretch(copy, first, last)
-    fade(samples, sound.sample_rate)
+    apply_fades(samples, sound.sample_rate)
     if samples.size * BYTES_PER_SAMPLE["PCM_24"] > MAX_RIFF_BYTES:
         raise InputError(f"{path.name}: the sound is too long for a WAV file of 4 GiB")
     loop = loop_points(samples[:, 0], sound.sample_rate)
     chunk = b"" if loop is None else sampler_chunk(sound.sample_rate, *loop)
-    with open_wav(path, sound.sample_rate, copy.channels, "PCM_24", "WAV", chunk) as file:
+    with open_wav(
+        path, sound.sample_rate, copy.channels, "PCM_24", "WAV", chunk
+    ) as file:
         file.title = f"Euler's disk, {sound.name}"
         file.comment = f"1.0 = {sound.full_scale:.9g} pascal at the listener; {note}"
         file.software = f"eulers-disk-sonify {__version__}"
@@ -169,10 +171,11 @@ def write_take(sound: Sound, path: Path, note: str) -> None:
 
 
 def audible_range(source) -> tuple[int, int]:
-    """Return the first sample and the end of the part louder than SILENCE_DB below the peak.
+    """Return the first sample and the end of the part above SILENCE_DB relative to the
+    peak.
 
-    The times of the fades are added at both ends. The length is even, because some readers expect
-    an even number of bytes. Raises InputError for silence.
+    The durations of the fades are added at both ends. The length is even, because some
+    programs expect an even number of bytes. Raises InputError if the sound is silent.
     """
     tops = [np.abs(block).max(axis=1) for block in source.blocks()]
     level = np.concatenate(tops)
@@ -185,8 +188,8 @@ def audible_range(source) -> tuple[int, int]:
     return first, last - (last - first) % 2 if last - first > 1 else last
 
 
-def fade(samples: np.ndarray, sample_rate: int) -> None:
-    """Multiply both ends of samples (k, channels) by fades, in place."""
+def apply_fades(samples: np.ndarray, sample_rate: int) -> None:
+    """Apply fades to both ends of samples (k, channels) in place."""
     for part, seconds in ((samples, FADE_IN), (samples[::-1], FADE_OUT)):
         count = min(round(seconds * sample_rate), len(samples))
         rise = np.sin(np.pi / 2 * np.arange(count) / count) ** 2
@@ -194,17 +197,20 @@ def fade(samples: np.ndarray, sample_rate: int) -> None:
 
 
 def loop_points(samples: np.ndarray, sample_rate: int) -> tuple[int, int] | None:
-    """Return the first and the last sample of a loop in samples (k,); None if there is no loop.
+    """Return the first and last sample of a loop in samples (k,), or None if there is
+    no loop.
 
-    The loop is in the middle. It begins at an upward zero crossing and ends before the one whose
-    surroundings resemble those of its beginning most.
+    The loop is in the middle. It starts at an upward zero crossing and ends before
+    another one, around which the waveform is most similar to that around the start.
     """
     crossings = np.flatnonzero((samples[:-1] < 0) & (samples[1:] >= 0)) + 1
-    around = round(LOOP_MATCH * sample_rate)
+    around = round(
+        0.005 * sample_rate
+    )  # samples on each side over which waveforms are compared
     crossings = crossings[(crossings >= around) & (crossings <= len(samples) - around)]
     if len(crossings) < 2:
         return None
-    length = min(LOOP_SECONDS * sample_rate, len(samples) / 2)
+    length = min(1.0 * sample_rate, len(samples) / 2)
     begin = crossings[np.abs(crossings - (len(samples) - length) / 2).argmin()]
     later = crossings[crossings > begin]
     if not len(later):
@@ -214,14 +220,17 @@ def loop_points(samples: np.ndarray, sample_rate: int) -> tuple[int, int] | None
     if not len(near):
         near = later[[np.abs(later - begin - length).argmin()]]
     pattern = samples[begin - around : begin + around]
-    differences = [np.square(samples[end - around : end + around] - pattern).sum() for end in near]
+    differences = [
+        np.square(samples[end - around : end + around] - pattern).sum() for end in near
+    ]
     return int(begin), int(near[int(np.argmin(differences))]) - 1
 
 
 def sampler_chunk(sample_rate: int, begin: int, end: int) -> bytes:
-    """Return a `smpl` chunk with one forward loop from sample `begin` to sample `end`, both played.
+    """Return a `smpl` chunk with one forward loop from sample `begin` to `end`,
+    inclusive.
 
-    The note of the unchanged pitch is middle C.
+    The root note is middle C.
     """
     middle_c = 60
     period = round(1e9 / sample_rate)  # ns

@@ -1,5 +1,5 @@
-"""RATES -> SHARES: end of the motion and shares of dissipation with intervals, by robust least
-squares."""
+"""Robust least-squares fit of the end of the motion and of the shares of
+dissipation."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -10,31 +10,16 @@ from scipy.optimize import least_squares
 from scipy.stats import norm, t
 
 from sonify.fitting.decay_model import LAWS, Decline
-from sonify.fitting.phase_demodulation import BLOCK_OVERLAP, Rates, rates
+from sonify.fitting.phase_demodulation import Rates, rates
+from sonify.fitting.settings import FIT
 
-BLOCK_LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
-"""Turns per block in successive rounds. Short blocks tolerate a poor initial guess, long blocks
-reduce the noise."""
-ROUGH_TOLERANCE = 1e-4
-"""Relative tolerance of the solution in all rounds but the last."""
-FINAL_TOLERANCE = 1e-8
-"""Relative tolerance of the solution in the last round."""
-MIN_RATE_ERROR = 2e-4
-"""Least relative error of the rate of a block, because the decline is not exactly steady."""
-BOOTSTRAP_DRAWS = 400
-"""Number of bootstrap draws of the residuals."""
-MIN_RUN_BLOCKS = 4
-"""Least number of blocks in a run of residuals; runs are drawn because adjacent blocks overlap."""
-MAX_RUN_COUNT = 8
-"""Largest number of runs of residuals."""
 TINY = 1e-30
-UNUSED_END = 0.01
-"""The last part of the motion that is not used [s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Value:
-    """A value with its 95 % interval, `low` to `high`, and its 68 % interval, `inner`."""
+    """A value with its 95 % interval from `low` to `high` and its 68 % interval
+    `inner`."""
 
     value: float
     low: float
@@ -43,8 +28,8 @@ class Value:
 
 
 class LineRates(NamedTuple):
-    """Rates of a line measured in the sound of index `sound`, and the rates (k,) [Hz] of steady
-    motion."""
+    """Rates of a line measured in the sound with index `sound`, and rates (k,) [Hz]
+    that steady motion would have."""
 
     sound: int
     line: Decline
@@ -54,12 +39,12 @@ class LineRates(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fit:
-    """Fit of a decline to one or more sounds.
+    """Fit of a decay to one or more sounds.
 
-    `ends` [s] has one entry per sound. `shares` (3,) are those of the LAWS; those of index `free`
-    were fitted. `draws` (d, sounds + 3) are bootstrap draws of ends and shares. `residual` (k,) is
-    log(measured / fitted rate) of all blocks of `heard`, and `sigma` (k,) its error by noise.
-    """
+    `ends` [s] has one entry per sound. `shares` (3,) belong to the LAWS; those with
+    indices in `free` were fitted. `draws` (d, sounds + 3) are bootstrap draws of ends
+    and shares. `residual` (k,) is log(measured / fitted rate) for all blocks of
+    `heard`, and `sigma` (k,) its error due to noise."""
 
     free: tuple[int, ...]
     ends: np.ndarray
@@ -71,17 +56,20 @@ class Fit:
 
     @property
     def spread(self) -> float:
-        """The robust relative standard deviation of measured from fitted rates."""
+        """Robust relative standard deviation of the measured from the fitted rates."""
         return _robust_deviation(self.residual)
 
     def values(self) -> dict[str, Value]:
         """Return the fitted shares of the LAWS by name."""
-        return {LAWS[i]: self.value(len(self.ends) + i) for i in self.free}
+        names = (*LAWS[:2], self.heard[0].line.third_share_name)
+        return {names[i]: self.value(len(self.ends) + i) for i in self.free}
 
     def value(self, i: int) -> Value:
-        """Return the end of sound i; from the number of sounds on, the shares."""
+        """Return entry i of the ends of the sounds followed by the shares."""
         best = np.append(self.ends, self.shares)[i]
-        low, inner_low, inner_high, high = np.percentile(self.draws[:, i], [2.5, 16, 84, 97.5])
+        low, inner_low, inner_high, high = np.percentile(
+            self.draws[:, i], [2.5, 16, 84, 97.5]
+        )
         least = 0.0 if i >= len(self.ends) else -np.inf
         inner = max(min(inner_low, best), least), max(inner_high, best)
         return Value(
@@ -94,10 +82,11 @@ class Fit:
 
 @dataclass(frozen=True, kw_only=True)
 class ToneSignal:
-    """A signal to be fitted: samples (n,) at `rate` [Hz], from the time `first` [s] on.
+    """Signal to be fitted, with samples (n,) at `rate` [Hz] from the time `first` [s]
+    on.
 
-    `filtered` is True if it passed the high-pass of a recorder, whose phase shift resembles a rate.
-    """
+    `filtered` is True for a signal with the high-pass filter of a recorder, whose phase
+    shift changes the apparent rate."""
 
     samples: np.ndarray
     rate: float
@@ -105,21 +94,30 @@ class ToneSignal:
     filtered: bool = False
 
     @cached_property
-    def integral(self) -> np.ndarray:
+    def cumulative_sum(self) -> np.ndarray:
         """Cumulative sum (n + 1,) of the samples."""
         return np.append(0.0, np.cumsum(self.samples))
 
 
-def measured_rates(decline: Decline, sound: ToneSignal, end, shares, length, **how) -> Rates:
-    """Return the rates of a sound relative to the decline with an end [s] and shares (3,).
+def measured_rates(
+    decline: Decline, sound: ToneSignal, end, shares, length, **how
+) -> Rates:
+    """Return the rates of a sound, demodulated with a decay that has an end [s] and
+    shares (3,).
 
     Further arguments are those of `rates`.
     """
-    left, turned, frequency = decline.course(shares)
-    here = left > UNUSED_END
-    course = np.array([end - left, -turned, frequency])[:, here][:, ::-1]
+    remaining, turned, frequency = decline.course(shares)
+    here = remaining > FIT.unused_end
+    course = np.array([end - remaining, -turned, frequency])[:, here][:, ::-1]
     return rates(
-        sound.samples, sound.rate, sound.first, course, length, integral=sound.integral, **how
+        sound.samples,
+        sound.rate,
+        sound.first,
+        course,
+        length,
+        cumulative_sum=sound.cumulative_sum,
+        **how,
     )
 
 
@@ -129,14 +127,14 @@ def fit(
     ends,
     shares,
     free: tuple[int, ...],
-    lengths=BLOCK_LENGTHS,
+    lengths=FIT.block_lengths,
     least=0.05,
 ) -> Fit:
-    """Return the fit of a line of a decline to sounds.
+    """Return the fit of a line of a decay to sounds.
 
-    `ends` [s] and `shares` (3,) are the initial guess; shares are raised to `least` of their SHARE_UNITS.
-    Raises ValueError if fewer than eight blocks of the sounds have a clear tone.
-    """
+    `ends` [s] and `shares` (3,) are the initial guess; each fitted share is initially
+    at least `least` times its unit. Raises ValueError if fewer than eight blocks of the
+    sounds have a clear tone."""
     ends = np.array(ends, float)
     shares = np.array(shares, float)
     filtered = all(sound.filtered for sound in sounds)
@@ -145,19 +143,22 @@ def fit(
         longer = line_rates(line, sounds, ends, shares, length)
         if sum(len(h.rates.time) for h in longer) < 8:
             if not heard:
-                raise ValueError("the tone is too faint or too short to be followed")
-            break  # a short run has no more long blocks
+                raise ValueError("the tone is too faint or too short to be tracked")
+            break  # the run is too short for longer blocks
         heard = longer
-        tolerance = FINAL_TOLERANCE if length == lengths[-1] else ROUGH_TOLERANCE
-        ends, shares, solved = _solved(heard, filtered, ends, shares, free, least, tolerance)
+        tolerance = (
+            FIT.final_tolerance if length == lengths[-1] else FIT.rough_tolerance
+        )
+        ends, shares, solved = _solved(
+            heard, filtered, ends, shares, free, least, tolerance
+        )
     return _with_intervals(heard, ends, shares, free, solved)
 
 
 def line_rates(
     line: Decline, sounds: list[ToneSignal], ends, shares, length, **how
 ) -> tuple[LineRates, ...]:
-    """Return the rates of a line in every sound, relative to the decline of ends [s] and shares
-    (3,).
+    """Return the rates of a line in every sound for ends [s] and shares (3,).
 
     Further arguments are those of `rates`.
     """
@@ -165,13 +166,18 @@ def line_rates(
     for i, (sound, end) in enumerate(zip(sounds, ends, strict=True)):
         here = measured_rates(line, sound, end, shares, length, **how)
         found.append(
-            LineRates(i, line, here, line.frequency(end - here.time, shares) * (1 + here.missed))
+            LineRates(
+                i,
+                line,
+                here,
+                line.frequency(end - here.time, shares) * (1 + here.missed),
+            )
         )
     return tuple(found)
 
 
 def fit_to_rates(heard: tuple[LineRates, ...], ends, shares, free):
-    """Return ends, shares and robust cost of the decline that fits given rates best.
+    """Return ends, shares and robust cost of the decay that best fits the given rates.
 
     The sounds are not demodulated again.
     """
@@ -182,9 +188,10 @@ def fit_to_rates(heard: tuple[LineRates, ...], ends, shares, free):
 
 
 def values_in_words(values: dict[str, Value]) -> str:
-    """Return values by name with their 95 % intervals as text."""
+    """Format values with their names and 95 % intervals."""
     return ", ".join(
-        f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)" for name, v in values.items()
+        f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)"
+        for name, v in values.items()
     )
 
 
@@ -194,58 +201,67 @@ def _robust_deviation(residual) -> float:
 
 
 def _relative_error(h):
-    return np.hypot(h.error / h.frequency, MIN_RATE_ERROR)
+    return np.hypot(h.error / h.frequency, FIT.min_rate_error)
 
 
 def _unpack(x, sounds, shares, free, unit):
     full = shares.copy()
     count = sounds + len(free)
     full[list(free)] = x[sounds:count] * unit
-    return x[:sounds], full, x[count] * HIGH_PASS_CORNER if len(x) > count else 0.0
+    return x[:sounds], full, x[count] * FIT.high_pass_corner if len(x) > count else 0.0
 
 
 def _residual(x, heard, sounds, shares, free, unit):
     """Return log(measured / model) of every block, divided by its error.
 
-    Behind a high-pass, the last entry is the deviation of its corner from HIGH_PASS_CORNER.
-    """
+    If a high-pass filter is included, the last entry is the relative deviation of its
+    corner frequency from `high_pass_corner`."""
     ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
     for i, line, h, steady in heard:
-        left = np.maximum(ends[i] - h.time, UNUSED_END / 10)
-        model = _through_high_pass(partial(line.frequency, shares=full), left, corner)
+        remaining = np.maximum(ends[i] - h.time, FIT.unused_end / 10)
+        model = _through_high_pass(
+            partial(line.frequency, shares=full), remaining, corner
+        )
         out.append(np.log(steady / model) / _relative_error(h))
     return np.concatenate([*out, x[sounds + len(free) :] - 1.0])
 
 
-def _through_high_pass(frequency, left, corner):
-    """Return the rate [Hz] at times left (k,) [s] behind a second-order Butterworth high-pass.
+def _through_high_pass(frequency, remaining, corner):
+    """Return the apparent rate (k,) [Hz] after a second-order Butterworth high-pass
+    filter.
 
-    The phase shift of the filter decreases as the tone rises, which changes the apparent rate.
-    """
-    here = frequency(left)
+    The phase shift of the filter decreases as the tone rises; `remaining` (k,) are remaining
+    times [s]."""
+    here = frequency(remaining)
     if not corner:
         return here
     lead = [
         np.arctan2(2**0.5 * corner * f, f**2 - corner**2)
         for f in (
-            frequency(left * (1 - PHASE_DERIVATIVE_STEP)),
-            frequency(left * (1 + PHASE_DERIVATIVE_STEP)),
+            frequency(remaining * (1 - FIT.phase_derivative_step)),
+            frequency(remaining * (1 + FIT.phase_derivative_step)),
         )
     ]
-    return here + (lead[0] - lead[1]) / (2 * PHASE_DERIVATIVE_STEP * left) / (2 * np.pi)
+    return here + (lead[0] - lead[1]) / (2 * FIT.phase_derivative_step * remaining) / (
+        2 * np.pi
+    )
 
 
-def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH_TOLERANCE):
-    unit = np.maximum(shares[list(free)], [SHARE_UNITS[i] for i in free])
-    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [1.0] * filtered])
+def _solved(
+    heard, filtered, ends, shares, free, least=0.05, tolerance=FIT.rough_tolerance
+):
+    unit = np.maximum(shares[list(free)], [FIT.share_units[i] for i in free])
+    x = np.concatenate(
+        [ends, np.maximum(shares[list(free)] / unit, least), [1.0] * filtered]
+    )
     others = np.zeros(len(x) - len(ends))
     last = np.full(len(ends), -np.inf)
     for i, _, h, _ in heard:
         last[i] = max(last[i], h.time.max(initial=-np.inf))
-    lower = np.append(last + UNUSED_END / 5, others)
+    lower = np.append(last + FIT.unused_end / 5, others)
     upper = np.full(len(x), np.inf)
-    upper[len(ends) + len(free) :] = MAX_CORNER_FACTOR
+    upper[len(ends) + len(free) :] = FIT.max_corner_factor
     x = np.maximum(x, lower + 1e-9)
     arguments = (heard, len(ends), shares, free, unit)
     scale = max(_robust_deviation(_residual(x, *arguments)), 1.0)
@@ -264,18 +280,9 @@ def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH_TOL
     return ends, full, (solved, unit)
 
 
-HIGH_PASS_CORNER = 50.0
-"""Corner frequency of a recorder's high-pass, which is also its uncertainty [Hz]."""
-MAX_CORNER_FACTOR = 4.0
-"""Largest corner frequency, in units of HIGH_PASS_CORNER."""
-PHASE_DERIVATIVE_STEP = 1e-3
-"""Relative step in the time left of the numerical derivative of the phase."""
-SHARE_UNITS = (1e-5, 0.05, 0.05)
-"""Shares of the LAWS below which the search starts from these values."""
-
-
 def _with_intervals(heard, ends, shares, free, solution):
-    """Return the fit with bootstrap draws: residuals drawn in runs of blocks, solved linearly."""
+    """Return the fit with bootstrap draws from runs of residuals and a linearised
+    solution."""
     solved, unit = solution
     arguments = (heard, len(ends), shares, free, unit)
     residual = _residual(solved.x, *arguments)
@@ -284,20 +291,30 @@ def _with_intervals(heard, ends, shares, free, solution):
     sigma = np.concatenate([_relative_error(h.rates) for h in heard])
     random = np.random.default_rng(0)
     count = len(sigma)
-    run = max(MIN_RUN_BLOCKS, count // MAX_RUN_COUNT)
-    apart = count / BLOCK_OVERLAP
+    run = max(FIT.min_bootstrap_run_blocks, count // FIT.max_bootstrap_run_count)
+    apart = count / FIT.block_overlap
     leverage = np.sqrt(apart / max(apart - len(solved.x), 1))
     runs = -(-count // run)
-    drawn = (random.integers(0, count, (BOOTSTRAP_DRAWS, runs, 1)) + np.arange(run)) % count
-    noise = leverage * residual[drawn] * random.choice([-1.0, 1.0], (BOOTSTRAP_DRAWS, runs, 1))
-    corner = random.standard_normal((BOOTSTRAP_DRAWS, len(residual) - count))
-    noise = np.hstack([noise.reshape(BOOTSTRAP_DRAWS, -1)[:, :count], corner])
+    drawn = (
+        random.integers(0, count, (FIT.bootstrap_draws, runs, 1)) + np.arange(run)
+    ) % count
+    noise = (
+        leverage
+        * residual[drawn]
+        * random.choice([-1.0, 1.0], (FIT.bootstrap_draws, runs, 1))
+    )
+    corner = random.standard_normal((FIT.bootstrap_draws, len(residual) - count))
+    noise = np.hstack([noise.reshape(FIT.bootstrap_draws, -1)[:, :count], corner])
     jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
-    inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
+    inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (
+        jacobian.T * weight
+    )
     moved = solved.x - noise @ inverse.T
-    draws = np.tile(np.append(ends, shares), (BOOTSTRAP_DRAWS, 1))
+    draws = np.tile(np.append(ends, shares), (FIT.bootstrap_draws, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
-    draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : len(ends) + len(free)] * unit
+    draws[:, len(ends) + np.array(free, int)] = (
+        moved[:, len(ends) : len(ends) + len(free)] * unit
+    )
     return Fit(
         free=free,
         ends=ends,
@@ -310,8 +327,8 @@ def _with_intervals(heard, ends, shares, free, solution):
 
 
 def _jacobian(function, x):
-    """Return the derivatives (k, n) by one-sided differences of second order; shares are not
-    negative."""
+    """Return derivatives (k, n) from second-order one-sided differences, which keep
+    shares positive."""
     steps = 1e-4 * np.maximum(np.abs(x), 0.05)
     here = function(x)
     columns = [
@@ -322,19 +339,23 @@ def _jacobian(function, x):
 
 
 def pool_fits(fits: list[Fit]) -> Fit:
-    """Return the mean of fits to single sounds, weighted by the inverse variances of their shares.
+    """Return the mean of fits to single sounds, weighted by the inverse variances of
+    their shares.
 
-    If the shares scatter more than their errors predict, the errors are scaled up accordingly.
+    The errors are enlarged if the shares scatter more than their errors predict.
     """
     values = np.array([one.shares for one in fits])
-    draws = np.array([one.draws[:BOOTSTRAP_DRAWS, 1:] for one in fits])
+    draws = np.array([one.draws[: FIT.bootstrap_draws, 1:] for one in fits])
     spread = np.maximum(draws.std(axis=1), TINY)
     weight = spread**-2 / np.sum(spread**-2, axis=0)
     mean = np.sum(weight * values, axis=0)
     apart = np.sqrt(np.sum(((values - mean) / spread) ** 2, axis=0) / (len(fits) - 1))
     random = np.random.default_rng(0)
     away = np.sum(
-        [w * random.permutation(d - v) for w, d, v in zip(weight, draws, values, strict=True)],
+        [
+            w * random.permutation(d - v)
+            for w, d, v in zip(weight, draws, values, strict=True)
+        ],
         axis=0,
     )
     ends = np.array([one.draws[: len(away), 0] for one in fits]).T
@@ -343,24 +364,29 @@ def pool_fits(fits: list[Fit]) -> Fit:
         ends=np.concatenate([one.ends for one in fits]),
         shares=mean,
         draws=np.hstack([ends, mean + away * np.maximum(apart, 1.0)]),
-        heard=tuple(h._replace(sound=i) for i, one in enumerate(fits) for h in one.heard),
+        heard=tuple(
+            h._replace(sound=i) for i, one in enumerate(fits) for h in one.heard
+        ),
         residual=np.concatenate([one.residual for one in fits]),
         sigma=np.concatenate([one.sigma for one in fits]),
     )
 
 
 def combine_motions(fits: list[Fit]) -> Fit:
-    """Return the mean of m fits to the same sounds with different motions, with the draws of all.
+    """Return the mean of m fits of different motions to the same sounds, with the draws
+    of all fits.
 
-    The scatter between the fits enters with Student's factor over that of a normal error (Rubin
-    1987, 3.1.6).
-    """
+    The scatter between the fits is multiplied by the ratio of the quantiles of
+    Student's t and the normal distribution (Rubin 1987, 3.1.6)."""
     values = np.array([np.append(one.ends, one.shares) for one in fits])
     m = len(fits)
     mean = values.mean(axis=0)
     wider = np.sqrt(1 + 1 / m) * t.ppf(0.975, max(m - 1, 2)) / norm.ppf(0.975)
     draws = np.concatenate(
-        [one.draws + (wider - 1) * (own - mean) for one, own in zip(fits, values, strict=True)]
+        [
+            one.draws + (wider - 1) * (own - mean)
+            for one, own in zip(fits, values, strict=True)
+        ]
     )
     count = len(fits[0].ends)
     return replace(fits[0], ends=mean[:count], shares=mean[count:], draws=draws)

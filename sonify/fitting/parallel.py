@@ -9,10 +9,13 @@ from sonify.hearing.recording import RecordingError
 from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 
 
-def in_worker_processes(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
-    """Yield `function(*task)` for every task in order, computed by `count` worker processes.
+def in_worker_processes(
+    function: Callable, tasks: list[tuple], count: int
+) -> Iterator[Any]:
+    """Yield `function(*task)` for every task in order, computed by `count` worker
+    processes.
 
-    Exceptions of the function are raised here.
+    Exceptions raised by the function are raised again.
     """
     idle: SimpleQueue = SimpleQueue()
     processes = [WorkerProcess() for _ in range(count)]
@@ -24,7 +27,9 @@ def in_worker_processes(function: Callable, tasks: list[tuple], count: int) -> I
         try:
             return process.call(function, *task)
         except WorkerDiedError as error:
-            raise RecordingError(f"{task[0]}: the process that fitted it ended: {error}") from None
+            raise RecordingError(
+                f"{task[0]}: the fitting process ended: {error}"
+            ) from None
         finally:
             idle.put(process)
 

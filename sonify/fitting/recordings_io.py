@@ -1,16 +1,17 @@
-"""PATHS -> SOURCES: sound files, phyphox exports, and folders of recordings."""
+"""Reading of sound files, phyphox exports and folders of recordings."""
 
 import csv
 import io
 import re
 import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import soundfile
 
-from sonify.fitting.synthetic import Recording
-from sonify.hearing.audio_source import SoundFile, Source
+from sonify.hearing.audio_source import BLOCK, SoundFile, Source
 from sonify.hearing.recording import RecordingError
 
 RECORDING_SUFFIXES = (
@@ -27,17 +28,37 @@ RECORDING_SUFFIXES = (
     ".zip",
     ".csv",
 )
-"""File suffixes that are read from a folder."""
+"""Suffixes of the files that are read from a folder."""
 TIME = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
 LEAST_ROWS = 100
 OWN_NOTE = "eulers-disk-sonify"
-"""Beginning of the note in sound files written by this program (`sonify.sound.wav`)."""
+"""Start of the software note in sound files written by this program
+(`sonify.sound.wav`)."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recording:
+    """Audio source from samples (n,) in memory."""
+
+    samples: np.ndarray
+    sample_rate: int
+
+    @property
+    def frames(self) -> int:
+        """Number of samples."""
+        return len(self.samples)
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield blocks (k, 1) of samples, from the sample `start` on."""
+        for first in range(start, self.frames, BLOCK):
+            yield self.samples[first : first + BLOCK, None]
 
 
 def recording_files(paths) -> list[Path]:
-    """Return the files that paths name; a folder gives its recordings in order.
+    """Return the recordings in `paths`; a folder is replaced by its recordings in
+    order.
 
-    Raises RecordingError if there is none.
+    Raises RecordingError if a folder contains none.
     """
     found = []
     for path in map(Path, paths):
@@ -48,14 +69,16 @@ def recording_files(paths) -> list[Path]:
         )
         if not inside:
             raise RecordingError(
-                f"{path}: no take in this folder; they end in {', '.join(RECORDING_SUFFIXES)}"
+                f"{path}: no recordings in this folder; their names end in "
+                f"{', '.join(RECORDING_SUFFIXES)}"
             )
         found += inside
     return found
 
 
 def source_of_file(path: Path) -> Source | Path:
-    """Return the source of a file: a sound file, or a phyphox table of amplitude against time.
+    """Return the source of a file: a sound file, or a phyphox table of amplitude
+    against time.
 
     Raises RecordingError for an invalid table.
     """
@@ -67,17 +90,20 @@ def source_of_file(path: Path) -> Source | Path:
         raise RecordingError(
             f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}"
         ) from None
-    found = [made for text in tables if (made := _table_samples(text, path)) is not None]
+    found = [
+        made for text in tables if (made := _table_samples(text, path)) is not None
+    ]
     if not found:
         raise RecordingError(
-            f"{path}: holds no table with a column 'Time (s)' or 'Time (ms)' and an amplitude "
-            f"beside it"
+            f"{path}: contains no table with a column 'Time (s)' or 'Time (ms)' and a column of "
+            f"amplitudes"
         )
     return max(found, key=lambda recording: recording.frames)
 
 
 def is_recorded(path: Path) -> bool:
-    """Return True unless the file was written by this program, whose sounds pass no high-pass."""
+    """Return False for files written by this program, whose sounds have no high-pass
+    filter."""
     try:
         with SoundFile(path).open() as file:
             return not file.software.startswith(OWN_NOTE)
@@ -95,7 +121,8 @@ def _table_texts(path):
 
 
 def _table_samples(text, path):
-    """Return the amplitudes of a table with evenly spaced times; None if it has none."""
+    """Return the amplitudes of a table, resampled at equal intervals, or None if the
+    text contains no such table."""
     separator = max(",;\t", key=text.partition("\n")[0].count)
     rows = csv.reader(io.StringIO(text), delimiter=separator)
     head = [name.strip() for name in next(rows, [])]
@@ -105,21 +132,31 @@ def _table_samples(text, path):
     time = head.index(unit.string)
     amplitude = next(i for i in range(len(head)) if i != time)
     comma = separator == ";"
-    cells = [(row[time], row[amplitude]) for row in rows if len(row) > max(time, amplitude)]
+    cells = [
+        (row[time], row[amplitude]) for row in rows if len(row) > max(time, amplitude)
+    ]
     try:
         t, x = np.array(
-            [[float(c.replace(",", ".") if comma else c) for c in pair] for pair in cells]
+            [
+                [float(c.replace(",", ".") if comma else c) for c in pair]
+                for pair in cells
+            ]
         ).T
     except ValueError:
-        raise RecordingError(f"{path}: a row of its table is not two numbers") from None
+        raise RecordingError(
+            f"{path}: a row of its table does not contain two numbers"
+        ) from None
     if not np.isfinite([t, x]).all() or not (np.diff(t) > 0).all():
         raise RecordingError(
-            f"{path}: its time does not rise from row to row, or a cell is not finite"
+            f"{path}: its times do not increase from row to row, or a cell is not finite"
         )
     if len(t) < LEAST_ROWS:
-        raise RecordingError(f"{path}: {len(t)} rows: at least {LEAST_ROWS} are needed")
+        raise RecordingError(
+            f"{path}: too few rows, {len(t)}; at least {LEAST_ROWS} are required"
+        )
     even = np.linspace(t[0], t[-1], len(t))
     second = 1e3 if unit[1].lower() == "ms" else 1.0
     return Recording(
-        samples=np.interp(even, t, x), sample_rate=round((len(t) - 1) / (t[-1] - t[0]) * second)
+        samples=np.interp(even, t, x),
+        sample_rate=round((len(t) - 1) / (t[-1] - t[0]) * second),
     )

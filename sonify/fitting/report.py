@@ -1,4 +1,4 @@
-"""FITS -> FILES: fit.json, fit.csv, a picture and a short page."""
+"""Output files of a fit: fit.json, fit.csv, a picture and a short page."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -8,42 +8,51 @@ import numpy as np
 
 from sonify.fitting.decay_model import has_film, neglected_parts
 from sonify.fitting.fu_berlin import PUBLISHED_EXPONENTS
-from sonify.fitting.least_squares import UNUSED_END, values_in_words
+from sonify.fitting.least_squares import values_in_words
 from sonify.fitting.line_selection import shares_of_power
 from sonify.fitting.result import Fits, Fitted
-from sonify.report.figure import figure_at, legend_above, plain_decades
-from sonify.report.recording import carrier_numbers
-from sonify.report.write import finite, write_json
-from sonify.runtime.files import atomic_write, claimed_folder, first_numbered
+from sonify.fitting.settings import FIT
+from sonify.report.figure import label_plain_decades, place_legend_above, png_figure
+from sonify.report.recording import spectral_line_record
+from sonify.report.write import json_safe, write_json
+from sonify.runtime.files import atomic_write, claimed_folder, first_matching_folder
 
 ABSENT_LAW = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """Share of a law that was not fitted, such as the film in a vacuum."""
 MAX_PANELS = 6
-"""Largest number of recordings in the picture."""
+"""Largest number of recordings that are drawn."""
 BAND_DRAWS = 120
-"""Approximate number of draws in a band of the picture."""
+"""Approximate number of draws that determine an uncertainty band."""
 
 
-def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
+def write_fits(
+    fits: Fits, out: str | Path | None = None, simulated: dict[str, Any] | None = None
+) -> Path:
     """Write fit.json, fit.csv, fit.png and fit.md into `out` and return the folder.
 
-    Raises OutputError if it cannot be written.
-    """
+    With the numbers of a `simulated` sound, compare.json and compare.png are also
+    written. Raises OutputError if the folder is not writable."""
     with claimed_folder(out or new_folder(fits.files[0].file)) as folder:
-        write_json(finite(as_json(fits)), folder / "fit.json")
+        write_json(json_safe(as_json(fits)), folder / "fit.json")
         with atomic_write(folder / "fit.png") as temporary:
             draw(fits, temporary)
         with atomic_write(folder / "fit.csv") as temporary:
             temporary.write_text("\n".join(table(fits, ",")) + "\n", encoding="utf-8")
         with atomic_write(folder / "fit.md") as temporary:
             temporary.write_text(page(fits), encoding="utf-8")
+        if simulated:
+            write_json(json_safe(compared(fits, simulated)), folder / "compare.json")
+            with atomic_write(folder / "compare.png") as temporary:
+                draw_comparison(fits, simulated, temporary)
     return folder
 
 
 def new_folder(file: str) -> Path:
-    """Return a new folder outputs/fit/<name of the recording>, or <name>-2 and so on."""
-    return first_numbered(
-        Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists()
+    """Return the path of a new folder outputs/fit/<name of the recording>, <name>-2
+    etc."""
+    return first_matching_folder(
+        Path("outputs") / "fit" / Path(file).stem,
+        lambda folder: not (folder / "fit.json").exists(),
     )
 
 
@@ -53,12 +62,14 @@ def as_json(fits: Fits) -> dict[str, Any]:
     pool = {"t_end": end} | _values(fits.values()) | {"verdict": fits.verdict}
     shares = {
         name: list(share)
-        for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()
+        for name, share in shares_of_power(
+            fits.files[0].judged.decline, fits.pool
+        ).items()
     }
     files = [_one(f, fits.resonances) for f in fits.files]
     return {
         "scene": fits.scene.name,
-        "left_out": neglected_parts(fits.scene),
+        "neglected": neglected_parts(fits.scene),
         "files": files,
         "pooled": pool | {"power_shares": shares},
     }
@@ -67,21 +78,30 @@ def as_json(fits: Fits) -> dict[str, Any]:
 def _one(fitted: Fitted, known) -> dict[str, Any]:
     judged = fitted.judged
     rates = fitted.judged.fit.heard[0].rates
-    head = {"file": fitted.file, "t_end": asdict(judged.fit.value(0))} | _values(judged.values())
+    head = {"file": fitted.file, "t_end": asdict(judged.fit.value(0))} | _values(
+        judged.values()
+    )
     return head | {
         "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
         "contour_friction_fits": judged.contour_fits,
         "explained": judged.explained,
+        "reason": judged.reason,
         "signal": judged.signal,
         "line": judged.line,
         "model": judged.model,
         "spread": judged.fit.spread,
         "radius_10_percent_off_shows": fitted.radius_shows,
-        "carriers": [carrier_numbers(carrier, known) for carrier in fitted.carriers],
+        "carriers": [
+            spectral_line_record(carrier, known) for carrier in fitted.carriers
+        ],
         "published_way": {
             name: e._asdict()
-            | ({"theirs": PUBLISHED_EXPONENTS[name]} if name in PUBLISHED_EXPONENTS else {})
+            | (
+                {"theirs": PUBLISHED_EXPONENTS[name]}
+                if name in PUBLISHED_EXPONENTS
+                else {}
+            )
             for name, e in (fitted.published_way or {}).items()
         },
         "residual": {
@@ -94,17 +114,27 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
 
 
 def _values(values) -> dict[str, Any]:
-    """Return the values by name, always with `rolling` and `air`."""
+    """Return the values by name, including `rolling` and `air` in any case."""
     return dict.fromkeys(("rolling", "air"), ABSENT_LAW) | {
         name: asdict(v) for name, v in values.items()
     }
 
 
 def table(fits: Fits, separator: str = " | ") -> list[str]:
-    """Return one row for each recording and one for all together."""
+    """Return a header, a row for each recording and a row for all of them together."""
     lines = [
         separator.join(
-            ("recording", "t_end [s]", "rolling", "low", "high", "air", "low", "high", "verdict")
+            (
+                "recording",
+                "t_end [s]",
+                "rolling",
+                "low",
+                "high",
+                "air",
+                "low",
+                "high",
+                "verdict",
+            )
         )
     ]
     rows = [
@@ -121,47 +151,75 @@ def table(fits: Fits, separator: str = " | ") -> list[str]:
         ]
         lines.append(
             separator.join(
-                (Path(name).name, "" if end is None else f"{end:.4f}", *numbers, verdict)
+                (
+                    Path(name).name,
+                    "" if end is None else f"{end:.4f}",
+                    *numbers,
+                    verdict,
+                )
             )
         )
     return lines
 
 
 def sentences(fits: Fits) -> list[str]:
-    """Return the results in words."""
+    """Return the results as sentences."""
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
         said.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
     if not has_film(fits.scene):
-        said.append("air was not considered: the scene has no air film")
+        said.append("air was not considered because the scene has no air film")
     return said + neglected_parts(fits.scene)
 
 
 def _of_one(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
-    told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.2%}"
+    told = (
+        f"{judged.line} in the {judged.signal}, {judged.model} motion, "
+        f"spread {judged.fit.spread:.2%}"
+    )
     yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
     yield f"  {values_in_words(judged.values())}"
     if not judged.explained:
-        yield "  no motion explains it: it may be another line, and the intervals hold what every line would tell"
-    if not judged.contour_fits:
-        yield "  contour friction and film do not explain it; the scene's own law takes more than a tenth of the power"
-    yield f"  a radius 10 % off {'would show' if fitted.radius_shows else 'cannot be told: the shares take it up'}"
+        yield (
+            "  no motion explains the rates; the line may be wrong, and the intervals include the results "
+            "of all lines"
+        )
+    if judged.reason:
+        yield f"  {judged.reason}"
+    elif not judged.contour_fits:
+        yield (
+            "  contour friction and film do not suffice; the other laws of the scene take more than a tenth "
+            "of the power"
+        )
+    yield (
+        "  an error of 10 % in the radius would "
+        + (
+            "be detected"
+            if fitted.radius_shows
+            else "not be detected; the shares would compensate it"
+        )
+    )
     for name, e in (fitted.published_way or {}).items():
         theirs = (
-            "; theirs on granite {:.3f}, one run ± {:.3f}".format(*PUBLISHED_EXPONENTS[name])
+            "; published for granite: {:.3f}, one run ± {:.3f}".format(
+                *PUBLISHED_EXPONENTS[name]
+            )
             if name in PUBLISHED_EXPONENTS
             else ""
         )
-        yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f}, {e.columns} columns{theirs}"
+        yield (
+            f"  by the published method, {name}: exponent {e.value:.3f} ± {e.error:.3f}, "
+            f"{e.columns} columns{theirs}"
+        )
 
 
 def _carriers(fits: Fits) -> list[str]:
-    """Return one row for each spectral line in the first recordings, with its assignment."""
+    """Return a header and a row for each spectral line in the first recordings."""
     head = (
         "recording",
-        "carrier [Hz]",
+        "spectral line [Hz]",
         "level [dB]",
         "spread [cents]",
         "drift [cents/s]",
@@ -169,7 +227,7 @@ def _carriers(fits: Fits) -> list[str]:
         "near",
     )
     rows = [
-        (f.file, carrier_numbers(carrier, fits.resonances))
+        (f.file, spectral_line_record(carrier, fits.resonances))
         for f in fits.files[:MAX_PANELS]
         for carrier in f.carriers
     ]
@@ -183,31 +241,33 @@ def _carrier(name, c):
         else []
     )
     drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
-    place = (
-        f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
+    place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
+    near += [] if c["heard"] else ["detected only by its sidebands"]
+    near += (
+        [f"noise band with a half-width of {c['reach']:.0f} cents"]
+        if c["reach"]
+        else []
     )
-    near += [] if c["heard"] else ["heard by its sidebands alone"]
-    near += [f"a band of noise that reaches {c['reach']:.0f} cents"] if c["reach"] else []
     return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {'; '.join(near)}"
 
 
 def page(fits: Fits) -> str:
-    """Return a short page in Markdown."""
+    """Return a short report in Markdown."""
     lines = [
         f"# What slowed the disk '{fits.scene.name}'",
         "",
         *(f"* {s.strip()}" for s in sentences(fits)),
         "",
     ]
-    lines += ["![heard and fitted](fit.png)", "", *_as_markdown(table(fits))]
+    lines += ["![measured and fitted rates](fit.png)", "", *_as_markdown(table(fits))]
     if any(fitted.carriers for fitted in fits.files[:MAX_PANELS]):
-        lines += ["", "Carriers, and the resonances of the scene that they are near:", ""]
+        lines += ["", "Spectral lines and the nearest resonances of the scene:", ""]
         lines += _as_markdown(_carriers(fits))
     return "\n".join(lines) + "\n"
 
 
 def _as_markdown(rows):
-    """Return a Markdown table; the first row is the head."""
+    """Return a Markdown table whose first row is the header."""
     return [
         f"| {rows[0]} |",
         "|---" * len(rows[0].split(" | ")) + "|",
@@ -215,11 +275,107 @@ def _as_markdown(rows):
     ]
 
 
+def compared(fits: Fits, simulated: dict[str, Any]) -> dict[str, Any]:
+    """Return the content of compare.json: the numbers of the recordings and of the
+    simulation."""
+    files = [
+        {"file": fitted.file, "measured": fitted.measured} for fitted in fits.files
+    ]
+    return {"scene": fits.scene.name, "files": files, "simulated": simulated}
+
+
+def comparison_sentences(fits: Fits, simulated: dict[str, Any] | None) -> list[str]:
+    """Return sentences on turns, bursts and exponent of recordings and simulation."""
+    if simulated is None:
+        return []
+    rows = [
+        (Path(fitted.file).name, fitted.measured)
+        for fitted in fits.files
+        if fitted.measured
+    ]
+    return [
+        f"{name}: turns per second one second before the end "
+        f"{_interval(numbers['turns_at_1s'])}, bursts {_interval(numbers['rate_at_1s'])}, "
+        f"exponent {_interval(numbers['exponent'])}"
+        for name, numbers in [*rows, ("simulated", simulated)]
+    ]
+
+
+def _interval(estimate):
+    value = (
+        "not determined" if estimate["value"] is None else f"{estimate['value']:.3g}"
+    )
+    return f"{value} ({estimate['low']:.3g} to {estimate['high']:.3g})"
+
+
+def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
+    """Draw measured and simulated turns, band levels, decays of lines, and levels over
+    time."""
+    shown = [
+        (Path(one.file).name, one.measured)
+        for one in fits.files[:MAX_PANELS]
+        if one.measured
+    ]
+    with png_figure(path, 2, 2, (11, 8)) as (_, axes):
+        (rates, bands), (lines, levels) = axes
+        for offset, (name, numbers) in enumerate([*shown, ("simulated", simulated)]):
+            style = {
+                "label": name,
+                "color": "k" if name == "simulated" else f"C{offset}",
+            }
+            remaining = np.array(numbers["loudness"]["time_left"])
+            remaining = remaining[remaining > FIT.unused_end]
+            exponent = numbers["exponent"]
+            steepness = exponent["value"] or (exponent["low"] + exponent["high"]) / 2
+            reference = min(1.0, remaining.max())
+            rate = (
+                numbers["turns_at_1s"]["value"] * (remaining / reference) ** -steepness
+            )
+            rates.plot(remaining, rate, **style)
+            for panel, rows, place, value in (
+                (bands, numbers["bands"], lambda row: row["from"], lambda row: row),
+                (
+                    lines,
+                    numbers["lines"],
+                    lambda row: row["frequency"]["value"],
+                    lambda row: row["decay_rate"],
+                ),
+            ):
+                told = [row for row in rows if value(row)["value"] is not None]
+                middle = np.array([value(row)["value"] for row in told])
+                low = [value(row)["low"] for row in told]
+                high = [value(row)["high"] for row in told]
+                at = [(1 + 0.03 * offset) * place(row) for row in told]
+                panel.errorbar(
+                    at, middle, (middle - low, high - middle), fmt="o", **style
+                )
+            levels.plot(
+                numbers["loudness"]["time_left"], numbers["loudness"]["level"], **style
+            )
+        rates.set(
+            xlabel="time left [s]",
+            ylabel="turns per second",
+            xscale="log",
+            yscale="log",
+        )
+        bands.set(
+            xlabel="band from [Hz]", ylabel="level [dB re strongest band]", xscale="log"
+        )
+        lines.set(
+            xlabel="line [Hz]", ylabel="decay of the amplitude [1/s]", xscale="log"
+        )
+        levels.set(xlabel="time left [s]", ylabel="level [dB(A) re loudest]")
+        for axis in (rates.xaxis, rates.yaxis, bands.xaxis, lines.xaxis):
+            label_plain_decades(axis)
+        for panel in (rates, levels):
+            panel.invert_xaxis()
+        place_legend_above(rates, frameon=False)
+
+
 def draw(fits: Fits, path: Path):
-    """Draw measured and fitted rates against the time left, and their differences, for each
-    recording."""
+    """Draw measured and fitted rates over the remaining time, and their differences."""
     shown = fits.files[:MAX_PANELS]
-    with figure_at(
+    with png_figure(
         path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False
     ) as (_, axes):
         for (above, below), fitted in zip(axes.T, shown, strict=True):
@@ -230,10 +386,10 @@ def _draw_one(above, below, fitted):
     one = fitted.judged.fit
     decline = fitted.judged.decline
     rates = one.heard[0].rates
-    left = one.ends[0] - rates.time
-    fitted_rate = rates.frequency / np.exp(one.residual[: len(left)])
-    at = np.geomspace(left.min(), left.max(), 200)
-    order = np.argsort(left)
+    remaining = one.ends[0] - rates.time
+    fitted_rate = rates.frequency / np.exp(one.residual[: len(remaining)])
+    at = np.geomspace(remaining.min(), remaining.max(), 200)
+    order = np.argsort(remaining)
     drawn = np.array(
         [
             _rate_of_draw(decline, one, d, at)
@@ -242,30 +398,45 @@ def _draw_one(above, below, fitted):
     )
     low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)
     above.errorbar(
-        left, rates.frequency, rates.error, fmt=".", color="#0072b2", label="heard, from the phase"
+        remaining,
+        rates.frequency,
+        rates.error,
+        fmt=".",
+        color="#0072b2",
+        label="measured from the phase",
     )
     above.plot(
-        left[order], fitted_rate[order], color="#d55e00", label=f"fitted: {fitted.judged.verdict}"
+        remaining[order],
+        fitted_rate[order],
+        color="#d55e00",
+        label=f"fitted: {fitted.judged.verdict}",
     )
     above.set(xscale="log", yscale="log", xlabel="time left [s]")
-    above.set_ylabel(f"{fitted.judged.line}, periods a second [Hz]")
+    above.set_ylabel(f"{fitted.judged.line}, periods per second [Hz]")
     above.set_title(f"{Path(fitted.file).name}\n", loc="left")  # its legend is below
     above.tick_params(labelbottom=True)
     above.yaxis.set_major_formatter("{x:g}")
     above.yaxis.set_minor_formatter("{x:g}")
-    legend_above(above, frameon=False)
+    place_legend_above(above, frameon=False)
     below.fill_between(
         at, 100 * low, 100 * high, color="#d55e00", alpha=0.25, label="95 % of the fit"
     )
-    below.errorbar(left, 100 * np.expm1(one.residual), 100 * one.sigma, fmt=".", color="#0072b2")
+    below.errorbar(
+        remaining,
+        100 * np.expm1(one.residual),
+        100 * one.sigma,
+        fmt=".",
+        color="#0072b2",
+    )
     below.axhline(0.0, color="#d55e00", lw=1)
-    below.set(xlabel="time left [s]", ylabel="heard over fitted - 1 [%]")
-    plain_decades(below.xaxis)
+    below.set(xlabel="time left [s]", ylabel="measured / fitted - 1 [%]")
+    label_plain_decades(below.xaxis)
     below.invert_xaxis()
-    legend_above(below, frameon=False)
+    place_legend_above(below, frameon=False)
 
 
 def _rate_of_draw(decline, one, draw, at):
-    """Return the rate of one draw of ends and shares at times `at` (k,) [s] before the fitted end."""
-    left = np.maximum(at + draw[0] - one.ends[0], UNUSED_END)
-    return decline.frequency(left, np.maximum(draw[len(one.ends) :], 0))
+    """Return the rates (k,) of a draw of ends and shares at times `at` (k,) [s] before
+    the fitted end."""
+    remaining = np.maximum(at + draw[0] - one.ends[0], FIT.unused_end)
+    return decline.frequency(remaining, np.maximum(draw[len(one.ends) :], 0))

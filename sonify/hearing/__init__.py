@@ -1,2 +1,2 @@
-"""SOUND -> ANALYSIS: levels, spectrograms, rising tone, spectral lines and settling disks of any
-sound."""
+"""Analysis of sounds: levels, spectrograms, rising tones, spectral lines and settling
+disks."""

@@ -1,5 +1,5 @@
-"""FILE or RENDERED SOUND -> SOURCE: samples that can be read repeatedly, from any position, in
-blocks."""
+"""Audio sources: samples that can be read repeatedly, in blocks and from any
+position."""
 
 import re
 from collections.abc import Iterator
@@ -14,16 +14,17 @@ import numpy as np
 import soundfile
 
 from sonify.hearing.mp3 import read_mp3
+from sonify.scene_errors import InputError
 
 PROMISED = re.compile(r"(?:data|SSND|Data Size) *: *(\d+) \(should be (\d+)\)")
-"""Message of libsndfile about WAV, AIFF and AU files whose length differs from their header
-[bytes]."""
+"""Note of libsndfile on WAV, AIFF and AU files whose length differs from that in their
+header [bytes]."""
 UNKNOWN = 0x7FFF0000
-"""Length in the header of a file whose length was unknown when it was written [bytes]."""
+"""Length [bytes] in the header of a file that was written with an unknown length."""
 BLOCK = 1 << 16
 """Number of samples read from a file at a time."""
 SMALL_BLOCK = 1 << 10
-"""Number of samples read at a time to find the last sample that can be decoded."""
+"""Number of samples read at a time in the search for the last decodable sample."""
 
 
 class Source(Protocol):
@@ -39,34 +40,34 @@ class Source(Protocol):
     def frames(self) -> int: ...
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield the samples from number `start` on in blocks (k, channels) of any length."""
+        """Yield the samples from number `start` on in blocks (k, channels) of any
+        length."""
         ...
 
 
 @dataclass(frozen=True)
 class Truncation:
-    """Length of a truncated file, and the length that its header announces [s]; None if it does
-    not."""
+    """Actual length [s] of a truncated file, and the length in its header [s] (None if
+    the header states none)."""
 
     held: float
     announced: float | None
 
     def __str__(self):
         announced = (
-            "no length is announced"
+            "the header states no length"
             if self.announced is None
-            else f"{self.announced:.3f} s are announced"
+            else f"the header states {self.announced:.3f} s"
         )
-        return f"the file is truncated: {self.held:.3f} s of sound are there, {announced}"
+        return f"the file is truncated: it contains {self.held:.3f} s of sound, and {announced}"
 
 
 @dataclass(frozen=True)
 class SoundFile:
-    """A source in a file of any format that libsndfile reads.
+    """Source in a file of any format that libsndfile reads.
 
-    Of a truncated file only the samples that can be decoded are part of it. Raises
-    soundfile.LibsndfileError for other files.
-    """
+    In a truncated file, only the decodable samples are used. Raises
+    soundfile.LibsndfileError for other files."""
 
     path: str | Path
 
@@ -75,7 +76,8 @@ class SoundFile:
         return read_mp3(self.path) if Path(self.path).suffix.lower() == ".mp3" else None
 
     def open(self) -> soundfile.SoundFile:
-        """Return the open file; an MP3 file with a missing or wrong header gets a correct one."""
+        """Return the open file; a missing or wrong header of an MP3 file is
+        corrected."""
         mp3 = self._mp3
         wrong = mp3 is not None and mp3.frames != mp3.announced
         return soundfile.SoundFile(BytesIO(mp3.content) if wrong else self.path)
@@ -92,19 +94,19 @@ class SoundFile:
 
     @cached_property
     def frames(self) -> int:
-        """Number of samples in each channel that can be decoded."""
+        """Number of decodable samples in each channel."""
         announced = self._header[1]
         if not announced or self._decodes(announced - 1):
             return announced
         with self.open() as file:
             held = 0
-            with suppress(soundfile.LibsndfileError):  # the end of what can be decoded
+            with suppress(soundfile.LibsndfileError):  # end of the decodable samples
                 while part := len(file.read(SMALL_BLOCK)):
                     held += part
         return held
 
     def _decodes(self, last):
-        """Return True if the sample with this number can be decoded."""
+        """Return True if the sample with number `last` can be decoded."""
         with self.open() as file:
             try:
                 file.seek(last)
@@ -114,7 +116,8 @@ class SoundFile:
 
     @cached_property
     def truncation(self) -> Truncation | None:
-        """The truncation of the file; None if it is complete as far as its format shows."""
+        """Truncation of the file; None if its format does not show that it is
+        truncated."""
         rate, announced, kind, notes = self._header
         held = self.frames / rate
         if self._mp3 is not None:
@@ -130,10 +133,14 @@ class SoundFile:
             return Truncation(held, announced / rate)
         noted = PROMISED.search(notes)
         said, found = map(int, noted.groups()) if noted else (0, 0)
-        return Truncation(held, held * said / found) if 0 < found < said < UNKNOWN else None
+        return (
+            Truncation(held, held * said / found)
+            if 0 < found < said < UNKNOWN
+            else None
+        )
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield the samples from number `start` on in blocks (k, channels), float32."""
+        """Yield the samples from number `start` on in float32 blocks (k, channels)."""
         left = self.frames - start
         with self.open() as file:
             file.seek(min(start, self.frames))
@@ -146,7 +153,8 @@ class SoundFile:
 
 
 def ends_with_its_stream(path: str | Path, longest_page: int = 65_307) -> bool:
-    """Return True if the last page of an Ogg file is complete and marked as the end (RFC 3533)."""
+    """Return True if the last page of an Ogg file is complete and marked as the end
+    (RFC 3533)."""
     with Path(path).open("rb") as file:
         size = file.seek(0, SEEK_END)
         file.seek(max(size - 2 * longest_page, 0))
@@ -160,13 +168,14 @@ def ends_with_its_stream(path: str | Path, longest_page: int = 65_307) -> bool:
 
 
 def source_of(sound: Source | str | Path) -> Source:
-    """Return a source unchanged, or the source in the file of a path."""
+    """Return `sound` itself if it is a source, otherwise the source in the file at this
+    path."""
     return SoundFile(sound) if isinstance(sound, (str, Path)) else sound
 
 
 @dataclass(frozen=True)
 class Excerpt:
-    """The part of a source from frame `first` up to frame `last`, as a source."""
+    """Part of a source from frame `first` up to frame `last`, as a source."""
 
     source: Source
     first: int
@@ -174,7 +183,7 @@ class Excerpt:
 
     @property
     def sample_rate(self) -> int:
-        """Samples a second [Hz]."""
+        """Samples per second [Hz]."""
         return self.source.sample_rate
 
     @property
@@ -183,7 +192,7 @@ class Excerpt:
         return self.last - self.first
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, channels): the samples from number `start` on."""
+        """Yield the samples from number `start` on in blocks (k, channels)."""
         left = self.frames - start
         for block in self.source.blocks(self.first + start):
             if left <= 0:
@@ -193,15 +202,31 @@ class Excerpt:
 
 
 def excerpt(source: Source, begin: float, end: float) -> Source:
-    """Return the part of a source between two times [s]; the source itself if that is all of it."""
+    """Return the part of a source between two times [s], or the source itself if they
+    include all of it.
+
+    Raises InputError if the part is outside the sound or ends before it starts."""
     rate = source.sample_rate
+    duration = source.frames / rate
+    if not begin < duration:
+        raise InputError(
+            f"--from = {begin:g}: must be less than the duration of the sound, "
+            f"{duration:g} s"
+        )
+    if not end > begin:
+        raise InputError(f"--to = {end:g}: must be greater than --from = {begin:g}")
     first = min(max(round(begin * rate), 0), source.frames)
-    last = source.frames if end * rate >= source.frames else max(round(end * rate), first)
-    return source if (first, last) == (0, source.frames) else Excerpt(source, first, last)
+    last = (
+        source.frames if end * rate >= source.frames else max(round(end * rate), first)
+    )
+    return (
+        source if (first, last) == (0, source.frames) else Excerpt(source, first, last)
+    )
 
 
 def stretch(source: Source, start: int, stop: int) -> np.ndarray:
-    """Return the samples (stop - start, channels) from `start` up to `stop`, or up to the last."""
+    """Return the samples (stop - start, channels) from `start` up to `stop` or the last
+    sample."""
     parts = []
     left = stop - start
     for block in source.blocks(start):
@@ -212,12 +237,14 @@ def stretch(source: Source, start: int, stop: int) -> np.ndarray:
     return np.concatenate(parts) if parts else np.zeros((0, 1))
 
 
-def pieces(source: Source, step: int, overlap: int = 0, start: int = 0) -> Iterator[np.ndarray]:
-    """Yield the samples from `start` on in overlapping pieces (step + overlap, channels).
+def pieces(
+    source: Source, step: int, overlap: int = 0, start: int = 0
+) -> Iterator[np.ndarray]:
+    """Yield the samples from `start` on in overlapping pieces (step + overlap,
+    channels).
 
-    The pieces begin `step` apart; zeros follow the last sample. The memory is that of one piece and
-    one block.
-    """
+    The starts of the pieces are `step` samples apart; the last piece is padded with
+    zeros. Only one piece and one block are in memory."""
     held = np.zeros((0, 1))
     for block in source.blocks(start):
         held = np.concatenate([held, block]) if len(held) else block
@@ -225,11 +252,13 @@ def pieces(source: Source, step: int, overlap: int = 0, start: int = 0) -> Itera
             yield held[: step + overlap]
             held = held[step:]
     while len(held):
-        yield np.pad(held[: step + overlap], ((0, max(step + overlap - len(held), 0)), (0, 0)))
+        yield np.pad(
+            held[: step + overlap], ((0, max(step + overlap - len(held), 0)), (0, 0))
+        )
         held = held[step:]
 
 
 def truncation_of(sound: Source | str | Path) -> Truncation | None:
-    """Return the `truncation` of a sound file; None for any other source."""
+    """Return the `truncation` of a sound file, or None for any other source."""
     source = source_of(sound)
     return source.truncation if isinstance(source, SoundFile) else None

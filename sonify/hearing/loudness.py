@@ -1,4 +1,4 @@
-"""PRESSURE -> AUDIBILITY: A-weighting, the threshold of hearing, loudness and roughness."""
+"""A-weighting, threshold of hearing, loudness and roughness of a sound pressure."""
 
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -19,34 +19,33 @@ ISO_226 = {
     5000: -1.5, 6300: 6.0, 8000: 12.6, 10000: 13.9, 12500: 12.3,
 }
 # fmt: on
-"""Threshold of hearing T_f for pure tones in a free field [dB re 20 uPa] by frequency [Hz], ISO
-226:2003, table 1."""
+"""Threshold of hearing T_f for pure tones in a free field [dB re 20 uPa] by frequency
+[Hz], ISO 226:2003, table 1."""
 THRESHOLD_DB = np.array(list(ISO_226.values()))
 HANN_BANDWIDTH = 1.5
-"""Width in bins over which a Hann window spreads the power of a sine."""
+"""Equivalent noise bandwidth of a Hann window [bins]."""
 WINDOW, COLUMNS = 0.4, 600
-"""Length of the windows [s], which resolves the bands at 20 and 25 Hz, and their largest number."""
+"""Length of the windows [s], enough to resolve the bands at 20 and 25 Hz, and their
+largest number."""
 
 ROUGH_LAST, ROUGH_WINDOW, ROUGH_RATE = 2.0, 0.2, 48000
-"""Length of the end that is analysed for roughness [s], its windows [s], and the sample rate of the
-model [Hz]."""
-ROUGHNESS_MISSING = (
-    'The roughness of the sound: it needs mosqito, python -m pip install -e ".[roughness]".'
-)
+"""Length of the final part that is analysed for roughness [s], its windows [s], and the
+sample rate of the model [Hz]."""
+ROUGHNESS_MISSING = 'The roughness of the sound, which requires mosqito: python -m pip install -e ".[roughness]".'
 
 
 class MissingExtraError(Exception):
-    """A computation needs an optional extra that is not installed; the message names it."""
+    """Raised if a computation requires an extra that is not installed; the message
+    names it."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Audibility:
     """Audibility at times `time` (t,) [s].
 
-    `a_weighted` (t,) is the A-weighted level [dB re 20 uPa]. `above_threshold` (t,) is the largest
-    level of a third-octave band above the threshold of hearing [dB]; it is negative if the sound is
-    inaudible.
-    """
+    `a_weighted` (t,) is the A-weighted level [dB re 20 uPa]. `above_threshold` (t,) is
+    the largest level of a third-octave band above the threshold of hearing [dB]; it is
+    negative if the sound is inaudible."""
 
     time: np.ndarray
     a_weighted: np.ndarray
@@ -54,9 +53,9 @@ class Audibility:
 
 
 def a_weighting_db(frequency) -> np.ndarray:
-    """Return the A-weighting [dB] at frequencies [Hz].
+    """Return the A-weighting [dB] at frequencies [Hz], relative to that at 1 kHz.
 
-    It is given by the four poles of IEC 61672-1, annex E, with 0 dB at 1 kHz.
+    The poles are those of IEC 61672-1, annex E.
     """
     f2 = np.square(np.asarray(frequency, float))
     a = 20.598997**2
@@ -68,8 +67,8 @@ def a_weighting_db(frequency) -> np.ndarray:
 
 
 def audibility(pressure: Source | str | Path) -> Audibility:
-    """Return the audibility of a pressure [Pa] in successive windows; tones below 20 Hz do not
-    count."""
+    """Return the audibility of a pressure [Pa] in successive windows, for frequencies
+    above 20 Hz."""
     seen = spectrogram(pressure, WINDOW, COLUMNS)
     weighted = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power
     return Audibility(
@@ -80,53 +79,64 @@ def audibility(pressure: Source | str | Path) -> Audibility:
 
 
 def band_levels(seen: Spectrogram) -> np.ndarray:
-    """Return the third-octave levels (29, t) [dB re 20 uPa] of a spectrogram in pascal, bands of
-    ISO_226."""
+    """Return the levels (29, t) [dB re 20 uPa] of a spectrogram in the third-octave
+    bands of ISO_226."""
     edges = 1000 * 10 ** ((np.arange(30) - 17.5) / 10)  # base 10, IEC 61260
     low = np.searchsorted(seen.frequency, edges[:-1])
     high = np.searchsorted(seen.frequency, edges[1:])
     power = np.array(
-        [seen.power[a : max(b, a + 1)].sum(axis=0) for a, b in zip(low, high, strict=True)]
+        [
+            seen.power[a : max(b, a + 1)].sum(axis=0)
+            for a, b in zip(low, high, strict=True)
+        ]
     )
     return level_db(power / HANN_BANDWIDTH)
 
 
 def level_db(mean_square) -> np.ndarray:
-    """Return the level [dB re 20 uPa] of mean squares of pressure [Pa^2]; -200 for silence."""
-    return 10 * np.log10(np.maximum(np.asarray(mean_square) / REFERENCE_PRESSURE**2, 1e-20))
+    """Return the level [dB re 20 uPa] of mean-square pressures [Pa^2], at least
+    -200."""
+    return 10 * np.log10(
+        np.maximum(np.asarray(mean_square) / REFERENCE_PRESSURE**2, 1e-20)
+    )
 
 
 def loudness_lufs(sound: Source | str | Path) -> float:
-    """Return the integrated loudness [LUFS] of a source or file by ITU-R BS.1770 (pyloudnorm).
+    """Return the integrated loudness [LUFS] of a source or file by ITU-R BS.1770
+    (pyloudnorm).
 
-    It is -inf for silence. Only the last ten minutes count. Raises ValueError for less than 0.4 s,
-    the length of a gating block.
-    """
+    The loudness is that of the last ten minutes; it is -inf for silence. Raises
+    ValueError for a sound shorter than 0.4 s, the length of a gating block."""
     from pyloudnorm import Meter
 
     source = source_of(sound)
     rate = source.sample_rate
     frames = source.frames
     if frames < 0.4 * rate:
-        raise ValueError("loudness needs at least 0.4 s")
+        raise ValueError("the loudness requires at least 0.4 s of sound")
     return float(
-        Meter(rate).integrated_loudness(stretch(source, max(frames - 600 * rate, 0), frames)[:, :5])
+        Meter(rate).integrated_loudness(
+            stretch(source, max(frames - 600 * rate, 0), frames)[:, :5]
+        )
     )
 
 
 def unheard() -> list[str]:
-    """Return sentences on the analyses that need an optional extra that is not installed."""
+    """Return sentences on the analyses that are omitted because an extra is not
+    installed."""
     return [] if find_spec("mosqito") else [ROUGHNESS_MISSING]
 
 
-def roughness(pressure: Source | str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa], over the ROUGH_LAST
-    before `end` [s].
+def roughness(
+    pressure: Source | str | Path, end: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa] before `end`
+    [s].
 
-    The model is that of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and
-    60 dB, fully modulated at 70 Hz. Raises MissingExtraError if mosqito is not installed, and
-    ValueError if less than one window is left.
-    """
+    The windows cover the last ROUGH_LAST seconds. The model is that of Daniel & Weber (1997)
+    in windows of 0.2 s; 1 asper is the roughness of a tone of 1 kHz and 60 dB that is
+    fully modulated at 70 Hz. Raises MissingExtraError if mosqito is not installed, and
+    ValueError for less than one window."""
     try:
         from mosqito.sq_metrics import roughness_dw
     except ImportError:
@@ -136,7 +146,7 @@ def roughness(pressure: Source | str | Path, end: float) -> tuple[np.ndarray, np
     last = min(int(end * rate), source.frames)
     first = max(last - int(ROUGH_LAST * rate), 0)
     if last - first < ROUGH_WINDOW * rate:
-        raise ValueError(f"roughness needs at least {ROUGH_WINDOW:g} s")
+        raise ValueError(f"the roughness requires at least {ROUGH_WINDOW:g} s of sound")
     samples = stretch(source, first, last).mean(axis=1)
     common = gcd(rate, ROUGH_RATE)
     samples = (

@@ -1,9 +1,8 @@
-"""MP3 FILE -> FRAMES: their number, the number in the header, and a copy with a correct header.
+"""Frame counts of MP3 files, and copies with a corrected header.
 
-libsndfile takes the length from the header (Xing, Info), or estimates it from the first frame. This
-module counts the frames of the file. Source: ISO 11172-3 and 13818-3, section 2.4; the header of
-Xing and LAME.
-"""
+libsndfile reads the length from the Xing or Info header, or estimates it from the first
+frame. This module counts the frames of the file. Source: ISO 11172-3 and 13818-3,
+section 2.4; the Xing and LAME headers."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,14 +13,18 @@ KILOBITS = {
     1: (0, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320),
     2: (0, 8, 16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 144, 160),
 }
-"""Bit rates of layer III [kbit/s] by the standard, MPEG-1 or 2."""
-SAMPLE_RATES = {3: (44100, 48000, 32000), 2: (22050, 24000, 16000), 0: (11025, 12000, 8000)}
-"""Sample rates [Hz] by the version bits of a frame: MPEG-1, 2 and 2.5."""
+"""Bit rates of layer III [kbit/s] in MPEG-1 and MPEG-2."""
+SAMPLE_RATES = {
+    3: (44100, 48000, 32000),
+    2: (22050, 24000, 16000),
+    0: (11025, 12000, 8000),
+}
+"""Sample rates [Hz] by the version bits of a frame, for MPEG-1, 2 and 2.5."""
 
 
 class FrameHeader(NamedTuple):
-    """Header of a frame of layer III: its length [bytes], samples, sample rate [Hz] and side data
-    [bytes]."""
+    """Length [bytes], samples, sample rate [Hz] and side data [bytes] of a layer III
+    frame."""
 
     length: int
     samples: int
@@ -36,11 +39,11 @@ class FrameHeader(NamedTuple):
 
 @dataclass(frozen=True)
 class Mp3:
-    """The complete frames in a file, the number in its header (None without one), and the samples
+    """Number of complete frames in a file, number of `announced` frames, and samples
     per frame.
 
-    `content` is a copy of the file whose header holds the true number.
-    """
+    `announced` is the number in the header, or None if the header states none. `content` is a copy of
+    the file with the true number in its header."""
 
     frames: int
     announced: int | None
@@ -54,7 +57,10 @@ class Mp3:
 
 
 def read_mp3(path: str | Path) -> Mp3 | None:
-    """Return the frames of a file; None if it is not an MP3 file. Raises OSError."""
+    """Return the frames of a file, or None if it is not an MP3 file.
+
+    Raises OSError if the file is unreadable.
+    """
     data = Path(path).read_bytes()
     first = _after_tag(data)
     header = frame_header(data, first)
@@ -78,7 +84,7 @@ def read_mp3(path: str | Path) -> Mp3 | None:
 
 
 def frame_header(data: bytes, at: int) -> FrameHeader | None:
-    """Return the header of the frame that begins at a position; None if there is none."""
+    """Return the header of the frame at a position, or None if there is none."""
     if at < 0 or at + 4 > len(data):
         return None
     word = unpack_from(">I", data, at)[0]
@@ -86,21 +92,29 @@ def frame_header(data: bytes, at: int) -> FrameHeader | None:
     layer = word >> 17 & 3
     rate = word >> 12 & 15
     frequency = word >> 10 & 3
-    if word >> 21 != 0x7FF or version == 1 or layer != 1 or not 0 < rate < 15 or frequency == 3:
+    if (
+        word >> 21 != 0x7FF
+        or version == 1
+        or layer != 1
+        or not 0 < rate < 15
+        or frequency == 3
+    ):
         return None
     first = version == 3
     samples = 1152 if first else 576
     sample_rate = SAMPLE_RATES[version][frequency]
     bits = 1000 * KILOBITS[1 if first else 2][rate]
     mono = word >> 6 & 3 == 3
-    side = {(True, False): 32, (True, True): 17, (False, False): 17, (False, True): 9}[first, mono]
+    side = {(True, False): 32, (True, True): 17, (False, False): 17, (False, True): 9}[
+        first, mono
+    ]
     return FrameHeader(
         samples // 8 * bits // sample_rate + (word >> 9 & 1), samples, sample_rate, side
     )
 
 
 def _after_tag(data):
-    """Return the position of the first frame, after an ID3 version 2 tag."""
+    """Return the position of the first frame, which may follow an ID3 version 2 tag."""
     if data[:3] != b"ID3" or len(data) < 10:
         return 0
     a, b, c, d = data[6:10]
@@ -108,15 +122,19 @@ def _after_tag(data):
 
 
 def _information(data, first, header):
-    """Return the position of the Xing or LAME header in the first frame; None without one."""
+    """Return the position of the Xing or LAME header in the first frame, or None if
+    there is none."""
     place = first + 4 + header.side
     return (
-        place if data[place : place + 4] in (b"Xing", b"Info") and place + 12 <= len(data) else None
+        place
+        if data[place : place + 4] in (b"Xing", b"Info") and place + 12 <= len(data)
+        else None
     )
 
 
 def _count(data, begin, kind):
-    """Return the number of complete frames of a kind from `begin` on, and the end of the last one."""
+    """Return the number of complete frames of a kind after `begin`, and the end of the
+    last one."""
     frames = 0
     at = end = begin
     while at < len(data):
@@ -134,15 +152,19 @@ def _count(data, begin, kind):
 
 
 def _information_frame(start, header, frames):
-    """Return a frame without sound that holds a number of frames, with the first bytes of another."""
-    word = unpack_from(">I", start)[0] | 1 << 16  # without a check sum
+    """Return a silent frame that announces a number of frames; it starts with the bytes
+    `start`."""
+    word = unpack_from(">I", start)[0] | 1 << 16  # without a checksum
     frame = pack(">I", word) + bytes(header.side) + b"Xing" + pack(">II", 1, frames)
     return frame.ljust(header.length, b"\0")
 
 
 def _announcing(data, place, flags, frames, length):
-    """Return the bytes with the number of frames and bytes in the header at `place`, and no final
-    silence."""
+    """Return the data with the numbers of frames and bytes written into the header at
+    `place`.
+
+    The final padding in the header is set to 0.
+    """
     changed = bytearray(data)
     at = place + 8
     if flags & 1:
@@ -151,7 +173,7 @@ def _announcing(data, place, flags, frames, length):
     if flags & 2:
         changed[at : at + 4] = pack(">I", length)
         at += 4
-    if flags & 4:  # where each hundredth of the time begins, in 256ths of the file
+    if flags & 4:  # start of each hundredth of the time, in 256ths of the file
         changed[at : at + 100] = bytes(256 * k // 100 for k in range(100))
         at += 100
     at += 4 if flags & 8 else 0

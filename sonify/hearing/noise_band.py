@@ -1,4 +1,4 @@
-"""SOUND -> NOISE BAND: the band of noise that stands out in each interval, from the samples alone."""
+"""Detection of the dominant noise band in each time interval of a sound."""
 
 from typing import NamedTuple
 
@@ -9,38 +9,39 @@ from sonify.hearing.audio_source import Source
 from sonify.hearing.spectrogram import spectrogram
 
 WINDOW, BAND = 0.04, (700.0, 20e3)
-"""Window of the spectrogram [s], and frequency range of the band [Hz]."""
+"""Window of the spectrogram [s], and frequency range that is searched [Hz]."""
 QUARTER = 25
 """Percentile over the intervals that estimates the constant background."""
 STEPS = 48
 """Number of steps per octave of the smoothed spectrum."""
 LINE = 5
-"""A peak narrower than half of this number of steps is a spectral line, not a band."""
+"""Twice the greatest width of a spectral line, in steps; wider peaks are noise
+bands."""
 NEAR = 0.1
-"""Half width of the range left out around a line, relative; a mode in air is broad."""
+"""Relative half-width of the range excluded around a line; a mode in air is broad."""
 FAINTEST_DB = 10.0
 """Least level of a noise band above the median of the interval [dB]."""
 
 
 class NoiseBand(NamedTuple):
-    """Noise band in intervals (s,): their middle [s] and the frequency of the band [Hz].
+    """Noise band in intervals (s,) with centres `time` [s].
 
-    The frequency is NaN if no band stands out. The level is that above the median of the interval
-    [dB], and 0 at the ends of BAND.
-    """
+    `frequency` [Hz] is NaN if no band stands out. `above` is the level above the median
+    of the interval [dB], or 0 if the peak is at a limit of BAND."""
 
     time: np.ndarray
     frequency: np.ndarray
     above: np.ndarray
 
 
-def noise_band(sound: Source, start: float, stop: float, length: float, lines=()) -> NoiseBand:
+def noise_band(
+    sound: Source, start: float, stop: float, length: float, lines=()
+) -> NoiseBand:
     """Return the noise band in intervals of `length` [s] from `start` to `stop` [s].
 
-    The neighbourhoods of known steady `lines` [Hz] are left out. Steady background and lines are
-    removed before the highest peak is sought. A loud line within a third of the band still shifts
-    its frequency.
-    """
+    The neighbourhoods of known steady `lines` [Hz] are excluded. Steady background and
+    lines are removed before the highest peak is determined. A loud line within a third
+    of the frequency of the band still shifts it."""
     edges = np.arange(start, stop - length * (1 - 1e-9), length)
     if not len(edges):
         return NoiseBand(*np.zeros((3, 0)))
@@ -51,15 +52,20 @@ def noise_band(sound: Source, start: float, stop: float, length: float, lines=()
         near = np.abs(seen.frequency / line - 1) < NEAR
         power[:, near] = power[:, near].min(axis=1, initial=np.inf, keepdims=True)
     f = np.geomspace(
-        *seen.frequency[[0, -1]], int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0]))
+        *seen.frequency[[0, -1]],
+        int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0])),
     )
-    level = np.array([median_filter(np.interp(f, seen.frequency, row), LINE) for row in power])
+    level = np.array(
+        [median_filter(np.interp(f, seen.frequency, row), LINE) for row in power]
+    )
     peak = (level - np.percentile(level, QUARTER, axis=0)).argmax(axis=1)
     median_level = np.median(level, axis=1)
-    heard = median_level > 0  # digital silence has no band
+    heard = median_level > 0  # digital silence has no noise band
     highest = np.zeros(len(peak))
     highest[heard] = 10 * np.log10(level[heard, peak[heard]] / median_level[heard])
-    highest[(peak < LINE) | (peak >= len(f) - LINE)] = 0.0  # the flank of what lies outside
+    highest[(peak < LINE) | (peak >= len(f) - LINE)] = (
+        0.0  # the flank of a peak outside BAND
+    )
     middles = np.full(len(peak), np.nan)
     for i in np.flatnonzero(highest > FAINTEST_DB):
         middles[i] = middle(seen.frequency, power[i], f[peak[i]])
@@ -69,10 +75,10 @@ def noise_band(sound: Source, start: float, stop: float, length: float, lines=()
 
 
 def middle(frequency, power, near: float) -> float:
-    """Return the power-weighted mean frequency [Hz] of the band within a third of `near`.
+    """Return the power-weighted mean frequency [Hz] of the band around `near` [Hz].
 
-    It covers the bins with more than a third of the highest power.
-    """
+    The band consists of the bins within a third of `near` that have more than a third
+    of the highest power."""
     here = np.abs(frequency / near - 1) < 1 / 3
     here &= power > power[here].max() / 3
     return float(np.average(frequency[here], weights=power[here]))

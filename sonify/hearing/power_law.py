@@ -1,60 +1,67 @@
-"""PEAKS -> POWER LAW: robust fit of f = a (t_end - t)^-p to most peaks of a spectrogram, with
-errors.
+"""Robust fit of the power law f = a (t_end - t)^-p to the peaks of a spectrogram.
 
-A curve is (end [s], exponent, log2 of a). Peaks (3, n) are ascending times [s], log2 frequencies
-and levels [dB] of the lines in each frame. Peaks of other tones and of noise are far from the curve
-and have no weight.
-"""
+A curve is (end [s], exponent, log2 of a). Peaks (3, n) are ascending times [s], log2
+frequencies and levels [dB]. Peaks far from the curve, due to other tones and noise,
+have no weight."""
 
 import numpy as np
 
 from sonify.hearing.log_spectrogram import HOP
 
 TIME_LEFT = (0.02, 8.0)
-"""Range of the time left in which the tone is fitted [s]."""
+"""Range of the remaining time in which the tone is fitted [s]."""
 WIDE, NARROW = (0.3, 0.2, 0.12, 0.08, 0.05, 0.04), (0.05, 0.04, 0.03, 0.03, 0.03)
-"""Largest distance of a peak from the curve in successive steps, wide and narrow [octaves]."""
-ENDS, EXPONENTS, MOST_RIVALS = np.arange(-0.1, 0.4, 0.01), np.arange(-0.1, 0.101, 0.01), 20
-"""Ends [s] and exponents that are tried around a first fit, and the number of best ones that are
-refitted. If the sound passes from one line to another, the first fit may lie between them."""
+"""Largest distance of a peak from the curve in successive steps of a wide and a narrow
+search [octaves]."""
+ENDS, EXPONENTS, MOST_RIVALS = (
+    np.arange(-0.1, 0.4, 0.01),
+    np.arange(-0.1, 0.101, 0.01),
+    20,
+)
+"""Offsets of ends [s] and exponents that are tried around a first fit, and number of
+the best ones that are refitted. If the sound changes from one line to another, the
+first fit may be between them."""
 BESIDE = 0.4
-"""Largest distance of a line of the same tone from the curve [octaves]; the nutation lies 0.3 below
-the precession."""
+"""Largest distance of a ridge from the curve [octaves]; the nutation is 0.3 octaves
+below the precession."""
 BINS, RIVAL = 32, 0.85
-"""Number of bins per octave for counting peaks, a power of two; and least share of the largest
-count for a rival curve."""
+"""Number of bins per octave for counting peaks, a power of two, and least share of the
+largest count for a rival curve."""
 BLOCKS, RESOLUTION = 12, (0.0005, 0.001, 0.0)
-"""Number of parts of the ridge for the jackknife; least errors of end [s] and exponent, from the
-hop and the bend of the tone within a window."""
+"""Number of parts of the ridge for the jackknife, and least errors of end [s] and
+exponent due to the hop and the curvature of the tone within a window."""
 SHARE = 0.5
-"""The lowest octave with at least this share of the largest number of peaks is the tone."""
+"""Least share of the largest number of peaks in the octave of the fundamental."""
 
 
 def best_curve(peaks: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the curve (3,) closest to most peaks (3, n), from guesses (g, 3), and its standard
-    errors (3,).
+    """Return the curve (3,) with most peaks (3, n), and its standard errors (3,).
 
-    The tone may have harmonics one and two octaves above. If another curve has nearly as many
-    peaks, its distance is part of the error.
-    """
+    The search starts from guesses (g, 3). The tone may have harmonics one and two
+    octaves above. The errors include the distance to other curves with nearly as many
+    peaks."""
     first = max(
-        (_fit(peaks, guess, WIDE) for guess in guesses), key=lambda curve: octaves(peaks, curve)
+        (_fit(peaks, guess, WIDE) for guess in guesses),
+        key=lambda curve: octaves(peaks, curve),
     )
     rivals = [_fit(peaks, guess, NARROW) for guess in _around(peaks, first)]
     counts = np.array([octaves(peaks, curve) for curve in rivals])
     best = rivals[np.argmax(counts)]
     apart = np.array(rivals)[counts >= RIVAL * counts.max()] - best
-    square = _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(RESOLUTION)
+    square = (
+        _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(RESOLUTION)
+    )
     return _lowest(peaks, best), np.sqrt(square)
 
 
 def octaves(peaks: np.ndarray, curve: np.ndarray) -> float:
-    """Return the octaves of the time left that have peaks on the curve, separately for harmonics."""
+    """Return the number of octaves of the remaining time with peaks on the curve or its
+    harmonics."""
     return _normal(peaks, curve, NARROW[-1])[2]
 
 
 def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
-    """Return the strongest peak (3, r) near the curve in each frame, possibly of another line."""
+    """Return the strongest peak (3, r) near the curve in each frame."""
     inside = peaks[:, _inside(peaks, curve[0])]
     beside = inside[:, np.abs(_residual(inside, curve)) < BESIDE]
     beside = beside[:, np.lexsort((-beside[2], beside[0]))]
@@ -62,36 +69,40 @@ def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
 
 
 def _inside(peaks, end):
-    """Return which peaks are in TIME_LEFT before an end [s]."""
+    """Return the slice of the peaks within TIME_LEFT before an end [s]."""
     since = peaks[0] - end
     return slice(
-        np.searchsorted(since, -TIME_LEFT[1], "right"), np.searchsorted(since, -TIME_LEFT[0])
+        np.searchsorted(since, -TIME_LEFT[1], "right"),
+        np.searchsorted(since, -TIME_LEFT[0]),
     )
 
 
 def _residual(peaks, curve):
-    """Return the distances (n,) of the peaks in TIME_LEFT above a curve [octaves]."""
+    """Return the signed distances (n,) of peaks above a curve [octaves]."""
     return peaks[1] - curve[2] + curve[1] * np.log2(curve[0] - peaks[0])
 
 
 def _fit(peaks, curve, widths):
-    """Return the curve after Gauss-Newton steps of at most 0.1 s and 0.2 in the exponent, with
-    shrinking bounds."""
+    """Return the curve after Gauss-Newton steps, one for each of `widths` [octaves].
+
+    Each step changes the end by at most 0.1 s and the exponent by at most 0.2.
+    """
     for width in widths:
         matrix, right, _ = _normal(peaks, curve, width)
         step = np.linalg.lstsq(matrix, right)[0]
-        curve = curve + step * min(1, 0.1 / max(abs(step[0]), 1e-9), 0.2 / max(abs(step[1]), 1e-9))
+        curve = curve + step * min(
+            1, 0.1 / max(abs(step[0]), 1e-9), 0.2 / max(abs(step[1]), 1e-9)
+        )
     return curve
 
 
 def _normal(peaks, curve, width):
-    """Return the normal equations (3, 3), (3,) of a robust linear fit about a curve, and its
-    octaves.
+    """Return the normal equations (3, 3), (3,) of a robust linear fit around a curve,
+    and its octaves.
 
-    The residual is log2 f - log2 a + p log2(t_end - t), to the nearest of three octaves. The
-    weights are Tukey's biweight, zero from `width` on. Every octave of the time left has the same
-    total weight.
-    """
+    The residual log2 f - log2 a + p log2(t_end - t) is relative to the nearest of three
+    octaves. The weights are Tukey's biweight with the half-width `width` [octaves].
+    Each octave of the remaining time has the same total weight."""
     peaks = peaks[:, _inside(peaks, curve[0])]
     residual = _residual(peaks, curve)
     residual -= np.clip(np.round(residual), -1, 1)
@@ -104,18 +115,24 @@ def _normal(peaks, curve, width):
 
 
 def _around(peaks, curve):
-    """Return the MOST_RIVALS curves near one that have the most peaks, in any octave."""
+    """Return the MOST_RIVALS curves around a given one with the most peaks, in any
+    octave."""
     end = curve[0] + ENDS
     exponent = np.maximum(curve[1] + EXPONENTS, 0.02)
     count, scale = _count(peaks, end, exponent)
     i, j = np.unravel_index(np.argsort(count, axis=None)[-MOST_RIVALS:], count.shape)
     middle = curve[2] + (exponent[j] - curve[1]) * np.log2(TIME_LEFT).mean()
-    return np.column_stack([end[i], exponent[j], scale[i, j] + np.round(middle - scale[i, j])])
+    return np.column_stack(
+        [end[i], exponent[j], scale[i, j] + np.round(middle - scale[i, j])]
+    )
 
 
 def _count(peaks, end, exponent):
-    """Return the number of peaks (e, p) of the best curve for each end and exponent, and its log2
-    scale (e, p)."""
+    """Return the weighted number of peaks and the log2 scale of the best curve, each
+    (e, p).
+
+    They are given for all ends (e,) and exponents (p,).
+    """
     count, scale = np.empty((2, len(end), len(exponent)))
     rows = BINS * np.arange(len(exponent))[:, None]
     for i in range(len(end)):
@@ -131,10 +148,12 @@ def _count(peaks, end, exponent):
 
 
 def _jackknife(peaks, curve):
-    """Return variances (3,) from leaving out parts of the ridge, which are even in the log time
-    left."""
+    """Return the jackknife variances (3,) for parts of the ridge of equal log remaining
+    time."""
     left = np.clip(curve[0] - peaks[0], *TIME_LEFT)
-    part = np.floor(BLOCKS * np.log(left / TIME_LEFT[0]) / np.log(TIME_LEFT[1] / TIME_LEFT[0]))
+    part = np.floor(
+        BLOCKS * np.log(left / TIME_LEFT[0]) / np.log(TIME_LEFT[1] / TIME_LEFT[0])
+    )
     moved = np.array(
         [_fit(peaks[:, part != block], curve, NARROW[-1:]) for block in np.unique(part)]
     )
@@ -142,7 +161,7 @@ def _jackknife(peaks, curve):
 
 
 def _lowest(peaks, curve):
-    """Return the curve in the lowest octave that has its share of the peaks: the fundamental."""
+    """Return the curve of the fundamental, the lowest octave with enough peaks."""
     moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
     peaks = peaks[:, _inside(peaks, curve[0])]
     count = np.array(

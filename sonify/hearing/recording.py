@@ -1,4 +1,4 @@
-"""RECORDING -> ANALYSIS: rising tone, settling disks, spectral lines and noise bands of any sound."""
+"""Analysis of a recording: rising tone, spectral lines and noise bands."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -21,27 +21,38 @@ from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene_errors import InputError
 
 LONGEST, AFTER = 120.0, 6.0
-"""Greatest length of the analysed part of a recording [s], and its part after the end of a run or
-after the loudest second [s]."""
+"""Greatest length of the analysed part of a recording [s], and the length of its part
+after the end of a run or after the loudest second [s]."""
 SHORTEST, SLOWEST = 0.2, 1000
-"""Least length [s] and sample rate [Hz] of a recording."""
+"""Least length [s] and least sample rate [Hz] of a recording."""
 ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
 """Lower frequency limit of the envelope [Hz], and its sample rate [Hz]."""
-FOREIGN = {".3gp", ".aac", ".amr", ".m4a", ".m4v", ".mkv", ".mov", ".mp4", ".webm", ".wma"}
-"""Suffixes of files from phones and cameras that libsndfile cannot read."""
+FOREIGN = {
+    ".3gp",
+    ".aac",
+    ".amr",
+    ".m4a",
+    ".m4v",
+    ".mkv",
+    ".mov",
+    ".mp4",
+    ".webm",
+    ".wma",
+}
+"""Suffixes of phone and camera files that libsndfile cannot read."""
 
 
 class RecordingError(InputError):
-    """A recording cannot be analysed; the message is one line."""
+    """Raised with a one-line message if a recording cannot be analysed."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
-    """Analysis of a sound alone. `start` [s] is the beginning of the analysed part in the file.
+    """Analysis of a sound without knowledge of its scene.
 
-    `duration` [s] is the length of the sound. For a truncated file, `truncation` is set, and
-    `missing` [s] is the missing length according to the header.
-    """
+    `duration` [s] is the length of the sound, and `start` [s] is the start of the
+    analysed part in the file. For a truncated file, `truncation` is set, and `missing`
+    [s] is the missing length according to the header."""
 
     duration: float
     sample_rate: int
@@ -53,23 +64,27 @@ class Heard:
 
     @property
     def lines(self) -> list[Carrier]:
-        """The spectral lines, without bands of noise."""
+        """The spectral lines without the noise bands."""
         return [carrier for carrier in self.carriers if not carrier.reach]
 
 
 def listen(
-    sound: Source | str | Path, end: float | None = None, tones: bool = True, begin: float = 0.0
+    sound: Source | str | Path,
+    end: float | None = None,
+    tones: bool = True,
+    begin: float = 0.0,
 ) -> Heard:
-    """Return the analysis of a source, or of a file of any rate and format that libsndfile reads.
+    """Return the analysis of a source, or of a file of any rate and format that
+    libsndfile reads.
 
-    Of a long sound, the part before its `end` [s] is analysed. The rising tone is sought if
-    `tones`. The source begins at the time `begin` [s] of its file, and times in the result are
-    those of the file. The memory does not depend on the length. Raises RecordingError.
-    """
+    For a long sound, only the part before its `end` [s] is analysed. The rising tone is
+    searched for if `tones` is True. The source starts at the time `begin` [s] of its
+    file; times in the result are those of the file. Memory use does not depend on the
+    length. Raises RecordingError if the sound cannot be analysed."""
     samples, rate, start, duration = read(sound, end)
     truncation = truncation_of(sound)
     start += begin
-    with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
+    with ThreadPoolExecutor() as pool:  # the array code releases the lock of Python
         tone = pool.submit(rising_tone, samples, rate) if tones else None
         found = carriers(samples, rate, start)
     rising = tone.result() if tone else None
@@ -77,21 +92,23 @@ def listen(
         duration=duration,
         sample_rate=rate,
         start=start,
-        tone=rising and replace(rising, end=rising.end + start, time=rising.time + start),
+        tone=rising
+        and replace(rising, end=rising.end + start, time=rising.time + start),
         carriers=found,
-        missing=truncation.announced - duration if truncation and truncation.announced else 0.0,
+        missing=truncation.announced - duration
+        if truncation and truncation.announced
+        else 0.0,
         truncation=truncation,
     )
 
 
 def read(sound: Source | str | Path, end: float | None = None):
-    """Return samples (n,) of the loudest channel, rate [Hz], their beginning [s] and the length of
-    the sound [s].
+    """Return samples (n,) of the loudest channel, their rate [Hz] and start [s], and
+    the duration [s].
 
-    Of a long sound, this is the part before its `end` [s], or around the loudest second. Raises
-    RecordingError if the file is no sound file, too short, silent, of too low a rate, or holds
-    samples that are not finite.
-    """
+    For a long sound, the samples are those before its `end` [s] or around the loudest
+    second. Raises RecordingError if the file is unreadable, too short or silent, has
+    too low a sample rate, or contains nonfinite samples."""
     source = source_of(sound)
     name = str(getattr(source, "path", "the sound"))
     try:
@@ -100,16 +117,20 @@ def read(sound: Source | str | Path, end: float | None = None):
         channels = stretch(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
         raise RecordingError(
-            f"{name}: not a sound file that can be read: {_reason(name, error)}"
+            f"{name}: not a readable sound file: {_reason(name, error)}"
         ) from None
     if not np.isfinite(channels).all():
-        raise RecordingError(f"{name}: holds samples that are not finite")
+        raise RecordingError(f"{name}: contains samples that are not finite")
     if rate < SLOWEST:
-        raise RecordingError(f"{name}: {rate} samples a second: at least {SLOWEST} are needed")
-    samples = channels[:, np.argmax(np.square(channels, dtype=float).sum(axis=0))].astype(float)
+        raise RecordingError(
+            f"{name}: sample rate too low, {rate} Hz; at least {SLOWEST} Hz are required"
+        )
+    samples = channels[
+        :, np.argmax(np.square(channels, dtype=float).sum(axis=0))
+    ].astype(float)
     if len(samples) < SHORTEST * rate:
         raise RecordingError(
-            f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed"
+            f"{name}: too short, {len(samples) / rate:.3g} s; at least {SHORTEST:g} s are required"
         )
     if not np.ptp(samples):
         raise RecordingError(f"{name}: silent")
@@ -117,34 +138,44 @@ def read(sound: Source | str | Path, end: float | None = None):
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
-    """Return the square of the sound above ENVELOPE_FROM without its mean, and its sample rate
+    """Return the squared sound above ENVELOPE_FROM minus its mean, and its sample rate
     [Hz]."""
-    high = sosfiltfilt(butter(4, ENVELOPE_FROM, "highpass", fs=rate, output="sos"), samples)
+    high = sosfiltfilt(
+        butter(4, ENVELOPE_FROM, "highpass", fs=rate, output="sos"), samples
+    )
     down = max(rate // ENVELOPE_RATE, 1)
     square = resample_poly(high * high, 1, down)
     return square - square.mean(), rate / down
 
 
 def _part(source, end):
-    """Return the first frame of the analysed part and the one after the last."""
+    """Return the first frame of the analysed part and the frame after the last."""
     rate = source.sample_rate
     most = int(LONGEST * source.sample_rate)
     if source.frames <= most:
         return 0, source.frames
     if end is None:
         end = float(
-            np.argmax([np.square(second, dtype=float).sum() for second in pieces(source, rate)])
+            np.argmax(
+                [
+                    np.square(second, dtype=float).sum()
+                    for second in pieces(source, rate)
+                ]
+            )
         )
     stop = min(int((end + AFTER) * rate), source.frames)
     return max(stop - most, 0), max(stop, most)
 
 
 def _reason(path, error):
-    """Return the reason why a file cannot be read, and what may help."""
+    """Return the reason why a file cannot be read, or a suggestion for its
+    conversion."""
     try:
         open(path, "rb").close()
     except OSError as refusal:
         return refusal.strerror
     if Path(path).suffix.lower() in FOREIGN:
-        return f"convert it first, as by ffmpeg -i {Path(path).name} {Path(path).stem}.wav"
+        return (
+            f"convert it first, e.g. ffmpeg -i {Path(path).name} {Path(path).stem}.wav"
+        )
     return " ".join(str(getattr(error, "error_string", None) or error.args[-1]).split())

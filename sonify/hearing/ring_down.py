@@ -1,7 +1,8 @@
-"""FREE RINGING -> DECAYING LINES: frequency and decay rate of each line, also of close pairs.
+"""Frequencies and decay rates of the lines in free ringing, including close pairs.
 
-The band around each peak of the spectrum is shifted to zero frequency and decimated. Its poles
-follow from the rotational invariance of the signal subspace (ESPRIT; Roy & Kailath 1989)."""
+The band around each peak of the spectrum is shifted to zero frequency and decimated.
+The poles follow from the rotational invariance of the signal subspace (ESPRIT; Roy &
+Kailath 1989)."""
 
 from dataclasses import dataclass
 
@@ -11,16 +12,18 @@ from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 from scipy.signal import firwin, oaconvolve
 
 LOWEST = 300.0  # Hz
-HALF_BAND = 120.0  # Hz, lines that are closer are separated together
-EXPLAINED = 0.9  # share of the power of a band that its lines explain at least
+HALF_BAND = 120.0  # Hz; closer lines are resolved in a common band
+MODULATED_PARTS = 4  # parts of a modulated line in the jackknife
+EXPLAINED = 0.9  # least fraction of the power of a band that its lines explain
 
 
 @dataclass(frozen=True, kw_only=True)
 class DecayingLine:
     """A line exp(-decay_rate t) cos(2 pi frequency t).
 
-    `frequency` [Hz], `decay_rate` of the amplitude [1/s] with its standard error `decay_error`, and
-    the `level` at the beginning, in dB re the strongest line."""
+    `frequency` is in Hz. `decay_rate` is that of the amplitude [1/s], with the standard
+    error `decay_error`. `level` is the initial level in dB relative to the strongest
+    line."""
 
     frequency: float
     decay_rate: float
@@ -29,11 +32,10 @@ class DecayingLine:
 
 
 def free_ringing(samples: np.ndarray, rate: float) -> slice:
-    """Return the part of samples (n,) that rings freely after the loudest moment.
+    """Return the slice of samples (n,) with free ringing after the loudest moment.
 
-    It begins 80 ms after the loudest hop of 10 ms, and ends where the power rises by 12 dB or
-    falls by 50 dB.
-    """
+    It starts 80 ms after the loudest interval of 10 ms and ends where the power rises
+    by 12 dB or has fallen by 50 dB."""
     hop = int(0.01 * rate)
     count = len(samples) // hop
     power = np.square(samples[: count * hop]).reshape(count, hop).mean(axis=1)
@@ -47,17 +49,23 @@ def free_ringing(samples: np.ndarray, rate: float) -> slice:
     return slice(first * hop, last * hop)
 
 
-def decaying_lines(samples: np.ndarray, rate: float, most: int = 12) -> list[DecayingLine]:
-    """Return the lines of free ringing (n,) at a sample rate [Hz], the strongest first."""
+def decaying_lines(
+    samples: np.ndarray, rate: float, most: int = 12
+) -> list[DecayingLine]:
+    """Return at most `most` lines of free ringing (n,) at `rate` [Hz], the strongest
+    first."""
     if len(samples) < 0.1 * rate:
         return []
     spacing = rate / len(samples)
-    power = np.abs(np.fft.rfft(samples * np.hanning(2 * len(samples))[len(samples) :])) ** 2
+    power = (
+        np.abs(np.fft.rfft(samples * np.hanning(2 * len(samples))[len(samples) :])) ** 2
+    )
     smooth = uniform_filter1d(power, max(int(HALF_BAND / 2 / spacing), 1))
     coarse = 10 * np.log10(smooth[:: max(int(10 / spacing), 1)] + 1e-300)
     floor = median_filter(coarse, 200)  # 2 kHz
     above = (
-        10 * np.log10(smooth + 1e-300) - np.repeat(floor, max(int(10 / spacing), 1))[: len(smooth)]
+        10 * np.log10(smooth + 1e-300)
+        - np.repeat(floor, max(int(10 / spacing), 1))[: len(smooth)]
     )
     reach = int(HALF_BAND / spacing)
     above[smooth < maximum_filter1d(smooth, reach + 1)] = 0  # the flanks of a line
@@ -89,7 +97,9 @@ def _lines_of_band(samples, rate, middle):
     taps = 6 * down + 1
     time = np.arange(len(samples)) / rate
     shifted = samples * np.exp(-2j * np.pi * middle * time)
-    low = oaconvolve(shifted, firwin(taps, 1.5 * HALF_BAND, fs=rate), mode="valid")[::down]
+    low = oaconvolve(shifted, firwin(taps, 1.5 * HALF_BAND, fs=rate), mode="valid")[
+        ::down
+    ]
     interval = down / rate
     poles = _poles(low)
     decay = -np.log(np.abs(poles)) / interval
@@ -98,7 +108,11 @@ def _lines_of_band(samples, rate, middle):
     if explained < EXPLAINED:
         return [_modulated(low, interval, middle)]
     begin = (taps - 1) / 2 / rate
-    kept = (decay > 0) & (np.abs(offset) < HALF_BAND) & (amplitude > 0.05 * amplitude.max())
+    kept = (
+        (decay > 0)
+        & (np.abs(offset) < HALF_BAND)
+        & (amplitude > 0.05 * amplitude.max())
+    )
     kept &= error < 0.5 * decay
     return [
         (
@@ -115,20 +129,29 @@ def _lines_of_band(samples, rate, middle):
 
 
 def _modulated(signal, interval, middle):
-    """Return amplitude and decay of a signal (n,) that is not a sum of a few decaying lines.
+    """Return amplitude and line of a modulated decaying signal (n,).
 
-    An example is a coin that turns while it rings. Its level is fitted by a straight line from 40
-    ms on, over at most 35 dB.
-    """
+    Such a signal, e.g. that of a coin that turns while it rings, is not a sum of a few
+    decaying lines. Its level is fitted by a straight line over at most 35 dB, without
+    the first 20 ms."""
     hop = max(round(0.02 / interval), 1)
-    power = np.square(np.abs(signal[: len(signal) // hop * hop])).reshape(-1, hop).mean(axis=1)
+    power = (
+        np.square(np.abs(signal[: len(signal) // hop * hop]))
+        .reshape(-1, hop)
+        .mean(axis=1)
+    )
     level = 10 * np.log10(power + 1e-300)[1:]
     quiet = np.flatnonzero(level < level[0] - 35)
     level = level[: max(quiet[0], 4) if len(quiet) else None]
     time = np.arange(len(level)) * hop * interval
     slope, height = np.polyfit(time, level, 1)
-    residual = level - slope * time - height
-    error = np.std(residual) / np.std(time) / np.sqrt(max(len(level) / 2 - 2, 1))
+    part = np.arange(len(level)) * MODULATED_PARTS // len(level)
+    without = [
+        np.polyfit(time[part != k], level[part != k], 1)[0] for k in np.unique(part)
+    ]
+    error = np.sqrt(
+        (len(without) - 1) * np.var(without)
+    )  # jackknife, because the modulation is slow
     to_decay = np.log(10) / 20  # dB/s to 1/s
     return float(10 ** (height / 20)), DecayingLine(
         frequency=middle,
@@ -139,11 +162,15 @@ def _modulated(signal, interval, middle):
 
 
 def _poles(signal):
-    """Return the poles of decaying exponentials in a complex signal (n,); singular values give
-    their number."""
+    """Return the poles of decaying exponentials in a complex signal (n,).
+
+    Their number follows from the singular values.
+    """
     rows = max(len(signal) // 2, 2)
     vectors, values, _ = svd(
-        hankel(signal[:rows], signal[rows - 1 :]), full_matrices=False, lapack_driver="gesvd"
+        hankel(signal[:rows], signal[rows - 1 :]),
+        full_matrices=False,
+        lapack_driver="gesvd",
     )
     noise = np.median(values)
     order = int(np.count_nonzero(values[:8] > max(6 * noise, 0.01 * values[0])))
@@ -153,8 +180,11 @@ def _poles(signal):
 
 
 def _amplitudes(signal, poles, interval):
-    """Return amplitudes of poles in a signal (n,), standard errors of their decay rates [1/s] and
-    their share of the power."""
+    """Return the amplitudes of poles in a signal (n,) and the standard errors of their
+    decay rates.
+
+    The errors are in 1/s. The fraction of the power that the poles explain is also
+    returned."""
     number = np.arange(len(signal))
     columns = poles ** number[:, None]
     amplitudes = np.linalg.lstsq(columns, signal)[0]

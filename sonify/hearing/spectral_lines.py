@@ -1,4 +1,4 @@
-"""SOUND -> SPECTRAL LINES: lasting peaks and bands of noise, their drift and their sidebands."""
+"""Spectral lines and noise bands of a sound, with drift and sidebands."""
 
 from dataclasses import dataclass, replace
 from itertools import compress, pairwise
@@ -12,54 +12,58 @@ from scipy.signal import ShortTimeFFT
 from sonify.hearing.mains_hum import vertex
 
 WINDOW, LOWEST = 0.5, 300.0
-"""Window of the spectrogram [s], and lowest frequency of a line [Hz]."""
+"""Window of the spectrogram [s] and lowest frequency of a line [Hz]."""
 STANDS_OUT_DB, MOST, BANDS = 15.0, 12, 32
-"""Least level of a peak above its neighbours [dB]; largest number of lines; number of bands."""
+"""Least level of a peak above its neighbours [dB]; largest number of lines; number of
+bands in which the background is computed."""
 BESIDE_LINE = np.arange(10, 61)
-"""Distances of the bins on either side whose median is the background of a peak."""
+"""Offsets of the bins on each side whose median is the background of a peak."""
 REACH, LAST, GAP = 30.0, 5, 2
-"""Largest distance of a peak from the median of the LAST frames of its track [cents], and largest
-GAP in a track [frames]."""
+"""Largest distance of a peak from its track [cents]; number of final frames whose
+median gives the position of a track; largest gap in a track [frames]."""
 BAND, WIDE = 30.0, 15.0
-"""A peak within BAND cents of a stronger line belongs to it, or within WIDE times its change from
-frame to frame, which is large in a band of noise."""
+"""A peak belongs to a stronger line if their distance is below BAND [cents] or below
+WIDE times the change of the line from frame to frame, which is large in a noise
+band."""
 GRID, BROAD, FRAMES = 5.0, 120.0, 5
-"""Bands of noise are sought on a grid of GRID cents, in medians over BROAD cents and means over
-FRAMES frames."""
+"""Spacing of the grid for noise bands [cents], width of the medians [cents], and number
+of averaged frames."""
 AROUND, COARSE = 1200.0, 10
-"""Range of the background of a band [cents], and its coarser grid in units of GRID."""
+"""Width of the background of a band [cents], and spacing of its coarser grid in units
+of GRID."""
 FAINTEST, HALF, AHEAD = 5.0, 3.0, 60.0
-"""Least level of a band [dB], drop that limits it [dB], and largest distance from the median of its
-last frames [cents]."""
+"""Least level of a band [dB]; drop of the level at its limits [dB]; largest distance
+from its track [cents]."""
 LINE, BROADEST = 75.0, 400.0
-"""Largest half width of a band that may be a line [cents], and of any band [cents]."""
+"""Largest half-width of a band that may be a line, and of any band [cents]."""
 FEWEST, SHARE = 8, 0.2
-"""Least number of frames of a line, or least share of all frames with at least five."""
+"""Least number of frames of a line; in short sounds, least share of all frames, but at
+least five."""
 PARTS, LEAST_PART = 8, 3
-"""Number of parts of a line for the jackknife, and least number of frames in a part; neighbouring
-frames overlap."""
+"""Number of parts of a line for the jackknife, and least number of overlapping frames
+in a part."""
 PLACE = 0.02
-"""Least error of the position of a peak, in bins; for a band it is GRID."""
+"""Least error of the position of a line [bins]; that of a band is GRID."""
 SURE = 2.0
-"""A line rises or falls if its drift exceeds this multiple of its error."""
+"""Ratio of drift to error above which a line rises or falls."""
 APART, FINE, BESIDE = (6.0, 300.0), 2, (6, 80)
-"""Range of the distance of sidebands from their centre [Hz]; resolution of the centre in parts of a
-bin; offsets of the other centres that are tried, in such parts."""
+"""Range of the distances of sidebands from their centre [Hz]; number of tested centres
+per bin; range of the offsets of alternative centres, in units of their spacing."""
 DISTANCES, COURSE, ORDER = 5, 0.5, 3
-"""Least number of sideband pairs of a centre; largest ratio of the change between frames to the
-total change; largest order of a sideband."""
+"""Least number of different sideband distances of a centre; largest ratio of the change
+between frames to the total variation; largest order of a sideband."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Carrier:
     """A spectral line or narrow band from `begin` to `end` [s].
 
-    `frequency` is that in the middle with the standard `error` [Hz], `drift` and `drift_error` are
-    in cents/s, `spread` about the drift in cents, and `level` above the background in dB. Sidebands
-    are at the distance `rate` [Hz] in the middle, within the range `rates`. If the line is not
-    `heard` itself, these values are those of the middle of its sidebands. A band of noise has a
-    `reach` [cents] to its farther half-power frequency; a line has none.
-    """
+    `frequency` [Hz] is the frequency half-way, with the standard `error` [Hz]. `drift`
+    and `drift_error` are in cents/s, the `spread` around the drift is in cents, and the
+    `level` above the background in dB. `sidebands` is the median distance of the
+    sidebands [Hz], and `rates` its range. If the line itself is not `heard`, these values belong to the
+    centre of its sidebands. `reach` [cents] is the distance of a noise band to its
+    farther half-power frequency, and 0 for a line."""
 
     frequency: float
     error: float
@@ -76,7 +80,7 @@ class Carrier:
 
     @property
     def course(self) -> str:
-        """ "rises", "falls" or "is steady", as far as the errors show."""
+        """Significant trend of the frequency: "rises", "falls" or "steady"."""
         if abs(self.drift) < SURE * self.drift_error:
             return "steady"
         return "rises" if self.drift > 0 else "falls"
@@ -84,7 +88,8 @@ class Carrier:
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A tracked peak: frames (k,), frequencies (k,) [Hz], levels (k,) [dB], and half width [cents]."""
+    """A tracked peak: frames (k,), frequencies (k,) [Hz], levels (k,) [dB] and
+    half-width [cents]."""
 
     frame: np.ndarray
     frequency: np.ndarray
@@ -93,10 +98,10 @@ class Track:
 
 
 def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
-    """Return the lines in samples (n,) at `rate` [Hz] from the time `start` [s] on, by decreasing
-    level.
+    """Return the lines in samples (n,) at `rate` [Hz] that start at the time `start`
+    [s].
 
-    There are at most MOST.
+    There are at most MOST lines, sorted by decreasing level.
     """
     size = int(WINDOW * rate)
     if len(samples) < 4 * size:
@@ -104,7 +109,7 @@ def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
     windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
     power = (
         np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2
-    )  # none beyond the samples
+    )  # no window extends beyond the samples
     hop = size // 2 / rate
     spacing = rate / size
     level = 10 * np.log10(power.T + 1e-300)
@@ -114,16 +119,18 @@ def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
     tracks = sorted(tracks, key=lambda track: -np.median(track.level))
     found = [_carrier(track, start, hop, spacing) for track in tracks[:MOST]]
     for track, apart in centres:
-        found = _with_sidebands(found, _carrier(track, start, hop, spacing), apart, spacing)
+        found = _with_sidebands(
+            found, _carrier(track, start, hop, spacing), apart, spacing
+        )
     return sorted(found, key=lambda one: -one.level)[:MOST]
 
 
 def _with_sidebands(found, centre, apart, spacing):
-    """Return the lines, combined with centres whose sidebands are at distances (k,) [Hz].
+    """Add a centre of sidebands, at distances `apart` (k,) [Hz], to the lines `found`.
 
-    A line at the frequency of a centre gets its sidebands if it lasts for most of that time;
-    otherwise the centre is a line of its own. Weaker lines among the sidebands are removed.
-    """
+    A line at the frequency of the centre receives the sidebands if it is present for
+    most of their time; otherwise the centre becomes a separate line. Weaker lines among
+    the sidebands are removed."""
     low, middle, high = np.percentile(apart, [5, 50, 95]).tolist()
     sides = {"sidebands": (middle,), "rates": (low, high)}
     there = [
@@ -144,7 +151,8 @@ def _with_sidebands(found, centre, apart, spacing):
 
 
 def _among(one, centre, reach):
-    """Return True if a line is weaker than a centre, within its `reach` [Hz], and present as long."""
+    """Return True if a weaker line is within `reach` [Hz] of a centre for most of its
+    duration."""
     within = (
         abs(one.frequency - centre.frequency) < reach
         and _common(one, centre) > (one.end - one.begin) / 2
@@ -153,15 +161,20 @@ def _among(one, centre, reach):
 
 
 def _common(one, other):
-    """Return the time in which both are present [s]; negative if they do not overlap."""
+    """Return the time [s] for which two lines overlap; negative if they do not
+    overlap."""
     return min(one.end, other.end) - max(one.begin, other.begin)
 
 
 def _floor(level, count):
-    """Return the background (t, f): the median over neighbouring bands, at most 90 dB below the
-    maximum."""
+    """Return the background (t, f) interpolated between the medians of `count` bands.
+
+    It is at most 90 dB below the maximum.
+    """
     edges = np.linspace(0, level.shape[1], count + 1).astype(int)
-    floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
+    floor = np.column_stack(
+        [np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)]
+    )
     floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
     middle = (edges[1:] + edges[:-1] - 1) / 2
     return make_interp_spline(middle, floor, 1, axis=1)(
@@ -170,23 +183,34 @@ def _floor(level, count):
 
 
 def _peaks(level, spacing):
-    """Return frames, frequencies [Hz] and levels above the background [dB] (3, n) of all peaks of
-    levels (t, f)."""
+    """Return frames, frequencies [Hz] and levels [dB] (3, n) of all peaks in levels (t,
+    f).
+
+    The levels are relative to the background.
+    """
     frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
     top = np.round(place).astype(int)
     sides = [
         np.median(
-            level[frame[:, None], np.clip(top[:, None] + side, 0, level.shape[1] - 1)], axis=1
+            level[frame[:, None], np.clip(top[:, None] + side, 0, level.shape[1] - 1)],
+            axis=1,
         )
         for side in (-BESIDE_LINE, BESIDE_LINE)
     ]
-    line = level[frame, top] - np.maximum(*sides) > STANDS_OUT_DB  # an edge has a floor on one side
-    return np.array([frame, place * spacing, height])[:, line & (place > LOWEST / spacing)]
+    line = (
+        level[frame, top] - np.maximum(*sides) > STANDS_OUT_DB
+    )  # an edge stands out on one side only
+    return np.array([frame, place * spacing, height])[
+        :, line & (place > LOWEST / spacing)
+    ]
 
 
 def _tops(level, least):
-    """Return frames, fractional columns and heights (n,) of all peaks above `least` in levels (t,
-    f)."""
+    """Return frames, fractional columns and heights, each (n,), of peaks in levels (t,
+    f).
+
+    Peaks are at least `least` high.
+    """
     low = level[:, :-2]
     top = level[:, 1:-1]
     high = level[:, 2:]
@@ -198,11 +222,10 @@ def _tops(level, least):
 
 
 def _with_bands(tracks, level, spacing):
-    """Return tracks of lines and of bands of noise in levels (t, f).
+    """Return the tracks of lines and of noise bands in levels (t, f).
 
-    A line that does not stand out of a band is part of it; a band that resembles a line is part of
-    the line.
-    """
+    A line that does not stand out from a band is part of the band; a band that
+    resembles a line is part of the line."""
     for band in _bands(level, spacing):
         line = band.reach < LINE
         inside = [
@@ -213,7 +236,9 @@ def _with_bands(tracks, level, spacing):
         loudest = max(inside, key=lambda track: np.median(track.level), default=None)
         bar = np.median(band.level) + STANDS_OUT_DB
         own = [
-            track for track in inside if np.median(track.level) > bar or (line and track is loudest)
+            track
+            for track in inside
+            if np.median(track.level) > bar or (line and track is loudest)
         ]
         tracks = [track for track in tracks if track not in inside or track in own]
         tracks += [] if line else _straight(band)
@@ -221,7 +246,7 @@ def _with_bands(tracks, level, spacing):
 
 
 def _bands(level, spacing):
-    """Return the tracks of bands of noise in levels (t, f)."""
+    """Return the tracks of noise bands in levels (t, f)."""
     octaves = np.log2(0.9 * level.shape[1] * spacing / LOWEST)
     size = int(BROAD / GRID) + 1
     frequency = LOWEST * 2 ** (np.arange(0, 1200 * octaves, GRID) / 1200)
@@ -235,18 +260,24 @@ def _bands(level, spacing):
     mean = uniform_filter1d(grid, FRAMES, axis=0)
     frame, place, height = _tops(mean, FAINTEST)
     found = _tracks(
-        np.array([frame, LOWEST * 2 ** (place * GRID / 1200), height]), len(level), AHEAD
+        np.array([frame, LOWEST * 2 ** (place * GRID / 1200), height]),
+        len(level),
+        AHEAD,
     )
-    return [band for band in (_middled(one, mean, grid) for one in found) if band.reach < BROADEST]
+    return [
+        band
+        for band in (_middled(one, mean, grid) for one in found)
+        if band.reach < BROADEST
+    ]
 
 
 def _medians(level, size):
-    """Return running medians over a number of columns of levels (t, f)."""
+    """Return running medians of levels (t, f) over `size` columns."""
     return np.array([median_filter(row, size) for row in level])
 
 
 def _middled(band, mean, grid):
-    """Return a band with its power-weighted mean frequency and its median half width."""
+    """Return a band with power-weighted mean frequencies and its median half-width."""
     tops = np.round(1200 / GRID * np.log2(band.frequency / LOWEST)).astype(int)
     middles = []
     sides = []
@@ -254,24 +285,37 @@ def _middled(band, mean, grid):
         out = np.flatnonzero(row < row[top] - HALF)
         low = out[out < top].max(initial=-1) + 1
         high = out[out > top].min(initial=len(row))
-        middles.append(np.average(np.arange(low, high), weights=10 ** (own[low:high] / 10)))
+        middles.append(
+            np.average(np.arange(low, high), weights=10 ** (own[low:high] / 10))
+        )
         sides.append(max(middles[-1] - low, high - middles[-1]))
     return replace(
-        band, frequency=LOWEST * 2 ** (np.array(middles) * GRID / 1200), reach=GRID * median(sides)
+        band,
+        frequency=LOWEST * 2 ** (np.array(middles) * GRID / 1200),
+        reach=GRID * median(sides),
     )
 
 
 def _within(track, band, reach):
-    """Return True if a track is within the reach [cents] of a band in most of its frames."""
+    """Return True if a track is within `reach` [cents] of a band in most of its
+    frames."""
     middle = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
-    return np.sum(np.abs(1200 * np.log2(track.frequency / middle)) < reach) > len(track.frame) / 2
+    return (
+        np.sum(np.abs(1200 * np.log2(track.frequency / middle)) < reach)
+        > len(track.frame) / 2
+    )
 
 
 def _straight(track):
-    """Return a track split by halves into straight parts."""
+    """Return the parts of a track after repeated bisection into straight parts."""
     half = len(track.frame) // 2
     parts = [
-        replace(track, frame=track.frame[i], frequency=track.frequency[i], level=track.level[i])
+        replace(
+            track,
+            frame=track.frame[i],
+            frequency=track.frequency[i],
+            level=track.level[i],
+        )
         for i in (slice(half), slice(half, None))
     ]
     if half < FEWEST or _alike(*(_carrier(part, 0.0, 1.0, 0.0) for part in parts)):
@@ -281,14 +325,16 @@ def _straight(track):
 
 def _alike(one, other):
     """Return True if the drifts of two lines agree within their errors."""
-    return abs(one.drift - other.drift) < SURE * np.hypot(one.drift_error, other.drift_error)
+    return abs(one.drift - other.drift) < SURE * np.hypot(
+        one.drift_error, other.drift_error
+    )
 
 
 def _tracks(peaks, count, reach=REACH):
-    """Return the tracks of peaks (3, n), from the most outstanding peak on.
+    """Return the tracks of peaks (3, n), starting from the most prominent peak.
 
-    Each track takes the band around it and continues within a reach [cents].
-    """
+    A track continues at peaks within `reach` [cents]; the peaks in the band around it
+    are removed."""
     frame = peaks[0].astype(int)
     cents = 1200 * np.log2(peaks[1])
     level = peaks[2]
@@ -300,11 +346,17 @@ def _tracks(peaks, count, reach=REACH):
             continue
         chosen = [
             seed,
-            *_followed(seed, range(frame[seed] + 1, count), inside, cents, level, left, reach),
+            *_followed(
+                seed, range(frame[seed] + 1, count), inside, cents, level, left, reach
+            ),
         ]
-        chosen += _followed(seed, range(frame[seed] - 1, -1, -1), inside, cents, level, left, reach)
+        chosen += _followed(
+            seed, range(frame[seed] - 1, -1, -1), inside, cents, level, left, reach
+        )
         chosen = np.array(sorted(chosen, key=lambda peak: frame[peak]))
-        wide = max(BAND, WIDE * np.median(np.abs(np.diff(cents[chosen], prepend=cents[seed]))))
+        wide = max(
+            BAND, WIDE * np.median(np.abs(np.diff(cents[chosen], prepend=cents[seed])))
+        )
         for peak in chosen:
             near = inside[frame[peak]]
             left[near[np.abs(cents[near] - cents[peak]) < wide]] = False
@@ -314,9 +366,10 @@ def _tracks(peaks, count, reach=REACH):
 
 
 def _followed(seed, frames, inside, cents, level, left, reach):
-    """Return the peaks that continue a seed in successive frames until GAP of them have none.
+    """Return the peaks that continue a seed in successive frames, with gaps of at most
+    GAP frames.
 
-    In each frame it is the highest peak near the median of the last ones.
+    The highest peak near the median of the last ones continues the track.
     """
     found = [seed]
     missed = 0
@@ -332,7 +385,8 @@ def _followed(seed, frames, inside, cents, level, left, reach):
 
 
 def _carrier(track, start, hop, spacing):
-    """Return the line of a track: a straight line through its cents, with jackknife errors."""
+    """Return the straight line fitted to the cents of a track, with jackknife
+    errors."""
     t = start + (track.frame + 1) * hop
     middle = (t[0] + t[-1]) / 2
     cents = 1200 * np.log2(track.frequency / np.median(track.frequency))
@@ -342,14 +396,22 @@ def _carrier(track, start, hop, spacing):
         [_line((t - middle)[part != i], cents[part != i]) for i in range(part[-1] + 1)]
     )
     error = np.sqrt(
-        (len(without) - 1) / len(without) * np.square(without - without.mean(axis=0)).sum(axis=0)
+        (len(without) - 1)
+        / len(without)
+        * np.square(without - without.mean(axis=0)).sum(axis=0)
     )
-    place = GRID if track.reach else 1200 / np.log(2) * PLACE * spacing / np.median(track.frequency)
+    place = (
+        GRID
+        if track.reach
+        else 1200 / np.log(2) * PLACE * spacing / np.median(track.frequency)
+    )
     frequency = float(np.median(track.frequency) * 2 ** (line[0] / 1200))
     return Carrier(
         frequency=frequency,
         error=float(np.hypot(error[0], place) * np.log(2) / 1200 * frequency),
-        spread=float(1.48 * np.median(np.abs(cents - line[0] - line[1] * (t - middle)))),
+        spread=float(
+            1.48 * np.median(np.abs(cents - line[0] - line[1] * (t - middle)))
+        ),
         level=float(np.median(track.level)),
         drift=float(line[1]),
         drift_error=float(np.hypot(error[1], place / (t[-1] - t[0]))),
@@ -360,7 +422,8 @@ def _carrier(track, start, hop, spacing):
 
 
 def _line(t, cents):
-    """Return height and slope of a robust straight line through cents (k,) at times t (k,) [s]."""
+    """Return height and slope of a robust linear fit of cents (k,) at times t (k,)
+    [s]."""
     keep = np.ones(len(t), bool)
     for _ in range(3):
         slope, height = np.polyfit(t[keep], cents[keep], 1)
@@ -370,12 +433,12 @@ def _line(t, cents):
 
 
 def _sidebands(peaks, spacing):
-    """Return which of peaks (3, n) are sidebands, and the track of each centre with its half
-    distances.
+    """Return a mask of the peaks (3, n) that are sidebands, and the tracks and
+    distances of centres.
 
-    Peaks mirror each other about a centre at more distances than about places BESIDE it, and the
-    distances change smoothly; the middle of two unrelated lines would move.
-    """
+    Pairs of peaks are symmetric about a centre at more distances than about positions
+    BESIDE it, and the distances change smoothly; the centre between two unrelated lines
+    would move."""
     pairs = _pairs(peaks)
     aside = np.zeros(peaks.shape[1], bool)
     found = []
@@ -388,7 +451,8 @@ def _sidebands(peaks, spacing):
     free = np.ones(len(count), bool)
     for place in tried[np.argsort((most - count)[tried], kind="stable")]:
         here = np.flatnonzero(
-            (np.abs(middle - place * spacing / FINE) < spacing) & ~aside[pairs].any(axis=0)
+            (np.abs(middle - place * spacing / FINE) < spacing)
+            & ~aside[pairs].any(axis=0)
         )
         best = here[np.lexsort((-level[here], frame[here]))]
         best = best[np.unique(frame[best], return_index=True)[1]]
@@ -400,16 +464,17 @@ def _sidebands(peaks, spacing):
 
 
 def _one_course(apart):
-    """Return True if distances (k,) change smoothly from frame to frame."""
-    return np.median(np.abs(np.diff(apart))) < COURSE * np.median(np.abs(apart - np.median(apart)))
+    """Return True if distances (k,) change smoothly between frames."""
+    return np.median(np.abs(np.diff(apart))) < COURSE * np.median(
+        np.abs(apart - np.median(apart))
+    )
 
 
 def _distances(middle, half):
-    """Return the number of distances at which pairs mirror each other about each place (p,).
+    """Return the number of distances of symmetric pairs about each position (p,).
 
-    Also returns the largest number about places BESIDE it. Middles and half distances (n,) are in
-    bins.
-    """
+    The largest number about positions BESIDE it is also returned. The centres and half
+    distances (n,) of the pairs are in bins."""
     place = np.round(FINE * middle).astype(int)
     seen = np.unique(place * 1000 + half.astype(int)) // 1000
     count = np.bincount(seen, minlength=place.max(initial=0) + BESIDE[1] + 1)
@@ -419,7 +484,8 @@ def _distances(middle, half):
 
 
 def _pairs(peaks):
-    """Return the indices (2, n) of all pairs of peaks (3, m) of a frame within the range APART."""
+    """Return the indices (2, n) of all pairs of peaks (3, m) in a frame with half
+    distances in APART."""
     found = [np.zeros((2, 0), int)]
     for step in range(1, peaks.shape[1]):
         frame, apart = peaks[:2, step:] - peaks[:2, :-step]

@@ -1,4 +1,4 @@
-"""SOUND -> SPECTROGRAM: levels over time and frequency, in blocks, for sounds of any length."""
+"""Spectrograms of sounds of any length, computed in blocks."""
 
 from dataclasses import dataclass
 from itertools import islice
@@ -11,37 +11,44 @@ from numpy.lib.stride_tricks import sliding_window_view
 from sonify.hearing.audio_source import BLOCK, Source, pieces, source_of
 
 MOST_COLUMNS = 1600
-"""Largest number of columns; longer sounds are sampled with gaps."""
+"""Largest number of columns; in longer sounds there are gaps between the windows."""
 RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
-"""Frequency range of the contact rates [Hz], and their window [s]."""
+"""Frequency range of the contact rates [Hz], and the window for it [s]."""
 WINDOW_MODES = 0.02
-"""Window for the range of the modes [s]."""
+"""Window for the frequency range of the modes [s]."""
 REFERENCE_PRESSURE = 20e-6
 """Pressure of 0 dB sound pressure level [Pa]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Spectrogram:
-    """`power` (f, t): mean square of a sine at `frequency` (f,) [Hz] in a window around `time` (t,)
-    [s]."""
+    """Mean square `power` (f, t) of sines at `frequency` (f,) [Hz] in windows around
+    `time` (t,) [s]."""
 
     time: np.ndarray
     frequency: np.ndarray
     power: np.ndarray
 
     def level_db(self, reference: float) -> np.ndarray:
-        """Return the level (f, t) [dB] of the rms re `reference`; -200 for zero."""
-        return 10 * np.log10(np.maximum(self.power / np.float32(reference**2), np.float32(1e-20)))
+        """Return the level (f, t) [dB] of the rms relative to `reference`, at least
+        -200."""
+        return 10 * np.log10(
+            np.maximum(self.power / np.float32(reference**2), np.float32(1e-20))
+        )
 
     def band(self, low: float, high: float) -> "Spectrogram":
-        """Return the part from low to high [Hz]."""
+        """Return the part from `low` to `high` [Hz]."""
         keep = (self.frequency >= low) & (self.frequency <= high)
-        return Spectrogram(time=self.time, frequency=self.frequency[keep], power=self.power[keep])
+        return Spectrogram(
+            time=self.time, frequency=self.frequency[keep], power=self.power[keep]
+        )
 
     def during(self, begin: float, end: float) -> "Spectrogram":
-        """Return the part from begin to end [s], plus one window on each side."""
+        """Return the part from `begin` to `end` [s], with one more column on each
+        side."""
         part = slice(
-            max(np.searchsorted(self.time, begin) - 1, 0), np.searchsorted(self.time, end) + 1
+            max(np.searchsorted(self.time, begin) - 1, 0),
+            np.searchsorted(self.time, end) + 1,
         )
         return Spectrogram(
             time=self.time[part], frequency=self.frequency, power=self.power[:, part]
@@ -49,14 +56,17 @@ class Spectrogram:
 
 
 def spectrogram(
-    sound: Source | str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)
+    sound: Source | str | Path,
+    window: float,
+    columns: int = MOST_COLUMNS,
+    span=(0.0, inf),
 ) -> Spectrogram:
     """Return the spectrogram of a source or file with Hann windows of `window` [s].
 
-    It is the mean power of the channels. Windows overlap by three quarters, or less in a long
-    sound, which has at most `columns`. Only the part within `span` [s] is analysed. A part shorter
-    than the window is padded with silence. The memory does not depend on the length.
-    """
+    The power is averaged over the channels. Successive windows overlap by 75 %, or less
+    in a long sound, so that there are at most `columns` windows. Only the part within
+    `span` [s] is analysed; a part shorter than the window is padded with silence.
+    Memory use does not depend on the length of the sound."""
     source = source_of(sound)
     rate = source.sample_rate
     size = max(int(window * source.sample_rate), 16)
@@ -67,7 +77,9 @@ def spectrogram(
     group = max(BLOCK // hop, 1)
     shape = 1 - np.cos(2 * np.pi * np.arange(size) / size)
     shape = (shape / shape.sum()).astype(np.float32)
-    parts = islice(pieces(source, group * hop, max(size - hop, 0), first), -(-count // group))
+    parts = islice(
+        pieces(source, group * hop, max(size - hop, 0), first), -(-count // group)
+    )
     power = np.concatenate([_power(part, shape, hop) for part in parts])[:count]
     return Spectrogram(
         time=(first + hop * np.arange(count) + size / 2) / rate,
@@ -77,12 +89,12 @@ def spectrogram(
 
 
 def _power(samples, shape, hop):
-    """Return mean squares (t, f) of sines, averaged over the channels (n, c), in windows `hop`
-    apart.
+    """Return mean squares (t, f) of sines in windows of samples (n, c) at intervals of
+    `hop`.
 
-    Single precision halves the time; levels 130 dB below the loudest are lost.
-    """
-    from scipy.fft import rfft  # loads slowly, and who draws a spectrogram has no need of it
+    The mean squares are averaged over the channels. Single precision halves the time;
+    levels 130 dB below the loudest are lost."""
+    from scipy.fft import rfft  # slow to import, and not needed to draw a spectrogram
 
     seen = rfft(sliding_window_view(samples, len(shape), axis=0)[::hop] * shape)
     return 2 * np.mean(seen.real**2 + seen.imag**2, axis=1).astype(np.float32)

@@ -1,1 +1,1 @@
-"""SCENE -> PLAN: the models of a run, its omissions with reasons, and its predicted errors."""
+"""Plan of a run: its models, its omissions with reasons, and its predicted errors."""

@@ -1,4 +1,5 @@
-"""SCENE -> PLAN of the air: the film under the disk, the limits of its law, and absorption."""
+"""Plan of the air: the film under the disk, the limits of its law, and sound
+absorption."""
 
 import numpy as np
 
@@ -7,45 +8,56 @@ from dynamics.disk import Friction
 from dynamics.dissipation import Dissipation, resistance_of
 from dynamics.equations import disk_constants
 from dynamics.film.activation import MAX_KNUDSEN, decide_film, final_inclination
-from dynamics.film.wedge import closing_number, compressibility, film_under, layer_thickness
+from dynamics.film.wedge import (
+    boundary_layer_ratio,
+    compressibility_number,
+    film_under,
+    squeeze_number,
+)
 from dynamics.observables import precession_rate
 from dynamics.quasi_steady import steady_power
-from dynamics.steady_motion import steady_precession, steepest_steady
+from dynamics.steady_motion import max_steady_inclination, steady_precession
 from sonify.plan import sentences
 from sonify.plan.plan import Decision, Plan
 from sonify.scene import Scene
-from sonify.sound.absorption import HIGHEST_FREQUENCY, absorbed_db, absorption_latency
+from sonify.sound.absorption import absorbed_db, absorption_latency
 from sonify.sound.radiation import listeners_of
-
-FILM_COMPARISON_INCLINATIONS = (0.1, 0.01, 0.001)
-"""Inclinations [rad] at which the air law of a paper is compared with the solved film."""
 
 
 def with_air(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan with its decision, models and omissions on the air."""
+    """Return the plan with the decision on the air film and with models and omissions
+    of the air."""
     decided = decide_film(scene)
     acts = sentences.FILM_ACTS_CHOICE if decided.film else sentences.FILM_OMITTED_CHOICE
-    decision = Decision(subject="film of air under the disk", choice=acts, reason=decided.reason)
+    decision = Decision(
+        subject="air film under the disk", choice=acts, reason=decided.reason
+    )
     published = published_law_notes(scene)
-    absorbed, not_absorbed = absorption_sentences(scene)
+    absorbed, not_absorbed = (
+        heard + also
+        for heard, also in zip(
+            absorption_sentences(scene), listener_sentences(scene), strict=True
+        )
+    )
     if not decided.film:
         neglected = [*sentences.VACUUM_NEGLECTED, *published, *not_absorbed]
-        return plan.also(decision, modelled=absorbed, left_out=neglected)
+        return plan.with_additions(decision, modelled=absorbed, left_out=neglected)
     twice = [sentences.AIR_COUNTED_TWICE] if published else []
     modelled = [*sentences.FILM_MODELLED, *absorbed]
     neglected = [*sentences.FILM_NEGLECTED, *twice, *published, *not_absorbed]
-    return plan.also(decision, modelled=modelled, left_out=neglected)
+    return plan.with_additions(decision, modelled=modelled, left_out=neglected)
 
 
 def absorption_sentences(scene: Scene) -> tuple[list[str], list[str]]:
-    """Return sentences on the absorption between disk and listeners: (modelled, left out)."""
+    """Return sentences on modelled and on neglected absorption between disk and
+    listeners."""
     modelled = []
     neglected = []
     for distance in sorted({ear.distance for ear in listeners_of(scene)}):
-        sentence = sentences.ABSORPTION.format(
+        sentence = sentences.ABSORPTION_SENTENCE.format(
             distance=distance,
             at_8_khz=absorbed_db(scene.air, distance, 8e3),
-            at_20_khz=absorbed_db(scene.air, distance, HIGHEST_FREQUENCY),
+            at_20_khz=absorbed_db(scene.air, distance),
         )
         if absorption_latency(scene.air, distance):
             modelled.append(f"{sentence}.")
@@ -54,8 +66,25 @@ def absorption_sentences(scene: Scene) -> tuple[list[str], list[str]]:
     return modelled, neglected
 
 
+def listener_sentences(scene: Scene) -> tuple[list[str], list[str]]:
+    """Return sentences on the modelled and the neglected sound at heads and at
+    listeners near the disk."""
+    modelled = []
+    neglected = []
+    ears = listeners_of(scene)
+    for radius in sorted({ear.ear.head_radius for ear in ears if ear.ear}):
+        modelled.append(sentences.HEAD_MODELLED.format(radius=radius))
+        neglected.append(sentences.HEAD_NEGLECTED)
+    for distance in sorted({ear.distance for ear in ears if ear.is_in_near_field}):
+        modelled.append(sentences.NEAR_MODELLED.format(distance=distance))
+        neglected.append(sentences.NEAR_NEGLECTED.format(distance=distance))
+        if scene.surface.kind != "rigid":
+            neglected.append(sentences.NEAR_TABLE_NEGLECTED.format(distance=distance))
+    return modelled, neglected
+
+
 def published_law_notes(scene: Scene) -> list[str]:
-    """Return a sentence that compares the air law of a paper with the solved film.
+    """Return a sentence that compares a published law of air drag with the solved film.
 
     The list is empty if the scene has no such law, no solid disk or no air.
     """
@@ -73,31 +102,32 @@ def published_law_notes(scene: Scene) -> list[str]:
     none = disk_constants(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
     film = film_under(disk, air)
     ratios = []
-    steepest = steepest_steady(disk.aspect, disk.gyration)
-    for beta in (beta for beta in FILM_COMPARISON_INCLINATIONS if beta < steepest):
+    steepest = max_steady_inclination(disk.aspect, disk.gyration)
+    inclinations = (0.1, 0.01, 0.001)  # rad
+    for beta in (beta for beta in inclinations if beta < steepest):
         turning = steady_precession(beta, disk.aspect, disk.gyration) * np.sin(beta)
-        solved = film.powers(beta, (0.0, 0.0, turning))[0]
+        solved = film.rotation_and_fall_powers(beta, (0.0, 0.0, turning))[0]
         ratios.append(f"{steady_power(beta, none, paper) / solved:.2g} at {beta:g} rad")
     return [
-        "The air law of the scene is a published one; relative to the power of the solved film it "
-        f"takes {', '.join(ratios)}."
+        "The scene uses a published law of air drag. The ratio of its power to that of the solved "
+        f"film is {', '.join(ratios)}."
     ]
 
 
 def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
-    """Return sentences on how far a motion exceeds the limits of the film's law.
+    """Return sentences that compare a motion with the limits of the film law.
 
-    The limits concern the inertia of the air, its compressibility and its rarefaction.
+    The law is limited in the inertia, compressibility and rarefaction of the air.
     """
-    if not decide_film(scene).film:
+    if not motion.film:
         return []
     air = scene.air
     radius = scene.disk.radius
     beta = motion.state[:, 1]
     rate = np.abs(precession_rate(motion.state))
-    thick = layer_thickness(beta, rate, radius, air)
-    squeezed = compressibility(beta, rate, air)
-    fast = closing_number(beta[-1], motion.state[-1, 5], radius, air)
+    thick = boundary_layer_ratio(beta, rate, radius, air)
+    squeezed = compressibility_number(beta, rate, air)
+    fast = squeeze_number(beta[-1], motion.state[-1, 5], radius, air)
     limits = [
         sentences.FILM_LIMITS.format(
             first=thick[0], last=thick[-1], squeezed=squeezed[-1], closing=fast
@@ -115,8 +145,9 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
                 )
             )
     final = final_inclination(scene)
-    is_last = motion.outcome is Outcome.SETTLED and final > scene.numerics.stopping_inclination(
-        scene.disk
+    is_last = (
+        motion.outcome is Outcome.SETTLED
+        and final > scene.numerics.stopping_inclination(scene.disk)
     )
     if is_last:
         limits.append(

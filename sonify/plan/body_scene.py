@@ -1,4 +1,4 @@
-"""The sections of a scene that the modes of its disk depend on."""
+"""Sections of a scene on which the modes of its disk depend."""
 
 from dataclasses import dataclass
 
@@ -11,11 +11,11 @@ from sonify.scene import Scene
 
 @dataclass(frozen=True, kw_only=True)
 class BodyScene:
-    """The sections that `modal.eigenmodes` reads.
+    """Sections of a scene that `modal.eigenmodes` reads.
 
-    `contact` and `release` are None unless the support is the contact. Two scenes with equal
-    sections have the same modes, so a BodyScene is the key of every cache of modes.
-    """
+    `contact` and `release` are None unless the support is the contact. Scenes with
+    equal sections have the same modes; a BodyScene therefore serves as the key of
+    caches of modes."""
 
     disk: Disk
     material: Material
@@ -26,7 +26,7 @@ class BodyScene:
 
 
 def body_scene(scene: Scene) -> BodyScene:
-    """Return the sections of a scene that the modes of its disk depend on."""
+    """Return the sections of a scene on which the modes of its disk depend."""
     on_contact = scene.support.kind == "contact"
     return BodyScene(
         disk=scene.disk,

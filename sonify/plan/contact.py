@@ -1,5 +1,5 @@
-"""SCENE -> PLAN of the contact: the model with its reason, its error in the sound and its
-omissions."""
+"""Plan of the contact: its model with reasons and omissions, and the predicted error of
+the sound."""
 
 from dataclasses import replace
 from math import radians
@@ -11,7 +11,7 @@ from dynamics.compliant.model_inputs import contact_law, law_table
 from dynamics.compliant.model_selection import (
     choose_contact_model,
     roughness_energy_share,
-    steady_rate,
+    steady_precession_rate,
 )
 from dynamics.disk import GRAVITY
 from dynamics.film.activation import decide_film
@@ -20,24 +20,17 @@ from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction
 from sonify.scene import Scene
 
-MODE_SOUND_SHARE = 0.25
-"""Share of the modes in the sound of a rough contact, in amplitude."""
-MODE_SOUND_SHARE_WITH_FILM = 0.05
-"""The same with an air film.
-
-The contact is solved along the rigid motion. The film makes the vibration of the disk louder, which
-reduces the share. tests/plan/test_plan.py measures both values on the toy scene."""
-
 
 def with_contact(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan with the model of the edge contact and the predicted error of its sound."""
+    """Return the plan with the model of the contact at the edge and the predicted error
+    of its sound."""
     chosen = choose_contact_model(scene)
     film = decide_film(scene).film is not None
     reason = chosen.reason
     if chosen.kind == "filter":
-        reason = f"{chosen.reason}; {sentences.FILTER_ERROR}"
+        reason = f"{chosen.reason}; {sentences.FILTER_ERROR_REASON}"
     if chosen.kind != "rigid" and scene.roughness is not None:
-        reason += uneven_curvature(scene)
+        reason += unevenness_clause(scene)
     contact = Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)
     modelled = [*sentences.CONTACT_MODELLED[chosen.kind]]
     neglected = [*sentences.CONTACT_NEGLECTED[chosen.kind]]
@@ -45,7 +38,7 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         share = roughness_energy_share(scene) if scene.roughness else 0.0
         if chosen.kind == "filter" and share:
             neglected.append(sentences.ROUGHNESS_LOSS_NEGLECTED.format(share=share))
-        bends = scene.contact.body == "elastic" and scene.edge is not None
+        bends = scene.contact.body == "elastic" and scene.elastic_edge is not None
         (modelled if bends else neglected).append(bending_sentence(scene))
         if scene.roughness:
             modelled.append(sentences.ROUGHNESS_LOSS_MODELLED[scene.roughness.loss])
@@ -60,35 +53,44 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         else:
             neglected.append(sentences.HEIGHT_SOUND_NEGLECTED)
     if chosen.kind == "many":
-        chaotic = (rattling_end(p, scene) if p.key == "end" else p for p in plan.predictions)
+        chaotic = (
+            rattling_end_prediction(p, scene) if p.key == "end" else p
+            for p in plan.predictions
+        )
         plan = replace(plan, predictions=tuple(chaotic))
     if scene.roughness:
         rough = (
-            rough_sound(p, chosen.kind, film) if p.key == "sound" else p for p in plan.predictions
+            rough_sound_prediction(p, chosen.kind, film) if p.key == "sound" else p
+            for p in plan.predictions
         )
         plan = replace(plan, predictions=tuple(rough))
-    return plan.also(contact, modelled=modelled, left_out=neglected)
+    return plan.with_additions(contact, modelled=modelled, left_out=neglected)
 
 
-def uneven_curvature(scene: Scene) -> str:
-    """Return how uneven table and edge are at the release and near the end, in words."""
+def unevenness_clause(scene: Scene) -> str:
+    """Return a clause on the unevenness of table and edge at the release and near the
+    end."""
     law = contact_law(scene)
     release = radians(scene.release.inclination_deg)
     late = release / 10
-    first, last = (unevenness(scene.disk, law, scene.roughness, beta) for beta in (release, late))
+    first, last = (
+        unevenness(scene.disk, law, scene.roughness, beta) for beta in (release, late)
+    )
     return (
-        f"; the rms of the heights is {first.depths:.2g} times the depth of the contact, and "
-        f"their curvature is {first.curvature:.2g} times that of the rim at {release:.2g} rad and "
-        f"{last.curvature:.2g} times at {late:.2g} rad (contact is lost from 0.25 to 0.5 on)"
+        f"; the rms height is {first.rms_over_depth:.2g} times the indentation of the contact, and "
+        f"the curvature of the heights is {first.curvature_number:.2g} times that of the rim at {release:.2g} rad and "
+        f"{last.curvature_number:.2g} times at {late:.2g} rad (contact is lost above a ratio of 0.25 to 0.5)"
     )
 
 
-def rattling_end(predicted: Prediction, scene: Scene, duration_scatter: float = 0.02) -> Prediction:
-    """Return the predicted error of the end of a rattling motion, which is chaotic.
+def rattling_end_prediction(
+    predicted: Prediction, scene: Scene, duration_scatter: float = 0.02
+) -> Prediction:
+    """Return the predicted error of the end of a chaotic rattling motion.
 
-    `duration_scatter` is the relative change of the duration with the time step. The inclination
-    falls at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a restitution e.
-    """
+    `duration_scatter` is the relative change of the duration with the time step. The
+    inclination falls at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a
+    restitution e."""
     if scene.roughness is None:
         return predicted
     rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
@@ -101,13 +103,14 @@ def rattling_end(predicted: Prediction, scene: Scene, duration_scatter: float = 
     )
 
 
-def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
-    """Return the predicted error of the sound samples for a rough contact, which dominates them.
+def rough_sound_prediction(predicted: Prediction, kind: str, film: bool) -> Prediction:
+    """Return the predicted error of sound samples that are dominated by a rough
+    contact.
 
-    The filter yields the same contact sound at every accuracy, so that only the modes differ. With
-    the full model, motions at two accuracies diverge by more than a wavelength of the surface.
-    Their sounds are independent noises of equal power, and the relative error is sqrt(2).
-    """
+    The filter yields the same contact sound at every accuracy, so that only the modes
+    differ. In the full model, motions at two accuracies diverge by more than a
+    wavelength of the surface; their sounds are independent noises of equal power, and
+    the relative error is sqrt(2)."""
     if kind == "rigid":
         return predicted
     if kind in ("full", "many"):
@@ -116,7 +119,9 @@ def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
             error=2**0.5,
             source="the noise of a rough contact differs for every time step",
         )
-    modes = MODE_SOUND_SHARE_WITH_FILM if film else MODE_SOUND_SHARE
+    # Relative amplitudes of the modes in the scene toy, from tests/plan/test_plan.py; the sound of
+    # a disk vibrating on its contact is louder over a film.
+    modes = 0.05 if film else 0.25
     return replace(
         predicted,
         error=modes * predicted.error,
@@ -125,30 +130,36 @@ def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
 
 
 def bending_sentence(scene: Scene, late_inclination: float = 0.01) -> str:
-    """Return a sentence on how much bending of the disk lowers the contact resonance.
+    """Return a sentence on the reduction of the contact resonance by bending of the
+    disk.
 
     The reduction is stated at the release and at `late_inclination` [rad].
     """
-    if scene.edge is None:
+    if scene.elastic_edge is None:
         return sentences.SHELL_BENDING_NEGLECTED
     steep = np.radians(scene.release.inclination_deg)
     disk = scene.disk
     beta = np.array([steep, min(late_inclination, steep / 2)])
-    speed = disk.radius * np.array([steady_rate(disk, b) for b in beta])
+    speed = disk.radius * np.array([steady_precession_rate(scene, b) for b in beta])
     with_edge, without = (
-        law_table(scene.replace(f"contact.body={body}")).carrier(beta, disk.weight, speed).frequency
+        law_table(scene.replace(f"contact.body={body}"))
+        .contact_resonance(beta, disk.weight, speed)
+        .frequency
         for body in ("elastic", "rigid")
     )
     first, late = 1 - with_edge / without
-    return sentences.BENDING.format(first=first, late=late, inclination=beta[1])
+    return sentences.BENDING_SENTENCE.format(
+        first=first, late=late, inclination=beta[1]
+    )
 
 
 MAX_RADIATION_ERROR_DB = 2.0
-"""Largest error [dB] of the radiation of a disk vibrating over a film, at up to 0.35 rad.
+"""Largest error [dB] of the mean-square pressure around a disk that vibrates over a
+film.
 
-It is the error in mean square around the disk, for thicknesses of 0.1 to 0.8 radii;
+It applies up to 0.35 rad and for thicknesses of 0.1 to 0.8 radii;
 tests/sound/test_open_film_sound.py measures it."""
 STEEP_RADIATION_ERROR_RANGE_DB = (-4.0, 6.0)
-"""Range of the same error [dB] at inclinations from 0.35 to 0.6 rad."""
+"""Range of the error [dB] of that pressure at inclinations from 0.35 to 0.6 rad."""
 MAX_SHORT_WAVE_UNDERESTIMATE_DB = 5.0
-"""Largest underestimate [dB] of the same radiation at wavenumbers k R between 4 and 5."""
+"""Largest underestimate [dB] of that pressure at wavenumbers k R between 4 and 5."""

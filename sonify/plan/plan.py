@@ -1,4 +1,4 @@
-"""SCENE -> PLAN: the models, omissions and predicted errors of a run, decided in advance."""
+"""Models, omissions and predicted errors of a run, determined in advance."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -8,29 +8,33 @@ import numpy as np
 
 from dynamics import Disk, Motion
 from dynamics.film.activation import MAX_KNUDSEN, final_inclination
-from dynamics.solver_settings import ACCURACY_LEVELS, MAX_AUDIBLE_FREQUENCY, integrator_of
-from dynamics.steady_motion import flat_square
+from dynamics.solver_settings import (
+    ACCURACY_LEVELS,
+    MAX_AUDIBLE_FREQUENCY,
+    resolved_integrator_name,
+)
+from dynamics.steady_motion import squared_rate_times_inclination
 from modal import Material, Modes
 from sonify.plan import sentences
 from sonify.plan.predictions import (
     Prediction,
-    predicted_end,
-    predicted_frequencies,
-    predicted_sound,
+    predicted_end_error,
+    predicted_frequency_error,
+    predicted_sound_error,
 )
 from sonify.scene import Scene
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
-from sonify.sound.force import CALM_STRIDE
+from sonify.sound.force import INTERPOLATION_STRIDE
 
 MAX_NAMED_MODES = 6
-"""Number of modes listed with their decay."""
-ENERGY_SHARE = 0.01
-"""A mode with at least this share of the total energy is kept even if it is inaudible."""
+"""Largest number of modes that are listed with their decay."""
+MIN_MODE_ENERGY_SHARE = 0.01
+"""Least share of the total energy at which an inaudible mode is kept."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Decision:
-    """The choice made on a `subject`, with its reason."""
+    """Choice for a `subject` of the model, with its reason."""
 
     subject: str
     choice: str
@@ -39,7 +43,7 @@ class Decision:
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """Decisions of a run, in words and as numbers.
+    """Decisions on a run, as numbers and sentences.
 
     Parameters
     ----------
@@ -52,13 +56,14 @@ class Plan:
     highest_mode : float
         Upper frequency limit of the modes [Hz].
     calm : float
-        Largest turn of the contact between two evaluations of a smooth force [rad].
+        Largest rotation of the contact between two evaluations of a smooth force [rad].
     sounding : tuple of int, or None
         Indices of the modes that sound; None before the modes are known.
     decisions : tuple of Decision
         Choices and their reasons.
     predictions : tuple of Prediction
-        Predicted errors relative to the accuracy "reference"; empty for the reference itself.
+        Predicted errors relative to the accuracy "reference"; empty for the reference
+        itself.
     modelled, left_out : tuple of str
         Sentences on the model and on its omissions.
     """
@@ -75,40 +80,48 @@ class Plan:
     left_out: tuple[str, ...]
 
     def __repr__(self):
-        """Return a one-line summary; the fields hold the sentences."""
+        """Return a one-line summary without the sentences."""
         count = "" if self.sounding is None else f", {len(self.sounding)} modes sound"
         motion = f"motion to {self.final_inclination:.2g} rad at tolerance {self.tolerance:g}"
         return f"Plan({self.accuracy}: {motion}, modes below {self.highest_mode:g} Hz{count})"
 
-    def also(
-        self, *decisions: Decision, modelled: Iterable[str] = (), left_out: Iterable[str] = ()
+    def with_additions(
+        self,
+        *decisions: Decision,
+        modelled: Iterable[str] = (),
+        left_out: Iterable[str] = (),
     ) -> "Plan":
         """Return the plan with these decisions and sentences added."""
         modelled = (*self.modelled, *modelled)
         left_out = (*self.left_out, *left_out)
         return replace(
-            self, decisions=(*self.decisions, *decisions), modelled=modelled, left_out=left_out
+            self,
+            decisions=(*self.decisions, *decisions),
+            modelled=modelled,
+            left_out=left_out,
         )
 
     def error(self, key: str) -> float:
-        """Return the predicted error of a quantity; 0 without a prediction, as for the reference."""
+        """Return the predicted error of a quantity, or 0 without a prediction."""
         return next((p.error for p in self.predictions if p.key == key), 0.0)
 
 
 def plan_of(scene: Scene) -> Plan:
     """Return the plan of a scene before its modes are known.
 
-    Settings of the scene take precedence.
+    Explicit settings of the scene take precedence over those of the accuracy level.
     """
     numerics = scene.numerics
     heard = min(MAX_AUDIBLE_FREQUENCY, scene.audio.sample_rate / 2)
-    integrator = integrator_of(numerics.integrator)
+    integrator = resolved_integrator_name(numerics.integrator)
     level = numerics.level
     tolerance = numerics.chosen_tolerance
     final = final_inclination(scene)
     sampling = sentences.DENSE_SAMPLING
     if level.max_contact_turn:
-        sampling = sentences.SPARSE_SAMPLING.format(stride=CALM_STRIDE, turn=level.max_contact_turn)
+        sampling = sentences.SPARSE_SAMPLING.format(
+            stride=INTERPOLATION_STRIDE, turn=level.max_contact_turn
+        )
     return Plan(
         accuracy=numerics.accuracy,
         tolerance=tolerance,
@@ -136,10 +149,15 @@ def plan_of(scene: Scene) -> Plan:
                 choice=sentences.RADIATION_CHOICE,
                 reason=sentences.RADIATION_REASON,
             ),
-            damping(scene.material),
+            damping_decision(scene.material),
         ),
-        predictions=() if numerics.accuracy == "reference" else (predicted_end(scene, final),),
-        modelled=(sentences.SUPPORT_MODELLED[scene.support.kind], *sentences.RADIATION_MODELLED),
+        predictions=()
+        if numerics.accuracy == "reference"
+        else (predicted_end_error(scene, final),),
+        modelled=(
+            sentences.SUPPORT_MODELLED[scene.support.kind],
+            *sentences.RADIATION_MODELLED,
+        ),
         left_out=(
             *sentences.ALWAYS_NEGLECTED,
             *sentences.WALL_SOUND_NEGLECTED[scene.disk.shape],
@@ -149,13 +167,15 @@ def plan_of(scene: Scene) -> Plan:
     )
 
 
-def with_sounding_modes(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
+def with_sounding_modes(
+    plan: Plan, scene: Scene, modes: Modes, loudness, energy
+) -> Plan:
     """Return the plan with the selection of the modes that sound.
 
-    `loudness` (m,) [Pa^2 s] and `energy` (m,) [J] come from `audible_modes.response_to_unit_jump`.
-    A mode sounds if its loudness is within `range_db` of the loudest one, or if its energy is at
-    least ENERGY_SHARE of the total.
-    """
+    `loudness` (m,) [Pa^2 s] and `energy` (m,) [J] come from
+    `audible_modes.response_to_unit_jump`. A mode sounds if its loudness is within
+    `range_db` of the loudest one, or if its energy is at least MIN_MODE_ENERGY_SHARE of the
+    total."""
     level = ACCURACY_LEVELS[plan.accuracy]
     heard = audible_mode_indices(loudness, energy, level.range_db)
     solver = Decision(
@@ -166,63 +186,80 @@ def with_sounding_modes(plan: Plan, scene: Scene, modes: Modes, loudness, energy
     which = Decision(
         subject="modes that sound",
         choice=f"{len(heard)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
-        reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest, "
-        f"in either stem of "
-        f"ringing, and hold less than {ENERGY_SHARE:.0%} of the energy"
+        reason=f"the others are predicted to be more than {level.range_db:g} dB(A) below the "
+        f"loudest in both stems of the modes, and have less than {MIN_MODE_ENERGY_SHARE:.0%} of the energy"
         if len(heard) < len(modes.frequency)
         else sentences.ALL_MODES_SOUND_REASON,
     )
-    plan = replace(plan, sounding=tuple(heard.tolist())).also(solver, which)
+    plan = replace(plan, sounding=tuple(heard.tolist())).with_additions(solver, which)
     if plan.accuracy == "reference":
         return plan
-    further = predicted_frequencies(scene, modes), predicted_sound(scene, modes, loudness)
+    further = (
+        predicted_frequency_error(scene, modes),
+        predicted_sound_error(scene, modes, loudness),
+    )
     return replace(plan, predictions=plan.predictions + further)
 
 
 def audible_mode_indices(loudness, energy, range_db: float) -> np.ndarray:
     """Return the indices (k,) of the modes that sound.
 
-    They are within `range_db` [dB] of the loudest mode, or have at least ENERGY_SHARE of the total
-    energy.
-    """
+    These modes are within `range_db` [dB] of the loudest mode or have at least
+    MIN_MODE_ENERGY_SHARE of the total energy."""
     loud = loudness >= 10 ** (-range_db / 10) * loudness.max(initial=0.0)
-    return np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
-
-
-def with_end(plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[str] = ()) -> Plan:
-    """Return the plan, completed with the end of the motion and the decay of the modes.
-
-    `silence` lists the reasons why the sound permits no claim.
-    """
-    ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
-    return plan.also(
-        ring_down(ringing), modelled=[ending], left_out=[*omissions_after_end(motion), *silence]
+    return np.flatnonzero(
+        (loud | (energy >= MIN_MODE_ENERGY_SHARE * energy.sum())) & (energy > 0)
     )
 
 
-def ring_down(ringing: RingDown) -> Decision:
-    """Return the decision on the decay of the modes after the motion, with rates and causes."""
+def with_motion_end(
+    plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[str] = ()
+) -> Plan:
+    """Return the plan with the end of the motion and the decay of the modes added.
+
+    `silence` lists the reasons why claims on the sound cannot be judged.
+    """
+    ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
+    return plan.with_additions(
+        decay_decision(ringing),
+        modelled=[ending],
+        left_out=[*omissions_after_end(motion), *silence],
+    )
+
+
+def decay_decision(ringing: RingDown) -> Decision:
+    """Return the decision on the decay of the modes after the motion, with rates and
+    causes."""
     rows = zip(ringing.frequency, ringing.decay_rate, ringing.decay_time, strict=True)
     named = [f"{f:.0f} Hz: {d:.3g} 1/s (T60 {t:.2g} s)" for f, d, t in rows]
     if len(named) > MAX_NAMED_MODES:
-        named = [*named[:MAX_NAMED_MODES], f"{len(named) - MAX_NAMED_MODES} modes more"]
+        named = [*named[:MAX_NAMED_MODES], f"{len(named) - MAX_NAMED_MODES} more modes"]
     own = "by material and radiation"
     if ringing.gap is not None and len(named):
         rates = sorted(
-            {f"{rate:.3g}" for rate in (ringing.without_film.min(), ringing.without_film.max())},
+            {
+                f"{rate:.3g}"
+                for rate in (
+                    ringing.decay_rate_without_film.min(),
+                    ringing.decay_rate_without_film.max(),
+                )
+            },
             key=float,
         )
-        own += f", {' to '.join(rates)} 1/s, and by the film of air at its last mean gap, {1e6 * ringing.gap:.3g} um"
+        own += f", {' to '.join(rates)} 1/s, and by the air film at its final mean gap, {1e6 * ringing.gap:.3g} um"
     return Decision(
         subject="decay of the modes after the motion",
-        choice="; ".join(named) or "no mode sounds",
-        reason=f"{own}; the sound continues until they are {RING_DOWN_DB:g} dB down, at most "
+        choice="; ".join(named) or "no audible mode",
+        reason=f"{own}; the sound continues until they have decayed by {RING_DOWN_DB:g} dB, for at most "
         f"{MAX_RING_TIME:g} s",
     )
 
 
 def omissions_after_end(motion: Motion) -> list[str]:
-    """Return sentences on the omissions of a motion that did not settle."""
+    """Return sentences on what is neglected after the end of a motion.
+
+    The list is empty if the disk settled.
+    """
     if motion.outcome.name == "SETTLED":
         return []
     missing = f"The end of the motion and its sound: {motion.outcome.sentence}."
@@ -236,32 +273,39 @@ def omissions_after_end(motion: Motion) -> list[str]:
     ]
 
 
-def damping(material: Material) -> Decision:
-    """Return the decision on the damping of the modes: measured decay rates or a loss factor."""
+def damping_decision(material: Material) -> Decision:
+    """Return the decision on the damping of the modes by measured decay rates or a loss
+    factor."""
     given = len(material.decay_rates)
     return Decision(
         subject="decay of the modes",
         choice=f"the first {given} as measured, the others " * bool(given)
         + "by loss factor and radiation upwards",
-        reason=sentences.MEASURED_DECAY_REASON if given else sentences.LOSS_FACTOR_REASON,
+        reason=sentences.MEASURED_DECAY_REASON
+        if given
+        else sentences.LOSS_FACTOR_REASON,
     )
 
 
-def contact_rate(disk: Disk, inclination: float) -> float:
-    """Return the precession frequency [Hz] of the steady motion at a small inclination [rad]."""
+def steady_precession_frequency(disk: Disk, inclination: float) -> float:
+    """Return the precession frequency [Hz] of the steady motion at a small inclination
+    [rad]."""
     return (
-        (flat_square(disk.aspect, disk.gyration) / inclination) ** 0.5 / disk.time_unit / (2 * pi)
+        (squared_rate_times_inclination(disk.aspect, disk.gyration) / inclination)
+        ** 0.5
+        / disk.time_unit
+        / (2 * pi)
     )
 
 
 def end_condition_reason(scene: Scene, final: float) -> str:
-    """Return the reason why the motion of a scene may stop at an inclination [rad]."""
-    turns = f"the contact turns {contact_rate(scene.disk, final):.3g} times per second there"
+    """Return the reason for stopping the motion of a scene at an inclination [rad]."""
+    turns = f"the contact turns {steady_precession_frequency(scene.disk, final):.3g} times per second there"
     if final > scene.numerics.stopping_inclination(scene.disk):
         gap = scene.disk.radius * np.sin(final)
         return (
-            f"{turns}; there the mean gap is {gap:.2g} m and the mean free path of the air "
-            f"{scene.air.mean_free_path:.2g} m, {MAX_KNUDSEN:g} times as long: no law of the film "
-            "is known below"
+            f"{turns}; the mean free path of the air, {scene.air.mean_free_path:.2g} m, is "
+            f"{MAX_KNUDSEN:g} times the mean gap there, {gap:.2g} m, and no film law is known for "
+            "smaller gaps"
         )
-    return f"{turns}; {MAX_AUDIBLE_FREQUENCY:g} Hz is the highest audible rate"
+    return f"{turns}; the highest audible rate is {MAX_AUDIBLE_FREQUENCY:g} Hz"

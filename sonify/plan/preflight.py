@@ -1,4 +1,5 @@
-"""SCENE -> PLAN, MODES, MOTION, or a SceneError with the reason in one line."""
+"""Solve plan, modes and motion of a scene, or raise a SceneError with a one-line
+reason."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -9,23 +10,22 @@ from dynamics import ImpossibleContactError, Motion, Outcome, simulate
 from dynamics.film.activation import decide_film
 from dynamics.simulation import chosen_integrator
 from modal import Modes, SurfaceModes, UnsolvableError, eigenmodes, with_radiation
-from modal.radiation import TOP
+from modal.radiation import TOP_FACE
 from modal.solve import check_solvable
 from sonify.plan.contact import with_contact
 from sonify.plan.plan import Plan, plan_of, with_sounding_modes
 from sonify.plan.supports import support_comparison
-from sonify.plan.table import check_table, leaves_table_at
-from sonify.scene import Scene, SceneError, scene_of
+from sonify.plan.table import check_table, table_exit_time
+from sonify.scene import Scene, SceneError, scene_with_accuracy
 from sonify.sound.audible_modes import response_to_unit_jump
 
 
 def check_solvable_scene(scene: Scene | str | Path, accuracy: str | None) -> Scene:
-    """Return the scene with that accuracy.
+    """Return the scene with the given accuracy, after a check that it can be solved.
 
-    Raises SceneError before any computation if the table, disk, support, integrator or air film of
-    the scene cannot be solved.
-    """
-    scene = scene_of(scene, accuracy)
+    Raises SceneError if the table, disk, support, integrator or air film cannot be
+    solved."""
+    scene = scene_with_accuracy(scene, accuracy)
     check_table(scene)
     try:
         check_solvable(scene.disk, scene.support)
@@ -39,10 +39,11 @@ def check_solvable_scene(scene: Scene | str | Path, accuracy: str | None) -> Sce
 def plan_with_modes(
     scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes
 ) -> tuple[Plan, Modes]:
-    """Return the plan and the modes of the disk, which the plan needs to select those that sound.
+    """Return the plan, including the selection of audible modes, and the modes of the
+    disk.
 
-    `eigenmodes` computes the modes. Raises SceneError if there are too many modes, if round-off
-    dominates the patch, or if there are more measured decay rates than modes.
+    `eigenmodes` computes the modes. Raises SceneError if there are too many modes, if
+    round-off dominates the patch, or if there are more measured decay rates than modes.
     """
     plan = plan_of(scene)
     try:
@@ -50,22 +51,28 @@ def plan_with_modes(
     except UnsolvableError as error:
         raise SceneError(str(error)) from None
     modes = with_measured_damping(
-        with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates
+        with_radiation(elastic, (TOP_FACE,), scene.air), scene.material.decay_rates
     )
     if scene.support.kind == "contact":
-        plan = plan.also(support_comparison(scene, modes, plan.highest_mode))
+        plan = plan.with_additions(support_comparison(scene, modes, plan.highest_mode))
     return with_contact(
-        with_sounding_modes(plan, scene, modes, *response_to_unit_jump(modes, scene)), scene
+        with_sounding_modes(plan, scene, modes, *response_to_unit_jump(modes, scene)),
+        scene,
     ), modes
 
 
 def with_measured_damping(modes: Modes, measured: tuple[float, ...]) -> Modes:
-    """Return the modes with the `measured` decay rates [1/s] assigned to the first of them."""
+    """Return the modes with the `measured` decay rates [1/s] assigned to the lowest
+    ones."""
     if len(measured) > len(modes):
         raise SceneError(
-            f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes are sought"
+            f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes were computed"
         )
-    return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
+    return (
+        modes.with_decay([*measured, *modes.decay_rate[len(measured) :]])
+        if measured
+        else modes
+    )
 
 
 def solve_motion(
@@ -73,15 +80,19 @@ def solve_motion(
     watch: Callable[..., None] = lambda t, inclination, doing: None,
     table: SurfaceModes | None = None,
 ) -> Motion:
-    """Return the motion of a scene on a table with these modes; it ends at the edge of the table.
+    """Return the motion of a scene on a table with the given modes.
+
+    It ends at the latest where the contact leaves the table.
 
     Raises SceneError if no contact force satisfies the balance laws.
     """
     try:
         motion: Any = simulate(scene, watch, surface_modes=table)
-        if (end := leaves_table_at(scene, motion)) is None:
+        if (end := table_exit_time(scene, motion)) is None:
             return motion
-        motion = simulate(scene.replace(f"numerics.time_limit={end}"), watch, surface_modes=table)
+        motion = simulate(
+            scene.replace(f"numerics.time_limit={end}"), watch, surface_modes=table
+        )
         return replace(motion, outcome=Outcome.LEFT_TABLE)
     except ImpossibleContactError as error:
         raise SceneError(f"friction, release: {error}") from None

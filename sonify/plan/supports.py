@@ -1,5 +1,4 @@
-"""SUPPORTS: modes predicted for each support, and the modes of a disk on its contact during a
-run."""
+"""Modes of the disk on each kind of support, and on its contact during a run."""
 
 from dataclasses import dataclass, replace
 
@@ -11,10 +10,8 @@ from sonify.plan import sentences
 from sonify.plan.plan import Decision
 from sonify.scene import Scene
 
-MIN_INCLINATION_DEG = 1e-5
-"""Inclination [degrees] below which a single ellipse no longer describes the contact."""
 MAX_NAMED_MODES = 6
-"""Number of frequencies listed for each support."""
+"""Largest number of frequencies listed for each support."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,38 +28,54 @@ class SupportStep:
 
 
 def modes_over_run(scene: Scene, motion: Motion, below: float) -> list[SupportStep]:
-    """Return the modes below `below` [Hz] at the release, in the middle and at the end of a motion.
+    """Return the modes below `below` [Hz] at the release, in the middle and at the end
+    of a motion.
 
     The list is empty unless the support is the contact.
     """
     if scene.support.kind != "contact":
         return []
     found = []
-    for name, t in zip(("release", "middle", "end"), np.linspace(0, motion.t[-1], 3), strict=True):
-        degrees = max(float(np.degrees(motion.at([t])[0, 1])), MIN_INCLINATION_DEG)
+    for name, t in zip(
+        ("release", "middle", "end"), np.linspace(0, motion.t[-1], 3), strict=True
+    ):
+        least_degrees = 1e-5  # below it the contact is not a single ellipse
+        degrees = max(float(np.degrees(motion.at([t])[0, 1])), least_degrees)
         try:
-            modes = eigenmodes(scene, below, replace(scene.support, inclination_deg=degrees))
+            modes = eigenmodes(
+                scene, below, replace(scene.support, inclination_deg=degrees)
+            )
         except UnsolvableError:
             modes = None
         found.append(
-            SupportStep(name=name, t=float(t), inclination=float(np.radians(degrees)), modes=modes)
+            SupportStep(
+                name=name,
+                t=float(t),
+                inclination=float(np.radians(degrees)),
+                modes=modes,
+            )
         )
     return found
 
 
 def support_comparison(scene: Scene, modes: Modes, below: float) -> Decision:
-    """Return the decision that compares the lowest modes on the contact with two other supports.
+    """Return the comparison of the lowest modes on the contact with those on two other
+    supports.
 
-    These are the paper's patch and the free disk, solved at accuracy "draft".
-    """
+    The other supports, the paper's patch and the free disk, are solved at accuracy
+    "draft"."""
     draft = scene.replace("numerics.accuracy=draft")
-    others = {kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")}
+    others = {
+        kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")
+    }
     lowest = {
         kind: ", ".join(f"{f:.0f}" for f in found.frequency[:MAX_NAMED_MODES]) or "none"
         for kind, found in ({"contact": modes} | others).items()
     }
     return Decision(
         subject="lowest modes by support [Hz]",
-        choice="; ".join(f"{kind}: {frequencies}" for kind, frequencies in lowest.items()),
+        choice="; ".join(
+            f"{kind}: {frequencies}" for kind, frequencies in lowest.items()
+        ),
         reason=sentences.SUPPORT_COMPARISON_REASON,
     )

@@ -1,4 +1,4 @@
-"""SCENE -> PLAN of the table: its model and omissions, and checks that it can be solved."""
+"""Plan of the table: its model, its omissions and a check that it can be solved."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -9,7 +9,7 @@ from dynamics import Motion
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.two_way_onset import (
     may_be_two_way,
-    needs_table_modes,
+    must_compute_table_modes,
     reason_against_contact_law,
     reason_against_full_model,
     reason_against_two_way,
@@ -18,12 +18,13 @@ from dynamics.compliant.two_way_onset import (
 )
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan import sentences
-from sonify.plan.plan import ENERGY_SHARE, Decision, Plan, audible_mode_indices
+from sonify.plan.plan import MIN_MODE_ENERGY_SHARE, Decision, Plan, audible_mode_indices
 from sonify.scene import Scene, SceneError
-from sonify.sound.sources.tabletop import contact_place, response_to_unit_jump
+from sonify.sound.sources.tabletop import contact_position, response_to_unit_jump
 
 MAX_DEFLECTION_RATIO = 0.5
-"""Deflection over thickness beyond which a plate also stretches and linear theory fails."""
+"""Ratio of deflection to thickness above which a plate also stretches and linear theory
+fails."""
 
 
 def check_table(scene: Scene):
@@ -36,7 +37,9 @@ def check_table(scene: Scene):
         what = "imperfection"
         wavy = scene.imperfection is not None
         instead = (
-            (reason_against_contact_law(scene) or reason_against_full_model(scene)) if wavy else ""
+            (reason_against_contact_law(scene) or reason_against_full_model(scene))
+            if wavy
+            else ""
         )
     if instead:
         raise SceneError(f"{what} with {instead}")
@@ -45,50 +48,69 @@ def check_table(scene: Scene):
 
 
 def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
-    """Return the plan with its treatment of the table, and the modes of the table that sound.
+    """Return the plan with the model of the table, and the audible modes of the table.
 
-    The modes are None for a rigid or infinite table. Raises SceneError if they cannot be computed.
-    """
+    The modes are None for a rigid or infinite table. Raises SceneError if they cannot
+    be computed."""
     if scene.imperfection:
-        plan = without_unknown_predictions(plan, scene).also(
+        plan = without_unknown_predictions(plan, scene).with_additions(
             modelled=[sentences.WAVY_TABLE_MODELLED],
             left_out=[sentences.NO_ERROR_PREDICTION_WITH_TABLE],
         )
     if scene.surface.kind == "rigid":
         plan = with_disk(plan, scene, joins_table=False)
-        return plan.also(left_out=[sentences.RIGID_TABLE_NEGLECTED]), None
+        return plan.with_additions(left_out=[sentences.RIGID_TABLE_NEGLECTED]), None
     if scene.surface.kind == "infinite":
         reason = sentences.INFINITE_ACTION_REASON.format(action=scene.surface.action)
-        infinite = Decision(subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason)
-        plan = with_disk(plan, scene, joins_table=False).also(
+        infinite = Decision(
+            subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
+        )
+        plan = with_disk(plan, scene, joins_table=False).with_additions(
             infinite,
             modelled=[sentences.INFINITE_TABLE_MODELLED],
             left_out=[*sentences.TABLE_NEGLECTED, sentences.NEAR_LISTENER_NEGLECTED],
         )
         return plan, None
-    try:
-        all_modes = surface_modes(scene, below=plan.highest_mode)
-    except UnsolvableError as error:
-        raise SceneError(str(error)) from None
-    except ValueError as error:
-        raise SceneError(f"surface: {str(error).removeprefix('surface: ')}") from None
+    all_modes = modes_of_table(scene, plan)
     modes = all_modes.select(audible_table_modes(all_modes, scene))
-    moving_modes = table_modes(scene, modes if needs_table_modes(scene) else None)
+    moving_modes = table_modes(
+        scene, modes if must_compute_table_modes(scene) else None
+    )
     action, joins = table_action(scene, modes if moving_modes is None else moving_modes)
     range_db = scene.numerics.level.range_db
     selection = Decision(
         subject="modes of the table",
         choice=f"{len(modes)} of {len(all_modes)} below {plan.highest_mode:g} Hz; "
         f"{all_modes.method}, {all_modes.unknowns} unknowns",
-        reason=sentences.TABLE_MODES_REASON.format(range_db=range_db, energy=ENERGY_SHARE),
+        reason=sentences.TABLE_MODES_REASON.format(
+            range_db=range_db, energy=MIN_MODE_ENERGY_SHARE
+        ),
     )
-    plan = without_unknown_predictions(plan, scene).also(
+    plan = without_unknown_predictions(plan, scene).with_additions(
         action, selection, modelled=sentences.TABLE_MODELLED[scene.surface.kind]
     )
     reaction, other = sentences.TABLE_NEGLECTED
     neglected = [other] if joins else [reaction, other]
-    neglected += [sentences.NO_ERROR_PREDICTION_WITH_TABLE, *deflection_limits(all_modes, scene)]
-    return with_disk(plan, scene, joins_table=joins).also(left_out=neglected), modes
+    neglected += [
+        sentences.NO_ERROR_PREDICTION_WITH_TABLE,
+        *deflection_limits(all_modes, scene),
+    ]
+    return with_disk(plan, scene, joins_table=joins).with_additions(
+        left_out=neglected
+    ), modes
+
+
+def modes_of_table(scene: Scene, plan: Plan) -> SurfaceModes:
+    """Return the modes of the table below the highest frequency of the plan; none for a rigid one.
+
+    Raises SceneError if they cannot be computed.
+    """
+    try:
+        return surface_modes(scene, below=plan.highest_mode)
+    except UnsolvableError as error:
+        raise SceneError(str(error)) from None
+    except ValueError as error:
+        raise SceneError(f"surface: {str(error).removeprefix('surface: ')}") from None
 
 
 def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
@@ -96,34 +118,58 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
 
     `joins_table` is True if the motion becomes two-way coupled with the table.
     """
+    if choose_contact_model(scene).kind == "many":
+        moves = scene.contact.body == "elastic"
+        disk = Decision(
+            subject="disk",
+            choice="the free modes of the disk move its edge"
+            if moves
+            else "rigid in the motion",
+            reason=f"contact anywhere on the rim, contact.body = {scene.contact.body!r}",
+        )
+        return plan.with_additions(
+            disk, left_out=[sentences.TABLE_SLOPE_NEGLECTED] * joins_table
+        )
     if not joins_table:
         disk = Decision(
             subject="disk and table" if scene.surface.kind == "rigid" else "disk",
             choice="rigid in the motion",
             reason=sentences.RIGID_DISK_REASON.format(kind=scene.surface.kind),
         )
-        neglected = f"{sentences.NO_MODAL_REACTION}."
-        return plan.also(disk, modelled=[sentences.RIGID_DISK_MODELLED], left_out=[neglected])
+        neglected = f"{sentences.MODAL_REACTION_NEGLECTED}."
+        return plan.with_additions(
+            disk, modelled=[sentences.RIGID_DISK_MODELLED], left_out=[neglected]
+        )
     motion = sentences.DISK_COUPLED_LATER_MODELLED
     if scene.contact.body == "elastic" and scene.disk.shape == "solid":
         motion += sentences.DISK_MODES_COUPLED_MODELLED
     until = sentences.UNTIL_TWO_WAY_CLAUSE
-    disk = Decision(subject="disk", choice=f"rigid{until}", reason=motion.removesuffix("."))
-    return plan.also(disk, modelled=[motion], left_out=[f"{sentences.NO_MODAL_REACTION}{until}."])
+    disk = Decision(
+        subject="disk", choice=f"rigid{until}", reason=motion.removesuffix(".")
+    )
+    return plan.with_additions(
+        disk,
+        modelled=[motion],
+        left_out=[f"{sentences.MODAL_REACTION_NEGLECTED}{until}."],
+    )
 
 
 def without_unknown_predictions(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan without the predictions that fail in the presence of a table.
+    """Return the plan without the predictions that are invalid for the table of the
+    scene.
 
-    The error of the samples is known if the noise of a rough contact dominates the sound: on a
-    table with modes, only where it differs for every time step. The error of the end is removed if
-    the table may act on the motion or is wavy.
-    """
+    The error of the sound samples is kept for a rough contact, except for a filtered
+    contact on a table with modes. The error of the end is removed if the table is wavy
+    or may react on the motion."""
     has_modes = scene.surface.kind not in ("rigid", "infinite")
-    known = scene.roughness and not (has_modes and choose_contact_model(scene).kind == "filter")
+    known = scene.roughness and not (
+        has_modes and choose_contact_model(scene).kind == "filter"
+    )
     unknown = set() if known else {"sound"}
     unknown |= {"end"} if may_be_two_way(scene) or scene.imperfection else set()
-    return replace(plan, predictions=tuple(p for p in plan.predictions if p.key not in unknown))
+    return replace(
+        plan, predictions=tuple(p for p in plan.predictions if p.key not in unknown)
+    )
 
 
 def table_action(scene: Scene, modes: SurfaceModes) -> tuple[Decision, bool]:
@@ -131,32 +177,47 @@ def table_action(scene: Scene, modes: SurfaceModes) -> tuple[Decision, bool]:
     action = scene.surface.action
     if action == "motion":
         choice = sentences.TABLE_MOVES_AND_SOUNDS
-        return Decision(subject="table", choice=choice, reason=sentences.MOTION_ACTION_REASON), True
+        return Decision(
+            subject="table", choice=choice, reason=sentences.MOTION_ACTION_REASON
+        ), True
     if action == "sound":
         reason = "surface.action = 'sound'"
-        return Decision(subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason), False
+        return Decision(
+            subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
+        ), False
     reaction = table_reaction(scene, modes)
     reason = f"surface.action = 'auto': {reaction.reason}"
-    if reaction.unsolved:
-        reason += f", but {reaction.unsolved}"
-    if not reaction.acts:
-        return Decision(subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason), False
-    choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(inclination=reaction.inclination)
+    if reaction.reason_unsolved:
+        reason += f", but {reaction.reason_unsolved}"
+    if not reaction.is_two_way:
+        return Decision(
+            subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
+        ), False
+    if choose_contact_model(scene).kind == "many":
+        reason += sentences.FROM_RELEASE_CLAUSE
+        choice = sentences.TABLE_MOVES_AND_SOUNDS
+        return Decision(subject="table", choice=choice, reason=reason), True
+    choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(
+        inclination=reaction.inclination
+    )
     if scene.contact.law == "rigid":
         choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
     return Decision(subject="table", choice=choice, reason=reason), True
 
 
 def audible_table_modes(modes: SurfaceModes, scene: Scene) -> np.ndarray:
-    """Return the indices (k,) of the modes that sound after a force jump."""
-    return audible_mode_indices(*response_to_unit_jump(modes, scene), scene.numerics.level.range_db)
+    """Return the indices (k,) of the table modes that are audible after a force
+    jump."""
+    return audible_mode_indices(
+        *response_to_unit_jump(modes, scene), scene.numerics.level.range_db
+    )
 
 
 def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:
-    """Return a sentence on the stretching of the plate that linear theory leaves out.
+    """Return a sentence on the stretching of the plate, which linear theory neglects.
 
-    The list is empty if the weight of the disk bends the plate by less than MAX_DEFLECTION_RATIO of its thickness.
-    """
+    The list is empty if the weight of the disk deflects the plate by less than
+    MAX_DEFLECTION_RATIO of its thickness."""
     if scene.surface.kind not in ("plate", "infinite"):
         return []
     thickness = scene.surface.thickness
@@ -170,13 +231,14 @@ def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:
     ]
 
 
-def leaves_table_at(scene: Scene, motion: Motion) -> float | None:
-    """Return the time [s] at which the contact first leaves a plate or mesh; None if never."""
+def table_exit_time(scene: Scene, motion: Motion) -> float | None:
+    """Return the time [s] at which the contact first leaves a plate or mesh; None if
+    never."""
     surface = scene.surface
     t = np.linspace(0.0, motion.t[-1], 4096)
     if surface.kind not in ("plate", "mesh"):
         return None
-    place = contact_place(motion.at(t), scene.disk) + surface.place
+    place = contact_position(motion.at(t), scene.disk) + surface.place
     off = (
         np.hypot(*place.T) > surface.radius
         if surface.kind == "plate"
@@ -186,7 +248,8 @@ def leaves_table_at(scene: Scene, motion: Motion) -> float | None:
 
 
 def points_off_mesh(file: str, place) -> np.ndarray:
-    """Return a mask (k,) of the points (k, 2) [m] off the top face of the mesh in a file."""
+    """Return a mask (k,) of the points (k, 2) [m] outside the top face of the mesh in a
+    file."""
     from modal.mesh.read import read_checked
     from modal.tabletop.meshed import on_top_face, top_face_triangles  # load slowly
 

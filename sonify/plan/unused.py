@@ -1,4 +1,4 @@
-"""SCENE -> UNUSED KEYS: keys that a scene sets but no stage of its run reads."""
+"""Keys that a scene sets although no stage of its run reads them."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields, is_dataclass
@@ -11,43 +11,49 @@ from sonify.scene import Scene
 
 
 class Rule(NamedTuple):
-    """Keys that no stage reads in a scene for which `is_unread(scene)` is true."""
+    """Keys that no stage reads if `is_unread(scene)` is True."""
 
     keys: tuple[str, ...]
     is_unread: Callable[[Scene], bool]
 
 
 def has_elastic_contact(scene: Scene) -> bool:
-    """Return True if the contact is elastic at the release or once the table acts on the motion."""
+    """Return True if the contact is elastic from the release on or may become so."""
     return scene.contact.law == "elastic" or may_be_two_way(scene)
 
 
 def is_solved_in_full(scene: Scene) -> bool:
-    """Return True if the time-stepping of the compliant contact starts at the release."""
-    return scene.contact.law == "elastic" and choose_contact_model(scene).kind in ("full", "many")
+    """Return True if time-stepping with a compliant contact starts at the release."""
+    return scene.contact.law == "elastic" and choose_contact_model(scene).kind in (
+        "full",
+        "many",
+    )
 
 
 def has_no_spectrum(scene: Scene) -> bool:
-    """Return True if no surface heights follow from a power spectrum.
+    """Return True if no surface heights are generated from a power spectrum.
 
-    The table has a measured profile, and the edge is measured or smooth.
+    In this case the table has a measured profile, and the edge is measured or smooth.
     """
     heights = scene.roughness
-    return heights is not None and heights.profile is not None and heights.edge_rms == 0.0
+    return (
+        heights is not None and heights.profile is not None and heights.edge_rms == 0.0
+    )
 
 
 def has_no_film(scene: Scene) -> bool:
-    """Return True if no air film can exist: in a vacuum or under a shell."""
+    """Return True if no air film can exist, as in a vacuum or under a shell."""
     return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
 
 
 def is_rattling(scene: Scene) -> bool:
-    """Return True if the contact may be anywhere on the rim."""
+    """Return True if the contact model allows contacts anywhere on the rim."""
     return choose_contact_model(scene).kind == "many"
 
 
-def has_own_constants(scene: Scene) -> bool:
-    """Return True if the scene gives every number that would follow from `material.name`."""
+def has_all_material_values(scene: Scene) -> bool:
+    """Return True if the scene specifies every value that `material.name` would
+    provide."""
     material = scene.document["material"]
     mass = {"mass", "density"} & set(scene.document["disk"])
     return bool(mass) and {"young", "poisson", "loss_factor"} <= set(material)
@@ -59,7 +65,7 @@ ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile
 
 
 def section_keys(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the full names of keys of a section."""
+    """Return the full names of the given keys of a section."""
     return tuple(f"{section}.{key}" for key in keys)
 
 
@@ -72,34 +78,64 @@ RULES = (
         ("friction.mu_static", "roughness.loss"),
         is_rattling,
     ),
-    Rule(("contact.loss_factor",), lambda scene: scene.contact.restitution is not None),
-    Rule(("material.name",), has_own_constants),
+    Rule(("material.name",), has_all_material_values),
     Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
-    Rule(section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
-    Rule(("support.position",), lambda scene: scene.support.height in (None, scene.disk.thickness)),
+    Rule(
+        section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"
+    ),
+    Rule(
+        ("support.position",),
+        lambda scene: scene.support.height in (None, scene.disk.thickness),
+    ),
     Rule(("surface.action",), lambda scene: scene.surface.kind == "infinite"),
-    Rule(("dissipation.power_exponent",), lambda scene: scene.dissipation.power_coefficient == 0.0),
+    Rule(
+        ("dissipation.power_exponent",),
+        lambda scene: scene.dissipation.power_coefficient == 0.0,
+    ),
     Rule(
         ("dissipation.air_density",),
         lambda scene: scene.dissipation.boundary_layer_viscosity == 0.0,
     ),
     Rule(
-        section_keys("contact", ("fillet", "loss_factor", "young", "poisson")),
-        lambda scene: not has_elastic_contact(scene) and scene.support.kind != "contact",
+        ("contact.loss_factor",),
+        lambda scene: (
+            not has_elastic_contact(scene) and scene.support.kind != "contact"
+        ),
+    ),
+    Rule(
+        ("contact.young", "contact.poisson"),
+        lambda scene: (
+            not has_elastic_contact(scene)
+            and scene.support.kind != "contact"
+            and scene.friction.arm_pivoting != "contact"
+        ),
+    ),
+    Rule(("surface.diameter",), lambda scene: not scene.surface.sag),
+    Rule(
+        ("surface.place",),
+        lambda scene: scene.surface.kind == "rigid" and not scene.surface.sag,
     ),
     Rule(
         ("contact.body",),
         lambda scene: not has_elastic_contact(scene) or scene.disk.shape != "solid",
     ),
-    Rule(section_keys("roughness", ROUGHNESS_KEYS), lambda scene: scene.contact.law == "rigid"),
+    Rule(
+        section_keys("roughness", ROUGHNESS_KEYS),
+        lambda scene: scene.contact.law == "rigid",
+    ),
     Rule(section_keys("roughness", SPECTRUM_KEYS), has_no_spectrum),
     Rule(("roughness.loss",), lambda scene: scene.numerics.contact == "filter"),
     Rule(("air.film", "air.viscosity"), has_no_film),
-    Rule(("audio.distance", "audio.elevation_deg"), lambda scene: bool(scene.audio.listeners)),
+    Rule(
+        ("audio.distance", "audio.elevation_deg"),
+        lambda scene: bool(scene.audio.listeners),
+    ),
     Rule(("numerics.integrator", "numerics.tolerance"), is_solved_in_full),
     Rule(
         ("numerics.final_inclination",),
-        lambda scene: scene.surface.action == "motion" or scene.imperfection is not None,
+        lambda scene: (
+            scene.surface.action == "motion" or scene.imperfection is not None
+        ),
     ),
     Rule(("numerics.contact",), lambda scene: scene.contact.law == "rigid"),
     Rule(
@@ -107,17 +143,18 @@ RULES = (
         lambda scene: not may_be_two_way(scene) and not is_solved_in_full(scene),
     ),
 )
-"""Conditions under which no stage reads a key; tests/plan/test_unused_keys.py checks them on the
-stages."""
+"""Conditions under which no stage reads a key; tests/plan/test_unused_keys.py checks
+them."""
 
 
 def unused_keys(scene: Scene) -> tuple[str, ...]:
-    """Return the keys that a scene sets to non-default values without effect on its run.
+    """Return the keys with non-default values that have no effect on the run of a
+    scene.
 
     Parameters
     ----------
     scene : Scene
-        A key counts as set if it occurs in the document of the scene.
+        Scene whose document sets the keys.
 
     Returns
     -------
@@ -137,10 +174,16 @@ def set_keys(scene: Scene) -> Iterator[str]:
     for name, given in scene.document.items():
         if is_dataclass(sections[name]):
             values = vars(sections[name])
-            defaults = {field.name: default_of(field) for field in fields(sections[name])}
-            yield from (f"{name}.{key}" for key in given if values[key] != defaults[key])
+            defaults = {
+                field.name: default_of(field) for field in fields(sections[name])
+            }
+            yield from (
+                f"{name}.{key}" for key in given if values[key] != defaults[key]
+            )
 
 
 def default_of(field: Any) -> Any:
     """Return the default of a field of a section; MISSING if the key is required."""
-    return field.default if field.default_factory is MISSING else field.default_factory()
+    return (
+        field.default if field.default_factory is MISSING else field.default_factory()
+    )

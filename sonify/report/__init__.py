@@ -1,1 +1,1 @@
-"""RESULT -> FILES: the numbers, pictures, page and film of a run."""
+"""Write the numbers, pictures, page and animation of a run."""

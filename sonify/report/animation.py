@@ -1,4 +1,4 @@
-"""RESULT -> FILM: the end of the motion in real time, with its sound."""
+"""Animate the end of a motion in real time, with its sound."""
 
 import errno
 from dataclasses import dataclass, replace
@@ -24,7 +24,12 @@ from sonify.report.perspective import (
     draw_trace,
     rim_points,
 )
-from sonify.report.sound import COLOUR_RANGE_DB, level_image, log_frequency, loudest_db
+from sonify.report.sound import (
+    COLOUR_RANGE_DB,
+    draw_level_image,
+    loudest_db,
+    set_log_frequency_axis,
+)
 from sonify.runtime.files import atomic_write
 from sonify.scene_errors import InputError
 
@@ -35,37 +40,37 @@ FRAME_RATE = 25  # frames per second
 EXPOSURES_PER_FRAME = 12
 FILM_DURATION = 8.0  # s
 TAIL_DURATION = 1.0
-"""Part of the film after the end of the motion [s]."""
+"""Duration of the film after the end of the motion [s]."""
 MIN_DRAWN_INCLINATION = np.radians(15.0)
-"""Smallest drawn value of the greatest inclination [rad]."""
+"""Lower bound of the greatest inclination drawn in the film [rad]."""
 MAX_TRACE_TURNS = 4
-"""Largest number of turns for which the contact point is traced."""
+"""Largest number of turns over which the path of the contact point is drawn."""
 FILM_SIZE = (1280, 720)  # px
 DISK_VIEW_SIZE = (800, 432)
 """Size of the view of the disk at the upper left of the film [px]."""
 
 EXPLANATION = (
     "real time",
-    f"inclination drawn larger, at least {np.degrees(MIN_DRAWN_INCLINATION):g}° at",
-    "first, then falling as its square root",
+    f"inclination exaggerated: at least {np.degrees(MIN_DRAWN_INCLINATION):g}°",
+    "at first; drawn as its square root",
     "blue: path of the contact,",
-    f"its last {MAX_TRACE_TURNS} turns at most",
+    f"at most its last {MAX_TRACE_TURNS} turns",
 )
 """Explanation of the film for its viewers."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Clip:
-    """The filmed part of a result: `frames` frames from `start` [s] on, in listener's time.
+    """Part of a result shown in the film, with `frames` frames.
 
-    The listener hears the source after the propagation delay. `steepest` [rad] is the greatest
-    inclination in the clip.
+    It begins at the time `start` [s] of the listener, who hears the source after the
+    propagation delay. `max_inclination` [rad] is the greatest inclination in the clip.
     """
 
     result: object
     start: float
     frames: int
-    steepest: float
+    max_inclination: float
 
     @property
     def span(self) -> tuple[float, float]:
@@ -73,20 +78,26 @@ class Clip:
         return self.start, self.start + self.frames / FRAME_RATE
 
     def states(self, t) -> np.ndarray:
-        """Return the states (k, 11) of the disk audible at listener's times t (k,) [s].
+        """Return the states (k, 11) of the disk that the listener hears at times t (k,)
+        [s].
 
         They are constant before and after the motion.
         """
         motion = self.result.motion
         sound = self.result.sound
-        return motion.at(np.clip(t - sound.source_end + motion.t[-1], 0.0, motion.t[-1]))
+        return motion.at(
+            np.clip(t - sound.source_end + motion.t[-1], 0.0, motion.t[-1])
+        )
 
-    def inclination(self, state) -> np.ndarray:
+    def drawn_inclination(self, state) -> np.ndarray:
         """Return the drawn inclinations (k,) [rad] of states (k, 11).
 
-        They are proportional to the square root of the true ones, which falls steadily to the end.
+        They are proportional to the square root of the true inclinations, which
+        decreases more uniformly.
         """
-        return max(self.steepest, MIN_DRAWN_INCLINATION) * np.sqrt(state[:, 1] / self.steepest)
+        return max(self.max_inclination, MIN_DRAWN_INCLINATION) * np.sqrt(
+            state[:, 1] / self.max_inclination
+        )
 
 
 def require_encoder():
@@ -97,19 +108,21 @@ def require_encoder():
         get_ffmpeg_exe()
     except (ImportError, RuntimeError) as error:
         raise InputError(
-            f'an animation needs an encoder: python -m pip install -e ".[animation]" ({error})'
+            "an animation requires a video encoder; install it with: "
+            f'python -m pip install -e ".[animation]" ({error})'
         ) from None
 
 
 def animate(result: "Result", watch=lambda done: None) -> Path:
-    """Film the last seconds of a result into animation.mp4 (H.264, AAC); return its path.
+    """Write an animation of the last seconds of a result to animation.mp4 (H.264, AAC);
+    return its path.
 
-    The file is in the folder of the result. `watch(share)` is called with the completed share of
-    the frames. Raises InputError without the encoder, and OSError if the disk is full. Tested by
-    tests/report/test_animation.py.
+    The file is written to the folder of the result. `watch(fraction)` is called with
+    the completed fraction of the frames. Raises InputError if the encoder is missing,
+    and OSError if the disk is full. Tested by tests/report/test_animation.py.
     """
     require_encoder()
-    clip = clip_of(result)
+    clip = final_clip(result)
     path = result.out / "animation.mp4"
     with atomic_write(path) as film, TemporaryDirectory() as folder:
         sound = write_clip_sound(clip, Path(folder) / "sound.wav")
@@ -117,8 +130,9 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
     return path
 
 
-def clip_of(result: "Result") -> Clip:
-    """Return the last FILM_DURATION seconds of a result, up to TAIL_DURATION seconds beyond the motion."""
+def final_clip(result: "Result") -> Clip:
+    """Return the clip of the last FILM_DURATION seconds, which ends TAIL_DURATION
+    seconds after the motion."""
     sound = result.sound
     end = min(sound.source_end + TAIL_DURATION, sound.duration)
     start = max(end - FILM_DURATION, 0.0)
@@ -126,9 +140,12 @@ def clip_of(result: "Result") -> Clip:
         result=result,
         start=start,
         frames=max(int((end - start) * FRAME_RATE), 1),
-        steepest=MIN_DRAWN_INCLINATION,
+        max_inclination=MIN_DRAWN_INCLINATION,
     )
-    return replace(seen, steepest=float(seen.states(np.linspace(*seen.span, 2000))[:, 1].max()))
+    return replace(
+        seen,
+        max_inclination=float(seen.states(np.linspace(*seen.span, 2000))[:, 1].max()),
+    )
 
 
 def write_clip_sound(clip, path: Path) -> Path:
@@ -136,13 +153,16 @@ def write_clip_sound(clip, path: Path) -> Path:
     sound = clip.result.sound
     first, last = (int(t * sound.sample_rate) for t in clip.span)
     soundfile.write(
-        path, sound.pressure.read(first, last) / sound.full_scale, sound.sample_rate, "PCM_24"
+        path,
+        sound.pressure.read(first, last) / sound.full_scale,
+        sound.sample_rate,
+        "PCM_24",
     )
     return path
 
 
 def encode_film(path, sound, frames: int, images, watch):
-    """Write images (h, w, 3) and a sound as a film.
+    """Encode images (h, w, 3) and a sound file as a film.
 
     Raises OSError if the film does not contain all frames.
     """
@@ -166,15 +186,19 @@ def encode_film(path, sound, frames: int, images, watch):
         writer.close()
         written = count_frames_and_secs(path)[0]
     except (OSError, RuntimeError) as error:
-        raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
+        raise OSError(
+            errno.ENOSPC, "could not be written in full", str(path)
+        ) from error
     if written != frames:
-        raise OSError(errno.ENOSPC, f"holds {written} of {frames} frames", str(path))
+        raise OSError(
+            errno.ENOSPC, f"contains only {written} of {frames} frames", str(path)
+        )
 
 
 def film_frames(clip):
     """Yield the frames (h, w, 3) of a clip."""
     base, across = spectrogram_background(clip)
-    camera = camera_of(clip)
+    camera = clip_camera(clip)
     empty = draw_table(camera, clip.result.scene.disk.radius)
     font = ImageFont.truetype(font_manager.findfont("DejaVu Sans"), 22)
     for n in range(clip.frames):
@@ -183,16 +207,22 @@ def film_frames(clip):
         frame.paste(disk_image(clip, camera, empty, t), (0, 0))
         pen = ImageDraw.Draw(frame)
         pen.text(
-            (DISK_VIEW_SIZE[0] + 10, 60), frame_caption(clip, t), (30, 30, 30), font, spacing=12
+            (DISK_VIEW_SIZE[0] + 10, 60),
+            frame_caption(clip, t),
+            (30, 30, 30),
+            font,
+            spacing=12,
         )
         for width, color in ((3, "white"), (1, "black")):
             pen.line(
-                [across(t), DISK_VIEW_SIZE[1] + 14, across(t), FILM_SIZE[1] - 60], color, width
+                [across(t), DISK_VIEW_SIZE[1] + 14, across(t), FILM_SIZE[1] - 60],
+                color,
+                width,
             )
         yield np.asarray(frame)
 
 
-def camera_of(clip) -> Camera:
+def clip_camera(clip) -> Camera:
     """Return a camera that keeps the disk in view during the whole clip."""
     disk = clip.result.scene.disk
     place = clip.states(np.linspace(*clip.span, 400))[:, 3:5]
@@ -208,7 +238,8 @@ def camera_of(clip) -> Camera:
 
 
 def disk_image(clip, camera, empty, t: float) -> Image.Image:
-    """Return the image of the disk in the frame at t [s], with the trace of the contact.
+    """Return the image of the disk in the frame at t [s], with the trace of the
+    contact.
 
     The shutter is open for the whole duration of the frame.
     """
@@ -220,14 +251,16 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
     image = draw_blurred_disk(
         camera,
         empty,
-        rim_points(state, clip.inclination(state), disk),
+        rim_points(state, clip.drawn_inclination(state), disk),
         disk.inner_radius / disk.radius,
     )
     turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
     touching = clip.states(
-        np.linspace(last - min(0.3, MAX_TRACE_TURNS * turn), last, 100 * MAX_TRACE_TURNS)
+        np.linspace(
+            last - min(0.3, MAX_TRACE_TURNS * turn), last, 100 * MAX_TRACE_TURNS
+        )
     )
-    path = contact_points(touching, clip.inclination(touching), disk)
+    path = contact_points(touching, clip.drawn_inclination(touching), disk)
     return draw_trace(camera, image, path if t < last else path[:0])
 
 
@@ -235,29 +268,33 @@ def frame_caption(clip, t: float) -> str:
     """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
     settled = clip.result.motion.outcome.name == "SETTLED"
-    lines = ["at rest: its modes ring" if settled else "no longer solved: its modes ring", ""]
+    lines = [
+        "at rest; its modes ring" if settled else "solution ended; its modes ring",
+        "",
+    ]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)
         lines = [
             f"inclination {np.degrees(state[0, 1]):.3g}°",
-            f"the contact turns at {turns:.3g} Hz",
+            f"the contact revolves at {turns:.3g} Hz",
         ]
     return "\n".join([f"{t:.2f} s", *lines, "", *EXPLANATION])
 
 
 def spectrogram_background(clip):
-    """Return the static background of the frames and the map from time [s] to its column [px].
-
-    The background contains the spectrogram.
+    """Return the background image with the spectrogram and a function from time [s] to
+    image column [px].
     """
-    figure = Figure(figsize=(FILM_SIZE[0] / 100, FILM_SIZE[1] / 100), dpi=100, facecolor="w")
+    figure = Figure(
+        figsize=(FILM_SIZE[0] / 100, FILM_SIZE[1] / 100), dpi=100, facecolor="w"
+    )
     below = (FILM_SIZE[1] - DISK_VIEW_SIZE[1] - 74) / FILM_SIZE[1]
     axes = figure.add_axes((0.066, 60 / FILM_SIZE[1], 0.84, below), facecolor="k")
     band = (20.0, 10e3)  # Hz
     seen = spectrogram(clip.result.sound.pressure, 0.05, span=clip.span).band(*band)
-    log_frequency(axes, band)
+    set_log_frequency_axis(axes, band)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
-    image = level_image(axes, seen, 1.0, loudest_db(seen) - COLOUR_RANGE_DB)
+    image = draw_level_image(axes, seen, 1.0, loudest_db(seen) - COLOUR_RANGE_DB)
     bar = figure.add_axes((0.92, 60 / FILM_SIZE[1], 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
     canvas = FigureCanvasAgg(figure)

@@ -1,13 +1,12 @@
-"""RESULT -> SENTENCES: descriptions of its pictures, and the limits of its model.
+"""Describe the pictures of a result and the limits of its model in sentences.
 
-A limit is the time from which an effect that the model omits becomes significant.
+A limit is the time from which an effect omitted by the model becomes significant.
 """
 
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dynamics.film.activation import decide_film
 from dynamics.observables import nutation_frequency, precession_rate
 from sonify.claims.details import unit_and_details
 from sonify.claims.two_way import energy_budget, two_way_part
@@ -17,19 +16,20 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 OMITTED_EFFECTS = {
-    "modes_take_little": "The modes of the disk act back on its motion",
-    "table_takes_a_hundredth": "The table acts back on the motion",
+    "modes_take_little": "The modes of the disk affect its motion",
+    "table_takes_a_hundredth": "The table affects the motion",
 }
-"""Key of a finding (a time before the end [s]) -> effect that is significant from then on."""
+"""Effects by the key of the finding that states how long before the end [s] they become
+significant."""
 
 
-def spectrogram(result: "Result") -> str:
+def describe_spectrogram(result: "Result") -> str:
     """Return a description of the spectrogram."""
     tone = None if result.heard is None else result.heard.tone
-    rising = (
-        f", a tone that rises {tone.factor:.2g} times over the ridge that is heard" if tone else ""
-    )
-    carriers = [f"{c.frequency:.0f} Hz" for c in (result.heard.lines if result.heard else [])]
+    rising = f", a tone that rises by a factor of {tone.factor:.2g}" if tone else ""
+    carriers = [
+        f"{c.frequency:.0f} Hz" for c in (result.heard.lines if result.heard else [])
+    ]
     steady = f", steady tones at {', '.join(carriers)}" if carriers else ""
     return (
         f"Spectrogram of {result.scene.name}, 10 Hz to {result.sound.sample_rate / 2000:g} kHz "
@@ -39,18 +39,21 @@ def spectrogram(result: "Result") -> str:
     )
 
 
-def stems(result: "Result") -> str:
-    """Return a description of the picture of the causes of sound."""
-    peaks = sorted(result.sound.stem_peak.items(), key=lambda item: -item[1])
-    items = [f"{name.replace('_', ' ')} {level_db(peak**2):.0f} dB" for name, peak in peaks]
+def describe_stems(result: "Result") -> str:
+    """Return a description of the picture of the stem levels."""
+    peaks = sorted(result.sound.stem_peaks.items(), key=lambda item: -item[1])
+    items = [
+        f"{name.replace('_', ' ')} {level_db(peak**2):.0f} dB" for name, peak in peaks
+    ]
     return (
-        "Level of each cause over time, and how far it is above the threshold of hearing. "
+        "Level of each cause of sound over time, and its level above the threshold of hearing. "
         f"Peaks: {', '.join(items)}."
     )
 
 
-def motion(result: "Result") -> str:
-    """Return a description of the curves of the motion, with initial and final values."""
+def describe_motion(result: "Result") -> str:
+    """Return a description of the curves of the motion with their initial and final
+    values."""
     solved = result.motion
     state = solved.at(solved.t[[0, -1]])
     first, last = np.degrees(state[:, 1])
@@ -74,8 +77,9 @@ def motion(result: "Result") -> str:
     )
 
 
-def energy(result: "Result") -> str:
-    """Return a description of the energy picture: the losses, the greatest first."""
+def describe_energy(result: "Result") -> str:
+    """Return a description of the energy picture with the losses in descending
+    order."""
     begin = two_way_part(result.motion)[1]
     end = result.motion.t[-1]
     lost = energy_budget(result.motion, np.array([begin, end])).lost
@@ -83,22 +87,27 @@ def energy(result: "Result") -> str:
         f"{name} {energy[-1]:.2g} J"
         for name, energy in sorted(lost.items(), key=lambda item: -item[1][-1])
     ]
-    return f"Energies of disk and table over the last {end - begin:.2g} s, and what was lost to {', '.join(items)}."
+    return f"Energies of disk and table over the last {end - begin:.2g} s, and losses to {', '.join(items)}."
 
 
-def modes(result: "Result") -> str:
+def describe_modes(result: "Result") -> str:
     """Return a description of the picture of the modes."""
     found = result.modes
     items = [
         f"{f:.0f} Hz {kind} of order {n}"
         for f, kind, n in zip(found.frequency, found.family, found.order, strict=True)
     ]
-    table = f", and of the table from {result.table.frequency[0]:.0f} Hz on" if result.table else ""
+    table = (
+        f", and of the table from {result.table.frequency[0]:.0f} Hz on"
+        if result.table
+        else ""
+    )
     return f"Shapes of {len(items)} modes of the disk: {', '.join(items[:12])}{', ...' if items[12:] else ''}{table}."
 
 
 def omitted_effects(result: "Result") -> list[str]:
-    """Return one sentence for each omitted effect, with the time from which it is significant."""
+    """Return one sentence for each omitted effect with the time from which it is
+    significant."""
     end = result.motion.t[-1]
     found = {finding.key: finding for finding in result.findings}
     items = [
@@ -108,31 +117,35 @@ def omitted_effects(result: "Result") -> list[str]:
         if key in found and found[key].value > 0
     ]
     air = found.get("air_negligible")
-    if air and air.value < 1 and not decide_film(result.scene).film:
-        items.append(f"The film of air takes 1 % of the power from t = {air.value * end:.3g} s on.")
-    return items or ["Nothing that is left out reaches its bar in this run."]
+    if air and air.value < 1 and not result.motion.film:
+        items.append(
+            f"The air film dissipates 1 % of the power from t = {air.value * end:.3g} s on."
+        )
+    return items or ["No omitted effect is significant in this run."]
 
 
-PICTURES = {
+PICTURE_CAPTIONS = {
     "spectrogram.png": (
-        spectrogram,
-        "The pressure at the listener in two bands; the solved rates drawn over.",
+        describe_spectrogram,
+        "The sound pressure at the listener in two frequency bands, with the computed frequencies.",
     ),
     "stems.png": (
-        stems,
-        "What can be heard: each cause of sound against the threshold of hearing.",
+        describe_stems,
+        "The level of each cause of sound, and its level above the threshold of hearing.",
     ),
     "motion.png": (
-        motion,
-        "The motion. Light blue: the range of what oscillates; for the scene of the paper, its "
-        "figures 3 to 6 below.",
+        describe_motion,
+        "The motion; light blue marks the range of oscillations. For the scene of the paper, its "
+        "figures 3 to 6 are shown below.",
     ),
-    "energy.png": (energy, "Where the energy is and goes while the table acts back."),
+    "energy.png": (
+        describe_energy,
+        "Stored energies and losses during two-way coupling with the table.",
+    ),
     "modes.png": (
-        modes,
-        "The modes: the whole body exaggerated, and the axial motion of its upper face with the "
-        "nodal lines; below, "
-        "those of the table, if it has any.",
+        describe_modes,
+        "The mode shapes: the whole body, exaggerated, and the axial motion of its upper face with "
+        "nodal lines. Modes of the table, if any, are shown below.",
     ),
 }
-"""File name -> function from result to description, and caption."""
+"""Function that describes the picture of a result, and caption, by file name."""

@@ -1,4 +1,4 @@
-"""FIGURE -> PNG: the layout common to all pictures."""
+"""Lay out figures in a common style and write them as PNG files."""
 
 from contextlib import contextmanager
 
@@ -13,10 +13,11 @@ DPI = 110  # dots per inch
 
 
 @contextmanager
-def figure_at(path, rows, columns, size, **options):
+def png_figure(path, rows, columns, size, **options):
     """Yield a figure of `size` [in] with axes (rows, columns).
 
-    On exit, write it to `path`, a path or an open file, as an opaque PNG.
+    On exit, write it to `path`, a path or an open file, as an opaque PNG of 256
+    colours.
     """
     figure = Figure(figsize=size, dpi=DPI)
     axes = figure.subplots(rows, columns, **options)
@@ -32,15 +33,20 @@ def figure_at(path, rows, columns, size, **options):
         _fix_layout(panel)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(path, "PNG", compress_level=3)
+    drawn = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
+    drawn.quantize(256, Image.Quantize.FASTOCTREE).save(path, "PNG", compress_level=6)
 
 
 def _fix_layout(panel):
-    """Limit the number of ticks, and fix the positions of title and axis labels.
+    """Limit the number of ticks and fix the positions of title and axis labels.
 
-    Many ticks are slow to draw, and matplotlib would measure every tick to place the labels.
+    Many ticks are slow to draw, and matplotlib would measure every tick to place the
+    labels.
     """
-    plain_powers_of_ten = (-2, 5)  # longer numbers would overlap the axis label
+    plain_powers_of_ten = (
+        -2,
+        5,
+    )  # exponents; longer numbers would overlap the axis label
     for axis in (panel.xaxis, panel.yaxis):
         if axis.get_scale() == "linear":
             axis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
@@ -53,27 +59,35 @@ def _fix_layout(panel):
     panel.yaxis.set_label_coords(-0.58 / width, 0.5)
 
 
-def plain_decades(axis):
+def label_plain_decades(axis):
     """Label a logarithmic axis with plain numbers at 1, 2, 5, 10 ..."""
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_locator(NullLocator())
 
 
-def legend_above(panel, columns: int = 3, **options):
-    """Put the legend above the right end of a panel; the title is at the left."""
+def place_legend_above(panel, columns: int = 3, **options):
+    """Place the legend above the right end of a panel; the title is at the left."""
     place = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "borderaxespad": 0.2}
-    panel.legend(**place, ncols=columns, fontsize=8, handlelength=2.5, columnspacing=1.2, **options)
+    panel.legend(
+        **place,
+        ncols=columns,
+        fontsize=8,
+        handlelength=2.5,
+        columnspacing=1.2,
+        **options,
+    )
 
 
 def running_range(
     y, share: float, columns: int = 1000
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the running mean, minimum and maximum (c,) of evenly spaced samples y (k,).
+    """Return the running mean, minimum and maximum (c,) of evenly spaced samples y
+    (k,).
 
-    The window is a `share` of the k samples, and c is about `columns`. Minimum and maximum are
-    those of the deviation from the mean, so that a trend alone makes no band; they never exceed
-    the range of y itself within the window.
+    The window contains a `share` of the k samples, and c is about `columns`. Minimum
+    and maximum are those of the deviation from the mean, so that a mere trend does not
+    produce a band; they never exceed the range of y within the window.
     """
     size = max(round(share * len(y)), 1)
     mean = uniform_filter1d(y, size, mode="nearest")

@@ -1,4 +1,4 @@
-"""FINDINGS -> HEADLINE: one sentence on what a run shows about the paper's conjecture."""
+"""Summarise in one sentence what a run shows about the paper's conjecture."""
 
 from collections.abc import Iterable
 
@@ -18,6 +18,14 @@ CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
             "you hear the disk ring",
             "you hear the disk move rather than ring",
         ),
+        "free_modes_are_heard": (
+            "you hear the disk ring",
+            "you hear more than the ringing of the disk",
+        ),
+        "heard_through_film": (
+            "you hear the disk move",
+            "the motion of the disk is inaudible",
+        ),
     },
     "pitch": {
         "table_tone_rises": ("the pitch rises", "the pitch does not rise"),
@@ -29,30 +37,55 @@ CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
             "vibrations break the contact",
             "vibrations do not break the contact",
         ),
-        "disk_rattles": ("the disk rattles on the table", "the disk hardly leaves the table"),
-        "contact_is_lost": ("the disk leaves the table", "the disk never leaves the table"),
-        "contact_kept": ("the disk never leaves the table", "the disk leaves the table"),
+        "disk_rattles": (
+            "the disk rattles on the table",
+            "the disk hardly leaves the table",
+        ),
+        "contact_is_lost": (
+            "the disk leaves the table",
+            "the disk never leaves the table",
+        ),
+        "contact_kept": (
+            "the disk never leaves the table",
+            "the disk leaves the table",
+        ),
     },
     "end": {
-        "impacts_end_it": ("impacts bring it to rest", "impacts do not bring it to rest"),
+        "impacts_end_it": (
+            "impacts bring it to rest",
+            "impacts do not bring it to rest",
+        ),
     },
 }
-"""Subject -> key of a finding -> clauses if it holds and if not; the first finding counts."""
+"""Clauses for findings that hold and that do not, by subject and key; the first finding
+present is used."""
 
 
 def headline(findings: Iterable[Finding]) -> str:
-    """Return one sentence on the sound, its pitch and the contact, from the findings of a run.
+    """Return one sentence on the sound, its pitch and the contact from the findings of
+    a run.
 
-    Undecided findings and subjects without a finding are left out; without any, it is empty.
+    Undecided findings and subjects without a finding are omitted; the sentence is empty
+    if none remains.
     """
     by_key = {finding.key: finding for finding in findings}
     clauses = []
+    carried = by_key.get("carried_by_air")
+    lost_to_air = carried is not None and carried.holds and carried.cause == "film"
+    if lost_to_air:
+        by_key.pop(
+            "contact_kept", None
+        )  # the air lifts the disk, so the contact is not lost to vibrations
     for words in CLAUSES.values():
         key = next((key for key in words if key in by_key), None)
         if key is not None and by_key[key].holds is not None:
             yes, no = words[key]
             clauses.append(yes if by_key[key].holds else no)
+    if lost_to_air:
+        clauses.append("finally the air carries it")
     if not clauses:
         return ""
-    sentence = ", and ".join([", ".join(clauses[:-1]), clauses[-1]] if clauses[1:] else clauses)
+    sentence = ", and ".join(
+        [", ".join(clauses[:-1]), clauses[-1]] if clauses[1:] else clauses
+    )
     return f"{sentence[0].upper()}{sentence[1:]}."

@@ -1,4 +1,4 @@
-"""Deformed body in an oblique view, as lit polygons sorted by distance."""
+"""Project a deformed body in an oblique view to shaded polygons, sorted by distance."""
 
 import numpy as np
 
@@ -6,63 +6,77 @@ from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Body
 
 VIEW_AZIMUTH = np.deg2rad(-60)
-"""Azimuth of the view from the x axis, which points to the patch [rad]."""
+"""Azimuth of the view [rad], measured from the x axis, which points to the contact."""
 VIEW_ELEVATION = np.deg2rad(32)
 """Elevation of the view above the top face [rad]."""
 LIGHT_DIRECTION = np.array([0.3, -0.5, 0.81])
 
 
 def side_nodes(axis, end):
-    """Return the nodes (3, 3) of a 27-node hexahedron on the side where `axis` equals `end`."""
+    """Return the nodes (3, 3) of a 27-node hexahedron on the side where `axis` equals
+    `end`."""
     lattice = np.array(VTK_HEXAHEDRON27)
     on = np.flatnonzero(lattice[:, axis] == end)
     return on[np.lexsort(np.delete(lattice[on], axis, axis=1).T)].reshape(3, 3)
 
 
-HEXAHEDRON_SIDES = np.array([side_nodes(axis, end) for axis in range(3) for end in (0, 2)])
+HEXAHEDRON_SIDES = np.array(
+    [side_nodes(axis, end) for axis in range(3) for end in (0, 2)]
+)
 TETRAHEDRON_SIDES = np.array([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)])
 
 
 def surface_polygons(body: Body):
     """Return the surface of a body as polygons (k, 3 or 4) of node numbers.
 
-    Four flat quadrilaterals represent each curved one.
+    Each curved quadrilateral is divided into four flat ones.
     """
     if "tetra" in body.cell_type:
-        return outer_sides(body.cells[:, TETRAHEDRON_SIDES].reshape(-1, 3), np.arange(3))
+        return outer_sides(
+            body.cells[:, TETRAHEDRON_SIDES].reshape(-1, 3), np.arange(3)
+        )
     if body.cell_type == "hexahedron":
         return outer_sides(
-            body.cells[:, HEXAHEDRON_SIDES[:, ::2, ::2].reshape(6, 4)].reshape(-1, 4), np.arange(4)
+            body.cells[:, HEXAHEDRON_SIDES[:, ::2, ::2].reshape(6, 4)].reshape(-1, 4),
+            np.arange(4),
         )[:, [0, 1, 3, 2]]
     sides = outer_sides(
         body.cells[:, HEXAHEDRON_SIDES].reshape(-1, 9), np.array([0, 2, 6, 8])
     ).reshape(-1, 3, 3)
-    parts = [sides[:, i : i + 2, j : j + 2].reshape(-1, 4) for i in (0, 1) for j in (0, 1)]
+    parts = [
+        sides[:, i : i + 2, j : j + 2].reshape(-1, 4) for i in (0, 1) for j in (0, 1)
+    ]
     return np.concatenate(parts)[:, [0, 1, 3, 2]]
 
 
 def outer_sides(sides, corners):
-    """Return the sides (k, n) that belong to a single cell; their corner nodes identify them."""
+    """Return the sides (k, n) that belong to a single cell; sides are identified by
+    their corner nodes."""
     _, first, count = np.unique(
-        np.sort(sides[:, corners], axis=1), axis=0, return_index=True, return_counts=True
+        np.sort(sides[:, corners], axis=1),
+        axis=0,
+        return_index=True,
+        return_counts=True,
     )
     return sides[first[count == 1]]
 
 
 def view_coordinates(points):
-    """Return the components (..., 3) of points (..., 3) to the right, up and towards the viewer.
-
-    The projection is parallel.
+    """Return coordinates (..., 3) to the right, up and towards the viewer in a parallel
+    projection.
     """
     (c, s), (ce, se) = [(np.cos(a), np.sin(a)) for a in (VIEW_AZIMUTH, VIEW_ELEVATION)]
-    return points @ np.array([[-s, c, 0], [-se * c, -se * s, ce], [ce * c, ce * s, se]]).T
+    return (
+        points @ np.array([[-s, c, 0], [-se * c, -se * s, ce], [ce * c, ce * s, se]]).T
+    )
 
 
 def projected_polygons(body: Body, polygons, i, factor):
-    """Project the polygons (k, n) of a body displaced by `factor` times mode i, farthest first.
+    """Return the polygons (k, n) of a body displaced by `factor` times mode i, farthest
+    first.
 
-    Returns places (k, n, 2), mean displacements relative to the greatest (k,), and brightnesses
-    (k,).
+    The result consists of image positions (k, n, 2), mean displacements (k,) relative
+    to the greatest, and brightnesses (k,).
     """
     moved = (body.points + factor * body.displacement[i])[polygons]
     far = np.linalg.norm(body.displacement[i], axis=1)[polygons].mean(axis=1)

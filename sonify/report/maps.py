@@ -1,6 +1,6 @@
-"""COLUMNS -> PICTURE: a map of sweep results over one or two axes.
+"""Draw maps of sweep results over one or two axes.
 
-Contours show numbers, marks show categories, and crosses show failed runs.
+Contours show numbers, markers show categories, and crosses show failed runs.
 """
 
 from collections import Counter, defaultdict
@@ -13,61 +13,69 @@ from matplotlib.colors import LogNorm
 from matplotlib.ticker import LogFormatterMathtext, LogLocator, NullFormatter
 from matplotlib.tri import Triangulation
 
-from sonify.report.figure import figure_at
+from sonify.report.figure import png_figure
 
 MARKS = "osD^vP*Xhp<>d8H"
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7", "#56b4e9", "#e69f00")
-"""Colours distinguishable for the colour-blind; in grey print, the marks differ."""
+"""Colours that colour-blind readers can distinguish; the markers differ in greyscale
+print."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Map:
-    """Column `of` over column `x` and, if given, column `y`.
+    """Map of column `drawn_column` over column `x` and, optionally, column `y`.
 
-    `columns` are lists by name, with None for missing values. Columns in `logs` have logarithmic
-    scales; `units` are by column.
+    `columns` contains lists by name, with None for missing values. Columns in `logs`
+    have logarithmic scales; `units` contains the units by column.
     """
 
     x: str
     y: str | None
-    of: str
+    drawn_column: str
     columns: dict[str, list]
     logs: set[str]
     units: dict[str, str]
 
     def points(self) -> dict[tuple, list]:
-        """Return the values at each place (x,) or (x, y), without the missing ones."""
+        """Return the values that are not missing at each point (x,) or (x, y)."""
         found = defaultdict(list)
         for *place, value in zip(
-            *(self.columns[name] for name in (*self.over, self.of)), strict=True
+            *(self.columns[name] for name in (*self.axis_names, self.drawn_column)),
+            strict=True,
         ):
             found[tuple(place)] += [] if value is None else [value]
         return found
 
-    def named(self, name: str) -> str:
+    def label_with_unit(self, name: str) -> str:
         """Return the name of a column with its unit, if it has one."""
         return f"{name} [{self.units[name]}]" if name in self.units else name
 
     @property
-    def over(self) -> list[str]:
+    def axis_names(self) -> list[str]:
         """The names of the axes."""
         return [name for name in (self.x, self.y) if name]
 
 
 def draw_map(what: Map, path):
-    """Draw a map into a PNG file.
+    """Draw a map to a PNG file.
 
-    Runs that differ in other parameters share a place, which shows their median or their most
-    frequent category.
+    Runs that differ only in other parameters share a point, which shows their median or
+    most frequent category.
     """
     points = what.points()
     values = [value for found in points.values() for value in found]
     shared = max(map(len, points.values()))
-    with figure_at(path, 1, 1, (8, 5.5)) as (figure, panel):
+    with png_figure(path, 1, 1, (8, 5.5)) as (figure, panel):
         figure.subplots_adjust(left=0.13)
-        where = {name: _label_axis(panel, k, name, what) for k, name in enumerate(what.over)}
+        where = {
+            name: _label_axis(panel, k, name, what)
+            for k, name in enumerate(what.axis_names)
+        }
         places = np.array(
-            [[where[name][v] for name, v in zip(what.over, place, strict=True)] for place in points]
+            [
+                [where[name][v] for name, v in zip(what.axis_names, place, strict=True)]
+                for place in points
+            ]
         )
         known = np.array([bool(found) for found in points.values()])
         if all(isinstance(value, float) for value in values):
@@ -78,7 +86,11 @@ def draw_map(what: Map, path):
                 [np.median(found) for found in points.values() if found],
                 what,
             )
-            title = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
+            title = (
+                f"{what.drawn_column}, median of up to {shared} runs"
+                if shared > 1
+                else what.drawn_column
+            )
         else:
             most = [
                 Counter(map(_category_name, found)).most_common(1)[0][0]
@@ -87,23 +99,33 @@ def draw_map(what: Map, path):
             ]
             figure.subplots_adjust(right=0.77)
             _draw_categories(panel, places[known], most)
-            title = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
+            title = (
+                f"{what.drawn_column}, most frequent of up to {shared} runs"
+                if shared > 1
+                else what.drawn_column
+            )
         _draw_failed_runs(panel, places[~known])
         panel.set_title(title, loc="left")
 
 
 def _label_axis(panel, k, name, what):
-    """Scale and label an axis of the panel; return the coordinate of every value on it."""
+    """Scale and label an axis of the panel, and return the coordinate of each value on
+    it."""
     values = list(dict.fromkeys(what.columns[name]))
     axis = (panel.xaxis, panel.yaxis)[k]
-    axis.set_label_text(what.named(name))
-    if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
+    axis.set_label_text(what.label_with_unit(name))
+    if all(
+        isinstance(value, int | float) and not isinstance(value, bool)
+        for value in values
+    ):
         if name in what.logs:
             (panel.set_xscale, panel.set_yscale)[k]("log")
             short = min(values) >= 1e-3 and max(values) < 1e6
             axis.set_major_formatter("{x:g}" if short else LogFormatterMathtext())
             axis.set_minor_locator(LogLocator(subs=(2, 3, 5)))
-            axis.set_minor_formatter(NullFormatter() if max(values) > 12 * min(values) else "{x:g}")
+            axis.set_minor_formatter(
+                NullFormatter() if max(values) > 12 * min(values) else "{x:g}"
+            )
         return {value: value for value in values}
     words = sorted(values, key=str)
     axis.set_major_formatter(
@@ -116,10 +138,13 @@ def _draw_numbers(figure, panel, places, values, what):
     if places.shape[1] == 1:
         order = places[:, 0].argsort()
         panel.plot(places[order, 0], np.array(values)[order], "k.-", lw=0.8)
-        panel.set_ylabel(what.named(what.of))
+        panel.set_ylabel(what.label_with_unit(what.drawn_column))
         return
     scaled = np.column_stack(
-        [np.log(p) if n in what.logs else p for n, p in zip(what.over, places.T, strict=True)]
+        [
+            np.log(p) if n in what.logs else p
+            for n, p in zip(what.axis_names, places.T, strict=True)
+        ]
     )
     within = (scaled - scaled.min(axis=0)) / np.maximum(np.ptp(scaled, axis=0), 1e-300)
     if (
@@ -133,13 +158,18 @@ def _draw_numbers(figure, panel, places, values, what):
         drawn = panel.tricontourf(mesh, values, levels, cmap="viridis", norm=scale)
         panel.tricontour(mesh, values, levels, colors="k", linewidths=0.4)
         panel.plot(*places.T, "k.", ms=1.5)
-    bar = figure.colorbar(drawn, ax=panel, label=what.named(what.of))
+    bar = figure.colorbar(
+        drawn, ax=panel, label=what.label_with_unit(what.drawn_column)
+    )
     if isinstance(drawn.norm, LogNorm):
-        bar.set_ticks(drawn.levels, labels=[f"{level:.2g}" for level in drawn.levels], minor=False)
+        bar.set_ticks(
+            drawn.levels, labels=[f"{level:.2g}" for level in drawn.levels], minor=False
+        )
 
 
 def _contour_levels(values):
-    """Return contour levels and norm: logarithmic for positive values with a range above 300."""
+    """Return contour levels and norm; they are logarithmic for positive values with a
+    ratio above 300."""
     count = 12
     low = min(values)
     high = max(values)
@@ -178,12 +208,14 @@ def _draw_failed_runs(panel, places):
 
 
 def _vertical_positions(places, at):
-    """Return the y coordinates (n,) of places; in a map over one axis, all are `at`."""
+    """Return the y coordinates (n,) of points; in a map over one axis they equal
+    `at`."""
     return places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
 
 
 def place_legend(panel):
-    """Place the legend to the right of the panel, or over it if there is a colour bar."""
+    """Place the legend to the right of the panel, or inside it if there is a colour
+    bar."""
     placement = (
         {"loc": "upper left", "bbox_to_anchor": (1.01, 1)}
         if len(panel.figure.axes) == 1
@@ -194,5 +226,7 @@ def place_legend(panel):
 
 def _category_name(value):
     return (
-        {True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value)
+        {True: "yes", False: "no"}.get(value, str(value))
+        if isinstance(value, bool)
+        else str(value)
     )

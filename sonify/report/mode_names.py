@@ -1,4 +1,4 @@
-"""Descriptions of modes in words."""
+"""Describe modes in words."""
 
 from typing import TYPE_CHECKING
 
@@ -9,27 +9,27 @@ from modal.modes import Modes
 if TYPE_CHECKING:
     from modal.tabletop.record import SurfaceModes  # slow import
 
-MIN_RIGID_SHARE = 0.97
-"""Share of rigid motion above which a mode of a held disk is called a swing."""
-
 
 def mode_caption(modes: Modes, i, held=False):
-    """Return number, frequency [Hz], T60 [s] and shape of mode i."""
+    """Return a caption with number, frequency [Hz], T60 [s] and shape of mode i."""
     time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
     return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{shape_name(modes, i, held)}"
 
 
 def shape_name(modes: Modes, i, held=False):
-    """Return family and order of mode i; a swing of a disk about its patch has no order."""
-    if held and rigid_motion_share(modes, i) > MIN_RIGID_SHARE:
+    """Return the family and the order of mode i.
+
+    A swing of the disk about the patch that holds it has no order.
+    """
+    if held and rigid_motion_share(modes, i) > 0.97:
         return f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
     return f"{modes.family[i]}, {f'{modes.parity[i]}, ' if modes.partner[i] >= 0 else ''}order {modes.order[i]}"
 
 
 def table_caption(table: "SurfaceModes", i) -> str:
-    """Return number, frequency [Hz] and order of mode i of a table.
+    """Return a caption with number, frequency [Hz] and order of mode i of a table.
 
-    The modes of a table without an axis of symmetry have no order.
+    Modes of a table without an axis of symmetry have no order.
     """
     return f"{i + 1}: {table.frequency[i]:.0f} Hz" + (
         f", order {table.order[i]}" if table.order[i] >= 0 else ""
@@ -37,7 +37,8 @@ def table_caption(table: "SurfaceModes", i) -> str:
 
 
 def rigid_motion_share(modes: Modes, i) -> float:
-    """Return the share of six rigid-body motions in the mean square rim motion of mode i."""
+    """Return the fraction of the mean-square rim motion of mode i that rigid-body
+    motions explain."""
     c = np.cos(modes.rim_angle)
     s = np.sin(modes.rim_angle)
     none = 0 * modes.rim_angle

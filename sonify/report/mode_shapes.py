@@ -1,4 +1,4 @@
-"""Pictures of the mode shapes."""
+"""Draw the mode shapes of disk and table."""
 
 import numpy as np
 from matplotlib import colormaps
@@ -10,7 +10,7 @@ from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
 from sonify.report.lit_polygons import projected_polygons, surface_polygons
-from sonify.report.mode_names import mode_caption, rigid_motion_share  # noqa: F401, found here, too
+from sonify.report.mode_names import mode_caption, rigid_motion_share  # noqa: F401, also imported from here
 
 MODES_PER_ROW = 5
 MODE_WIDTH = 2.6  # this and the following lengths in disk radii
@@ -29,34 +29,38 @@ def draw_modes(
     moving: str = "",
     table=None,
 ) -> None:
-    """Write a picture of all modes: oblique view (if `slanted`) and view from above.
+    """Write a picture of all modes, seen from above and, if `slanted`, in an oblique
+    view.
 
-    In the oblique view, colour shows the displacement. In the view from above, colour shows axial
-    motion, solid black lines are its nodal lines, and the dashed line is the rim displaced in its
-    plane. Displacements within a mode are to scale. A disk without modes gives a picture that says
-    so.
+    In the oblique view, colour shows the displacement. In the view from above, colour
+    shows axial motion, solid black lines are its nodal lines, and the dashed line is
+    the rim displaced in its plane. Displacements within a mode are to scale. If the
+    disk has no modes, the picture contains a sentence to that effect.
 
     Parameters
     ----------
     modes : Modes
         Modes of the disk.
     path : path or file
-        The suffix selects png, svg or pdf.
+        Destination; the suffix selects png, svg or pdf.
     slanted : bool
         If True, draw the oblique view of the whole body above the view from above.
     support : Support or None
-        If it holds the disk by a patch, a green arc marks the patch on the rim.
+        A green arc on the rim marks the patch of a patch support.
     moving : str
-        Lines on the change of the modes during the run, printed after the last mode.
+        Text on the change of the modes during the run, printed after the last mode.
     table : tuple or None
-        Modes of the table, drawn below: points (p, 2), upward motion (n, p) of its top face,
-        n captions, and the total number of modes.
+        Modes of the table, drawn below: points (p, 2), upward motion (n, p) of its top
+        face, n captions, and the total number of modes.
     """
     tall = OBLIQUE_VIEW_HEIGHT if slanted else 0.0
     rows = max(1, -(-(len(modes) + bool(moving)) // MODES_PER_ROW))
     high = CAPTION_HEIGHT + tall + TOP_VIEW_HEIGHT
     below = (
-        (CAPTION_HEIGHT + -(-len(table[2]) // MODES_PER_ROW) * (CAPTION_HEIGHT + TOP_VIEW_HEIGHT))
+        (
+            CAPTION_HEIGHT
+            + -(-len(table[2]) // MODES_PER_ROW) * (CAPTION_HEIGHT + TOP_VIEW_HEIGHT)
+        )
         if table
         else 0.0
     )
@@ -64,14 +68,15 @@ def draw_modes(
     figure = Figure(
         figsize=(
             inches_per_radius * MODE_WIDTH * MODES_PER_ROW,
-            inches_per_radius * (high * rows + below + CAPTION_HEIGHT + COLOUR_BAR_HEIGHT),
+            inches_per_radius
+            * (high * rows + below + CAPTION_HEIGHT + COLOUR_BAR_HEIGHT),
         ),
         dpi=100,
     )
     FigureCanvasAgg(figure)
     axis = figure.add_axes(
         (0, 0, 1, 1)
-    )  # a single one, because each takes as long to draw as a mode
+    )  # single axes, because drawing axes takes as long as drawing a mode
     limits = {
         "xlim": (0, MODE_WIDTH * MODES_PER_ROW),
         "ylim": (-high * rows - below - COLOUR_BAR_HEIGHT, CAPTION_HEIGHT),
@@ -86,8 +91,16 @@ def draw_modes(
         text = mode_caption(modes, i, bool(support) and support.kind != "free")
         axis.text(x, y - 0.05, text, fontsize=10, ha="center", va="top")
         if slanted:
-            draw_oblique_view(axis, modes, polygons, i, (x, y - CAPTION_HEIGHT - tall / 2))
-        draw_top_view(axis, modes, i, (x, y - CAPTION_HEIGHT - tall - TOP_VIEW_HEIGHT / 2), support)
+            draw_oblique_view(
+                axis, modes, polygons, i, (x, y - CAPTION_HEIGHT - tall / 2)
+            )
+        draw_top_view(
+            axis,
+            modes,
+            i,
+            (x, y - CAPTION_HEIGHT - tall - TOP_VIEW_HEIGHT / 2),
+            support,
+        )
     if moving:
         row, column = divmod(len(modes), MODES_PER_ROW)
         axis.text(
@@ -102,7 +115,7 @@ def draw_modes(
         axis.text(
             MODE_WIDTH * MODES_PER_ROW / 2,
             -high / 2,
-            "no mode below the requested highest frequency",
+            "There is no mode below the requested highest frequency.",
             ha="center",
         )
     if table:
@@ -110,33 +123,41 @@ def draw_modes(
     axis.text(
         MODE_WIDTH * MODES_PER_ROW / 2,
         CAPTION_HEIGHT / 2,
-        explanation(slanted, support),
+        picture_explanation(slanted, support),
         fontsize=11,
         ha="center",
         va="center",
     )
     scales = {}
     if slanted and len(modes):
-        scales["at a slant: displacement / its greatest"] = (0, "viridis")
+        scales["oblique view: displacement / its maximum"] = (0, "viridis")
     if table or len(modes):
-        scales["from above: axial displacement / the greatest"] = (-1, "RdBu_r")
+        scales["from above: axial displacement / maximum"] = (-1, "RdBu_r")
     for column, (label, (least, name)) in enumerate(scales.items()):
-        left = MODE_WIDTH * (MODES_PER_ROW / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2))
-        draw_colour_bar(axis, (left, -high * rows - below - COLOUR_BAR_HEIGHT), label, least, name)
+        left = MODE_WIDTH * (
+            MODES_PER_ROW / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2)
+        )
+        draw_colour_bar(
+            axis, (left, -high * rows - below - COLOUR_BAR_HEIGHT), label, least, name
+        )
     axis.set(**limits, aspect="auto")
     figure.savefig(path)
 
 
-def explanation(slanted: bool, support: Support | None) -> str:
-    """Return the explanation of the picture, in two lines."""
-    at_a_slant = "At a slant: the body exaggerated, bright where it moves most. " if slanted else ""
+def picture_explanation(slanted: bool, support: Support | None) -> str:
+    """Return the two-line explanation of the picture."""
+    oblique = (
+        "Oblique view: the body, exaggerated, bright where it moves most. "
+        if slanted
+        else ""
+    )
     held = (
-        "; green: the patch that holds the disk, about which a swing turns"
+        "; green: the patch that holds the disk, the pivot of swings"
         if _on_patch(support)
         else ""
     )
-    first = f"{at_a_slant}From above: axial motion of the top face (colour)"
-    return f"{first},\nnodal lines (black), the rim moved in its plane (dashed){held}"
+    first = f"{oblique}From above: axial motion of the top face (colour)"
+    return f"{first},\nnodal lines (black), in-plane displacement of the rim (dashed){held}"
 
 
 def _on_patch(support: Support | None) -> bool:
@@ -155,11 +176,17 @@ def draw_colour_bar(axis, at, label: str, least: float, colours: str):
     x += (2.4 * MODE_WIDTH - long) / 2
     middle = y + 0.62
     axis.imshow(
-        steps, cmap=colours, extent=(x, x + long, middle, middle + tall), aspect="auto", zorder=2
+        steps,
+        cmap=colours,
+        extent=(x, x + long, middle, middle + tall),
+        aspect="auto",
+        zorder=2,
     )
     for share in (0.0, 0.5, 1.0):
         number = f"{least + share * (1 - least):g}"
-        axis.text(x + share * long, middle - 0.05, number, fontsize=9, ha="center", va="top")
+        axis.text(
+            x + share * long, middle - 0.05, number, fontsize=9, ha="center", va="top"
+        )
     axis.text(x + long / 2, middle - 0.3, label, fontsize=10, ha="center", va="top")
 
 
@@ -171,7 +198,9 @@ def draw_oblique_view(axis, modes: Modes, polygons, i, at):
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
     axis.add_collection(
-        PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4),
+        PolyCollection(
+            places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4
+        ),
         autolim=False,
     )
 
@@ -203,15 +232,19 @@ def draw_table_modes(axis, points, face, captions, count, top):
         )
         axis.text(at, head - 0.05, text, fontsize=10, ha="center", va="top")
         axis.tricontourf(
-            here, shape / np.abs(shape).max(), levels=np.linspace(-1, 1, 22), cmap="RdBu_r"
+            here,
+            shape / np.abs(shape).max(),
+            levels=np.linspace(-1, 1, 22),
+            cmap="RdBu_r",
         )
         axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
 def face_radii(modes: Modes):
-    """Return the outer radius and the hole radius [m] of the faces; the latter is 0 without a hole.
+    """Return the outer radius and the hole radius [m] of the faces; the latter is 0 if
+    there is no hole.
 
-    The face weights sum to (R^2 - r^2)/2.
+    The sum of the face weights is (R^2 - r^2)/2.
     """
     radius = np.hypot(*modes.body.points[:, :2].T).max()
     hole = radius**2 - 2 * modes.face_weight.sum()
@@ -221,7 +254,8 @@ def face_radii(modes: Modes):
 def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
     """Draw mode i from above with its centre `at` (x, y) [disk radii].
 
-    The picture contains colours, nodal lines, the rim at rest and displaced, and the patch.
+    The view contains axial motion in colour, nodal lines, the rim at rest and
+    displaced, and the patch.
     """
     radius, hole = face_radii(modes)
     x, y, w = top_face(modes, i, radius, hole)
@@ -238,13 +272,15 @@ def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
     axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
     if _on_patch(support):
         reach = support.half_angle_deg
-        axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
+        axis.add_patch(
+            Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5)
+        )
 
 
 def top_face(modes: Modes, i, radius, hole):
     """Return Cartesian grids x, y [m] and the axial motion w of the top face in mode i.
 
-    The grids close around the axis and extend to the rim and to the hole or the centre.
+    The grids are periodic in angle and extend from the hole or the centre to the rim.
     """
     w = modes.face_shape[i, 1]
     at = modes.face_radius
@@ -262,7 +298,8 @@ def top_face(modes: Modes, i, radius, hole):
 
 
 def displaced_rim(modes: Modes, i, radius, factor):
-    """Return x, y (k + 1,) of the bottom edge displaced in its plane, as a closed curve."""
+    """Return the coordinates x, y (k + 1,) of the bottom edge displaced in its plane, a
+    closed curve."""
     radial = factor * modes.rim_shape[i, :, 0]
     tangential = factor * modes.rim_shape[i, :, 1]
     c = np.cos(modes.rim_angle)

@@ -1,14 +1,20 @@
-"""MOTION -> PICTURES: time histories in SI units, the paper's figures 3 to 6, and energies.
+"""Draw time histories of a motion in SI units, the paper's figures 3 to 6, and
+energies.
 
-The energies are those of a motion with two-way coupling to the table.
+Energies are drawn for motions with two-way coupling to the table.
 """
 
 import numpy as np
 
-from sonify.report.figure import figure_at, legend_above, plain_decades, running_range
+from sonify.report.figure import (
+    label_plain_decades,
+    place_legend_above,
+    png_figure,
+    running_range,
+)
 
 PAPER_PANELS = (
-    ("angle to the upright α [rad]", "Figure 3 (a) of the paper"),
+    ("angle from the vertical α [rad]", "Figure 3 (a) of the paper"),
     ("energy Ê", "Figure 3 (b)"),
     ("normal force Φ", "Figure 4 (a)"),
     ("frequency of the normal force f̂", "Figure 4 (b)"),
@@ -17,36 +23,41 @@ PAPER_PANELS = (
 )
 """Axis label and panel title of each of the paper's figures."""
 AVERAGING_SHARE = 0.015
-"""Window of the range and the mean, as a share of the duration."""
+"""Window of running range and mean, as a fraction of the duration."""
 ENERGY_UNITS = {1.0: "J", 1e-3: "mJ", 1e-6: "µJ", 1e-9: "nJ"}
-"""Size of a unit of energy [J] -> its name."""
+"""Symbol of each energy unit, by its size [J]."""
 
 
 def draw_motion(path, motion: dict, paper: dict | None = None):
     """Draw a motion in SI units.
 
-    If `paper` is given, for the paper's scene, draw its dimensionless figures 3 to 6 below.
+    If `paper` is given (for the paper's scene), the dimensionless figures 3 to 6 are
+    drawn below.
     """
     rows = 6 if paper else 3
-    with figure_at(path, rows, 2, (11, 3.67 * rows)) as (_, axes):
+    with png_figure(path, rows, 2, (11, 3.67 * rows)) as (_, axes):
         _draw_si(axes[:3], **motion)
         if paper:
             _draw_paper(axes[3:], **paper)
 
 
-def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, before_end):
+def _draw_si(
+    axes, *, time, inclination, energy, force, weight, centre, rates, before_end
+):
     """Draw the curves over `time` (k,) [s] and the path of the `centre` (2, k) [mm].
 
-    The curves are inclination [degrees], energy [J] and force [N]; `weight` [N] is the reference of
-    the force. `rates` and `before_end` (3, q) have rows of times [s], precession [Hz] and nutation
-    [Hz].
+    The curves are inclination [degrees], energy [J] and force [N]; `weight` [N] is
+    drawn as a reference for the force. The rows of `rates` and `before_end` (3, q) are
+    times [s], precession [Hz] and nutation [Hz].
     """
     (tilt, held, load) = axes[:, 0]
     (hertz, end, path) = axes[[1, 2, 0], 1]
     for panel, curve in ((tilt, inclination), (load, force)):
         mean, least, greatest = running_range(curve, AVERAGING_SHARE)
         at = np.linspace(time[0], time[-1], len(mean))
-        panel.fill_between(at, least, greatest, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range")
+        panel.fill_between(
+            at, least, greatest, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range"
+        )
         panel.plot(
             at,
             mean,
@@ -60,9 +71,11 @@ def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, b
     path.plot(*centre, color="k", lw=0.6)
     for panel, (instants, precession, nutation) in ((hertz, rates), (end, before_end)):
         panel.plot(instants, precession, color="k", lw=1.2, label="precession")
-        panel.plot(instants, nutation, color="#0072b2", lw=1.2, ls="--", label="nutation")
+        panel.plot(
+            instants, nutation, color="#0072b2", lw=1.2, ls="--", label="nutation"
+        )
         panel.set(yscale="log", ylabel="frequency [Hz]")
-        plain_decades(panel.yaxis)
+        label_plain_decades(panel.yaxis)
     for panel in (tilt, held, load, hertz):
         panel.set(xlabel="time [s]", xlim=(time[0], time[-1]))
     tilt.set(ylabel="inclination [degrees]", ylim=(0, None))
@@ -72,34 +85,45 @@ def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, b
     end.set(xscale="log", xlabel="time before the end [s]")
     end.invert_xaxis()
     path.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal", adjustable="datalim")
-    titles = {tilt: "Inclination", held: "Energy", load: "Normal force", path: "Path of the centre"}
+    titles = {
+        tilt: "Inclination",
+        held: "Energy",
+        load: "Normal force",
+        path: "Path of the centre",
+    }
     titles |= {hertz: "Rates", end: "Rates towards the end"}
     for panel, title in titles.items():
         panel.set_title(title, loc="left")
         panel.grid(alpha=0.3)
     for panel in (tilt, load, hertz, end):
-        legend_above(panel, frameon=False)
+        place_legend_above(panel, frameon=False)
 
 
 def _frequency_limits(rates):
     """Return the limits of the frequency axis [Hz] for the rates (3, q).
 
-    They ignore the last thousandth of the time.
+    The last thousandth of the duration is ignored.
     """
     time = rates[0]
-    seen = np.concatenate([curve[time <= time[-1] - 1e-3 * np.ptp(time)] for curve in rates[1:]])
+    seen = np.concatenate(
+        [curve[time <= time[-1] - 1e-3 * np.ptp(time)] for curve in rates[1:]]
+    )
     seen = seen[np.isfinite(seen) & (seen > 0)]
     return (seen.min() / 1.2, seen.max() * 1.2) if len(seen) else (1.0, 10.0)
 
 
 def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
-    """Draw the `curves` (x, y) of the paper's figures 3 to 6, with the paper's statements.
+    """Draw the `curves` (x, y) of the paper's figures 3 to 6 with the paper's
+    statements.
 
-    `chi` [s] is the unit of time, and `weight` is the weight in units of the normal force curve.
-    According to the paper, the motion reaches the `frequency` [1/chi] at the time `reached` [chi].
+    `chi` [s] is the unit of time, and `weight` is given in the units of the
+    normal-force curve. According to the paper, the motion reaches `frequency` [1/chi]
+    at the time `reached` [chi].
     """
     orange = "#d55e00"
-    for panel, (x, y), (label, title) in zip(axes.flat, curves, PAPER_PANELS, strict=True):
+    for panel, (x, y), (label, title) in zip(
+        axes.flat, curves, PAPER_PANELS, strict=True
+    ):
         panel.plot(x, y, color="k", lw=0.6)
         panel.set(xlabel=f"time τ = t/χ, χ = {chi:.4g} s", ylabel=label)
         panel.set_title(title, loc="left")
@@ -110,29 +134,40 @@ def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
     energy.plot([], [], " ", label="paper: steeper in each slide")
     load.axhline(weight, color="0.5", lw=1.2, ls="--", label="weight")
     load.axhline(0, color=orange, lw=1.2, label="paper: never reached")
-    rate.axhline(frequency, color=orange, lw=1.2, ls="--", label=f"paper: {frequency:g} is 36 Hz")
+    rate.axhline(
+        frequency, color=orange, lw=1.2, ls="--", label=f"paper: {frequency:g} is 36 Hz"
+    )
     rate.plot(reached, frequency, "o", color=orange, label=f"τ = {reached:g}")
     for panel in (alpha, energy, load, rate):
-        legend_above(panel, frameon=False)
+        place_legend_above(panel, frameon=False)
     rate.set(ylim=(0, 4))
     path.set(xlabel="x/R", aspect="equal", adjustable="datalim")
     lowest, highest = np.percentile(curves[5][1], [1, 99])
     precession.set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
 
 
-LINE_STYLES = "-", "--", ":", "-.", (0, (5, 1)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)), (0, (3, 1))
+LINE_STYLES = (
+    "-",
+    "--",
+    ":",
+    "-.",
+    (0, (5, 1)),
+    (0, (1, 3)),
+    (0, (7, 2, 1, 2, 1, 2)),
+    (0, (3, 1)),
+)
 MIN_ENERGY_SHARE = 1e-6
-"""Smallest drawn energy, as a share of the greatest."""
+"""Smallest energy drawn, as a fraction of the greatest."""
 CAUSE_NAMES = {
     "contact": "compression of the contact",
     "creep": "creep of the contact",
     "slip": "sliding",
     "moments": "rolling and pivoting friction",
     "table": "vibration of the table",
-    "film": "film of air",
+    "film": "air film",
     "body": "vibration of the disk",
 }
-"""Cause of an energy loss -> its name in the legend."""
+"""Name of each cause of energy loss in the legend."""
 
 
 def draw_energy(path, left, held: dict, lost: dict):
@@ -140,10 +175,10 @@ def draw_energy(path, left, held: dict, lost: dict):
 
     `held` are the stored energies and `lost` the cumulative losses, (k,) by name.
     """
-    with figure_at(path, 1, 2, (11, 5.6)) as (figure, axes):
+    with png_figure(path, 1, 2, (11, 5.6)) as (figure, axes):
         figure.subplots_adjust(top=0.76)
         for panel, curves, title in zip(
-            axes, (held, lost), ("What holds energy", "What took energy"), strict=True
+            axes, (held, lost), ("Stored energy", "Energy lost so far"), strict=True
         ):
             most = max(curve.max() for curve in curves.values())
             shown = {
@@ -152,14 +187,18 @@ def draw_energy(path, left, held: dict, lost: dict):
                 if curve.max() > MIN_ENERGY_SHARE * most
             }
             for (name, curve), style in zip(shown.items(), LINE_STYLES, strict=False):
-                panel.plot(left, curve, ls=style, lw=1.2, label=CAUSE_NAMES.get(name, name))
+                panel.plot(
+                    left, curve, ls=style, lw=1.2, label=CAUSE_NAMES.get(name, name)
+                )
             panel.set(
                 xscale="log",
                 yscale="log",
                 xlim=(left[0], left[-1]),
                 ylim=(MIN_ENERGY_SHARE * most, 2 * most),
             )
-            panel.set(xlabel="time left until the disk lies flat [s]", ylabel="energy [J]")
+            panel.set(
+                xlabel="time before the end of the motion [s]", ylabel="energy [J]"
+            )
             panel.grid(alpha=0.3)
             figure.text(panel.get_position().x0, 0.91, title, fontsize=12)
-            legend_above(panel, columns=2, frameon=False)
+            place_legend_above(panel, columns=2, frameon=False)

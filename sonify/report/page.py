@@ -1,26 +1,24 @@
-"""RESULT -> PAGE: one self-contained HTML file.
-
-It contains the sound, the pictures, the checks and the findings.
+"""Write the page of a result: a self-contained HTML file with sound, pictures, checks
+and findings.
 """
 
 from base64 import b64encode
-from collections import Counter
 from functools import cache
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader
 from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup
 from tomli_w import dumps
 
-from sonify.claims.details import unit_and_details
-from sonify.claims.finding import Finding, Verdict
+from sonify.claims.details import expectation_and_unit, unit_and_details
 from sonify.claims.paper_figures import is_paper_scene, paper_rows
+from sonify.claims.paper_sentences import PAPER_SENTENCES
 from sonify.claims.provenance import depends_on
-from sonify.claims.surface_summary import answers_in_short
-from sonify.report import captions as words
+from sonify.claims.surface_summary import complete_answers
+from sonify.report import captions
 from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
@@ -31,14 +29,14 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 MAX_NOTEBOOK_SOUND = 200_000
-"""Largest sound that the view of a result in a notebook embeds [characters of base64]."""
+"""Largest sound embedded in the notebook view of a result [characters of base64]."""
 
 
-def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
-    """Write the page of a result, with everything that it shows and plays embedded.
+def write_page(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
+    """Write the page of a result with all pictures and sounds embedded.
 
-    Of a long sound, the page plays only the end. `numbers` is the return value of `template_data`, if
-    already known.
+    The page plays only the end of a long sound. `numbers` is the return value of
+    `template_data`, if already known.
     """
     modes = result.modes
     held = result.scene.support.kind == "patch"
@@ -51,19 +49,20 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             modes=[*zip(modes.frequency, modes.decay_time, shapes, strict=True)],
             depends_on=depends_on,
             unit_and_details=unit_and_details,
+            expectation_and_unit=expectation_and_unit,
             headline=headline(result.findings),
             explanation=plain_explanation(result.motion, result.findings),
-            answers=answers_in_short(result.findings),
-            claims=verdict_counts(result.findings),
+            answers=complete_answers(result.findings),
+            paper_sentences=PAPER_SENTENCES,
             paper=paper_rows(result.motion, result.findings)
             if is_paper_scene(result.scene)
             else [],
-            not_from=words.omitted_effects(result),
+            not_from=captions.omitted_effects(result),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
                 (data_url(result.out / name, "image/png"), caption, shown(result))
-                for name, (shown, caption) in words.PICTURES.items()
+                for name, (shown, caption) in captions.PICTURE_CAPTIONS.items()
                 if (result.out / name).exists()
             ],
             **(numbers or template_data(result)),
@@ -74,20 +73,26 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
         temporary.write_bytes(text.encode("utf-8"))
 
 
-def template_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return the `page_data` of a result as JSON, and the time from which the page plays [s]."""
+def template_data(
+    result: "Result", parts: dict[str, Any] | None = None
+) -> dict[str, Any]:
+    """Return the `page_data` of a result as JSON, and the time [s] at which the played
+    part starts."""
     data = page_data(result, parts)
     return {"data": htmlsafe_json_dumps(data), "start": data["start"]}
 
 
 def page_assets() -> dict[str, str]:
-    """Return script, style and licences of the page, built from `web/`, ready for its HTML."""
+    """Return script, style and licences of the page, built from `web/`, for insertion
+    in its HTML."""
     files = {"script": "page.js", "style": "page.css", "licences": "page.licenses.txt"}
     held = {
         name: (resources.files("sonify.report") / "templates" / file).read_text("utf-8")
         for name, file in files.items()
     }
-    return held | {name: Markup(held[name].replace("</", "<\\/")) for name in ("script", "style")}
+    return held | {
+        name: Markup(held[name].replace("</", "<\\/")) for name in ("script", "style")
+    }
 
 
 @cache
@@ -100,20 +105,19 @@ def summary_text(result: "Result") -> str:
     """Return a summary of a result in a few lines of text."""
     passed = sum(check.passed for check in result.checks)
     head = f"{result.scene.name}: {result.motion.outcome.sentence}"
-    count = f"{passed} of {len(result.checks)} self-checks passed; claims: {verdict_counts(result.findings)}"
+    count = f"{passed} of {len(result.checks)} self-checks passed. {headline(result.findings)}"
     return "\n".join(
-        [head, *map(repr, (result.plan, result.modes, result.motion, result.sound)), count]
+        [
+            head,
+            *map(repr, (result.plan, result.modes, result.motion, result.sound)),
+            count,
+        ]
     )
 
 
-def verdict_counts(findings: list[Finding]) -> str:
-    """Return the number of claims per verdict, as in "5 yes, 2 no, 1 undecided"."""
-    verdicts = Counter(finding.verdict for finding in findings)
-    return ", ".join(f"{verdicts[verdict]} {verdict}" for verdict in get_args(Verdict))
-
-
 def notebook_html(result: "Result") -> str:
-    """Return a result as an HTML fragment: a sound player and the verdict on each claim."""
+    """Return a result as an HTML fragment: a sound player and the verdict on each
+    claim."""
     template = templates().get_template("notebook.html")
     sound = result.sound
     seconds = sound.duration
@@ -125,10 +129,10 @@ def notebook_html(result: "Result") -> str:
         result=result,
         depends_on=depends_on,
         unit_and_details=unit_and_details,
+        expectation_and_unit=expectation_and_unit,
         audible=audible,
         seconds=seconds,
-        claims=verdict_counts(result.findings),
-        unfolded=True,
+        paper_sentences=PAPER_SENTENCES,
         words=summary_text(result),
     )
 

@@ -1,6 +1,6 @@
-"""RESULT -> NUMBERS OF THE PAGE: the data of player, curves and 3-D views, as one JSON value.
+"""Collect the data of the page (player, curves, 3-D views) as one JSON value.
 
-Arrays are little-endian floats or integers in base64; sounds are data URLs of FLAC.
+Arrays are little-endian floats or integers in base64; sounds are FLAC data URLs.
 """
 
 from base64 import b64encode
@@ -12,44 +12,46 @@ import soundfile
 from scipy.spatial import Delaunay
 
 from dynamics import Motion
-from dynamics.observables import drawn_rates
+from dynamics.observables import plotted_rates
 from modal import Modes, Support
 from modal.tabletop.record import SurfaceModes
-from sonify.report.captions import spectrogram
+from sonify.hearing.loudness import audibility
+from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
 from sonify.report.render_worker import painter
-from sonify.sound.playback import ScaledTrack, WeightedTrack
+from sonify.sound.playback import ScaledTrack, a_weighting
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
     from sonify.result import Result
 
-MAX_INSTANTS = 24_000
+MAX_INSTANTS = 22_000
 """Largest number of instants of the motion in the page.
 
-Half are evenly spaced in time, half in the rotation angle of the contact.
+Half of them are evenly spaced in time, half in the angle of the contact.
 """
 MAX_SHAPES = 24
 """Largest number of modes in the page; the lowest modes are kept."""
 MAX_SOUND_SECONDS = 30.0
-"""Longest part of a sound in the page [s], up to its end."""
-MAX_SOUND_BYTES = 3_000_000
-"""Largest size of all sounds in the page [characters of base64]; a larger sound is shortened."""
+"""Longest final part of a sound in the page [s]."""
+MAX_SOUND_BYTES = 2_800_000
+"""Largest size of all sounds in the page [characters of base64]; a larger sound is
+shortened."""
 
 
 def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
     """Return the data of a page.
 
-    `parts` are the slow parts, if already known: the `instants` of the motion, the `sounds`, and
-    the colours of a spectrogram as bytes.
+    `parts` are the slow parts, if already known: the `instants` of the motion, the
+    `sounds`, and the colours of a spectrogram as bytes.
     """
     sound = result.sound
     motion = result.motion
     parts = parts or {
         "motion": encoded_motion(motion),
         "sound": encoded_sounds(sound),
-        "colours": painter().draw("sound", "draw_colours", dict).result(),
+        "colours": painter().draw("sound", "write_colour_table", dict).result(),
     }
     return {
         "name": result.scene.name,
@@ -58,7 +60,7 @@ def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str
         "source_end": sound.source_end,
         "delay": sound.source_end - float(motion.t[-1]),
         "start": parts["sound"]["start"],
-        "sounds": parts["sound"]["scales"],
+        "sounds": parts["sound"]["content"],
         "lines": {
             "rates": encoded_rates(motion),
             "modes": base64_array(np.unique(result.modes.frequency.round(1))),
@@ -75,40 +77,37 @@ def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str
         "table": encoded_table_shapes(result.table)
         if result.table is not None and len(result.table)
         else None,
-        "seen": spectrogram(result),
+        "seen": describe_spectrogram(result),
     }
 
 
 def encoded_sounds(sound: Sound) -> dict[str, Any]:
-    """Return the stems at two scales: A-weighted with natural dynamics, and true as in sound.wav.
+    """Return the stems, the A-weighting filter of the page, and the names of inaudible
+    stems.
 
-    Of a sound longer than MAX_SOUND_SECONDS or larger than MAX_SOUND_BYTES, only the end is
-    returned; `start` is its time [s].
+    If a sound is longer than MAX_SOUND_SECONDS or larger than MAX_SOUND_BYTES, only its
+    end is returned, which begins at `start` [s].
     """
     seconds = min(sound.duration, MAX_SOUND_SECONDS)
-    scales = _scales(sound, sound.duration - seconds)
-    size = sum(len(track) for scale in scales.values() for track in scale["tracks"].values())
+    tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
+    size = sum(map(len, tracks.values()))
     if size > MAX_SOUND_BYTES:
         seconds *= 0.95 * MAX_SOUND_BYTES / size
-        scales = _scales(sound, sound.duration - seconds)
-    return {"start": sound.duration - seconds, "scales": scales}
-
-
-def _scales(sound, start):
-    audible = sound.natural.full_scale
-    weighted = {name: WeightedTrack(track=track) for name, track in sound.stems.items()}
-    return {
-        "audible": {
-            "full_scale": audible,
-            "unit": "dB(A)",
-            "tracks": encoded_stems(weighted, audible, start),
+        tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
+    content = {
+        "full_scale": sound.full_scale,
+        "tracks": tracks,
+        "weighting": {
+            "full_scale": sound.audible_uncompressed.full_scale,
+            "sections": a_weighting(sound.sample_rate).tolist(),
         },
-        "true": {
-            "full_scale": sound.full_scale,
-            "unit": "dB SPL",
-            "tracks": encoded_stems(sound.stems, sound.full_scale, start),
-        },
+        "inaudible": [
+            name
+            for name, stem in sound.stems.items()
+            if audibility(stem).above_threshold.max() <= 0
+        ],
     }
+    return {"start": sound.duration - seconds, "content": content}
 
 
 def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
@@ -134,39 +133,36 @@ def flac_data_url(source, start: float = 0.0) -> str:
 
 
 def encoded_rates(motion: Motion) -> dict[str, Any]:
-    """Return precession and nutation [Hz] over time [s]; NaN where the disk does not nutate."""
-    columns = zip(("t", "precession", "nutation"), drawn_rates(motion), strict=True)
+    """Return precession and nutation [Hz] over time [s], with NaN where the disk does
+    not nutate."""
+    columns = zip(("t", "precession", "nutation"), plotted_rates(motion), strict=True)
     return {name: base64_array(column) for name, column in columns}
 
 
 def encoded_motion(motion: Motion) -> dict[str, Any]:
     """Return the motion at its sampled instants [s].
 
-    The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy [J].
+    The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
+    [J].
     """
-    t = sample_times(motion)
+    t = sample_times(motion, max(motion.t_end - MAX_SOUND_SECONDS, 0.0))
     state, force = motion.at_and_force(t)
-    columns = dict(zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True))
+    columns = dict(
+        zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True)
+    )
     columns |= dict(zip(("friction_1", "friction_2", "normal"), force.T, strict=True))
     columns["energy"] = motion.energy(t)
-    whole = {
-        "t": base64_array(t, float),
-        "precession": base64_array(state[:, 0], float),
-        "spin": base64_array(state[:, 2], float),
-    }
-    return {
-        "columns": list(columns),
-        **{name: base64_array(c) for name, c in columns.items()},
-        **whole,
-    }
+    encoded = {name: base64_array(column) for name, column in columns.items()}
+    return {"columns": list(columns), "t": base64_array(t, float)} | encoded
 
 
-def sample_times(motion: Motion) -> np.ndarray:
-    """Return about MAX_INSTANTS instants [s], including the first and the last.
+def sample_times(motion: Motion, begin: float) -> np.ndarray:
+    """Return about MAX_INSTANTS instants [s] from `begin` to the end of the motion.
 
-    They are denser where the contact turns faster.
+    They are closer together where the contact revolves faster.
     """
-    some = slice(None, None, max(len(motion.t) // 200_000, 1))
+    first = max(int(np.searchsorted(motion.t, begin, "right")) - 1, 0)
+    some = slice(first, None, max((len(motion.t) - first) // 200_000, 1))
     t = motion.t[some]
     precession = motion.state[some, 0]
     turned = np.abs(np.diff(precession, prepend=precession[0])).cumsum()
@@ -183,9 +179,13 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
     squares = surface_polygons(modes.body)
     nodes, numbers = np.unique(squares, return_inverse=True)
     corners = numbers.reshape(squares.shape)
-    triangles = np.concatenate([corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)])
+    triangles = np.concatenate(
+        [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    )
     few = range(min(len(modes), MAX_SHAPES))
-    captions = [mode_caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few]
+    captions = [
+        mode_caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few
+    ]
     return _encoded_shapes(
         modes.body.points[nodes],
         triangles,
@@ -195,13 +195,17 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
 
 
 def encoded_table_shapes(table: SurfaceModes) -> dict[str, Any]:
-    """Return the top face of a table [m] and the shapes of its lowest modes, as in `shapes`."""
+    """Return the top face of a table [m] and the shapes of its lowest modes, normalised
+    as in `encoded_mode_shapes`."""
     few = range(min(len(table), MAX_SHAPES))
     flat = np.zeros(len(table.points))
     moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
     captions = [table_caption(table, i) for i in few]
     return _encoded_shapes(
-        np.column_stack([table.points, flat]), Delaunay(table.points).simplices, captions, moved
+        np.column_stack([table.points, flat]),
+        Delaunay(table.points).simplices,
+        captions,
+        moved,
     )
 
 
@@ -210,7 +214,9 @@ def _encoded_shapes(points, triangles, captions, moved):
         "points": base64_array(points),
         "triangles": base64_array(triangles, np.uint32),
         "captions": captions,
-        "shapes": [base64_array(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
+        "shapes": [
+            base64_array(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved
+        ],
     }
 
 

@@ -1,4 +1,4 @@
-"""ATTITUDE -> IMAGE: perspective view of the disk on its table, with motion blur."""
+"""Draw the disk on its table in perspective, with motion blur."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,7 +14,7 @@ RIM_SIDES = 96
 SUPERSAMPLING = 2
 """Supersampling factor in each direction of the image."""
 MARKED_SIDES = slice(0, 5)
-"""Sides of the rim that carry the mark."""
+"""Sides of the rim with the mark that makes the rotation visible."""
 LIGHT_DIRECTION = np.array([0.35, -0.45, 0.82])
 TABLE_COLOUR = (238, 236, 230)
 GRID_COLOUR = (205, 202, 195)
@@ -49,13 +49,16 @@ class Camera:
         return self.target + self.distance * self.axes[2]
 
     def project(self, points) -> np.ndarray:
-        """Project points (..., 3) [m] in front of the camera to image positions (..., 2) [px].
+        """Project points (..., 3) [m] in front of the camera to image positions (...,
+        2) [px].
 
         The origin of the image is its upper left corner.
         """
         right, up, near = np.moveaxis((points - self.target) @ self.axes.T, -1, 0)
         scale = self.focal / (self.distance - near)
-        return np.stack([self.size[0] / 2 + right * scale, self.size[1] / 2 - up * scale], axis=-1)
+        return np.stack(
+            [self.size[0] / 2 + right * scale, self.size[1] / 2 - up * scale], axis=-1
+        )
 
 
 def patch_frame(state, inclination) -> np.ndarray:
@@ -67,7 +70,9 @@ def patch_frame(state, inclination) -> np.ndarray:
     s = np.sin(state[:, 0])
     zero = 0 * inclination
     table = [(c, -s, zero), (s, c, zero), (zero, zero, 1 + zero)]
-    return np.stack([in_patch_frame(np.stack(axis, axis=1), inclination) for axis in table], axis=2)
+    return np.stack(
+        [in_patch_frame(np.stack(axis, axis=1), inclination) for axis in table], axis=2
+    )
 
 
 def contact_points(state, inclination, disk: Disk) -> np.ndarray:
@@ -78,22 +83,31 @@ def contact_points(state, inclination, disk: Disk) -> np.ndarray:
 
 
 def rim_points(state, inclination, disk: Disk) -> np.ndarray:
-    """Return the points (k, 2, SEGMENTS, 3) [m] of lower and upper rim, fixed in the body."""
+    """Return body-fixed points (k, 2, RIM_SIDES, 3) [m] of the lower and upper rims."""
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
     angle = state[:, 2, None] + np.arange(RIM_SIDES) * 2 * np.pi / RIM_SIDES
-    round_ = np.einsum("kn,ki->kni", np.cos(angle), x) + np.einsum("kn,ki->kni", np.sin(angle), y)
-    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(inclination)
+    round_ = np.einsum("kn,ki->kni", np.cos(angle), x) + np.einsum(
+        "kn,ki->kni", np.sin(angle), y
+    )
+    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(
+        inclination
+    )
     centre = np.column_stack([state[:, 3:5], height])
-    faces = np.array([-0.5, 0.5])[None, :, None, None] * disk.thickness * z[:, None, None]
+    faces = (
+        np.array([-0.5, 0.5])[None, :, None, None] * disk.thickness * z[:, None, None]
+    )
     return (centre[:, None] + disk.radius * round_)[:, None] + faces
 
 
 def draw_table(camera, radius: float) -> Image.Image:
     """Return the image of the empty table.
 
-    Circles of one, two and three times `radius` [m] are centred below the target of the camera.
+    Circles of one, two and three times `radius` [m] are centred below the target of the
+    camera.
     """
-    image = Image.new("RGB", tuple(SUPERSAMPLING * n for n in camera.size), TABLE_COLOUR)
+    image = Image.new(
+        "RGB", tuple(SUPERSAMPLING * n for n in camera.size), TABLE_COLOUR
+    )
     angle = np.linspace(0, 2 * np.pi, 361)
     circle = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) * radius
     for size in (1, 2, 3):
@@ -107,8 +121,8 @@ def draw_table(camera, radius: float) -> Image.Image:
 def draw_blurred_disk(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
     """Return the mean image (h, w, 3) of the disk on the `empty` table.
 
-    `bodies` (s, 2, n, 3) [m] are the two rims at s instants. `hole` is the radius of the hole of a
-    hoop, relative to the rim.
+    `bodies` (s, 2, n, 3) [m] contains the two rims at s instants. `hole` is the radius
+    of the hole of a hoop divided by that of the rim.
     """
     total = np.zeros((*camera.size[::-1], 3), np.uint32)
     for body in bodies:
@@ -136,7 +150,7 @@ def draw_trace(camera, image, path) -> Image.Image:
 def _draw_body(pen, camera, body, hole):
     """Draw the shadow directly below the body and the surfaces that face the camera.
 
-    The body is convex, so these do not overlap.
+    The body is convex, so these surfaces do not overlap.
     """
     for rim in body:
         pen.polygon(image_polygon(camera, rim * [1.0, 1.0, 0.0]), SHADOW_COLOUR)
@@ -156,21 +170,26 @@ def _draw_body(pen, camera, body, hole):
     top = np.dot(axis, camera.position - middle[1]) > 0
     if not top and np.dot(axis, camera.position - middle[0]) > 0:
         return
-    face, centre, normal = (upper, middle[1], axis) if top else (lower, middle[0], -axis)
+    face, centre, normal = (
+        (upper, middle[1], axis) if top else (lower, middle[0], -axis)
+    )
     pen.polygon(image_polygon(camera, face), face_grey_levels(normal[None])[0])
     if hole:
-        pen.polygon(image_polygon(camera, centre + hole * (face - centre)), SHADOW_COLOUR)
+        pen.polygon(
+            image_polygon(camera, centre + hole * (face - centre)), SHADOW_COLOUR
+        )
     wedge = face[MARKED_SIDES.start : MARKED_SIDES.stop + 1]
     pen.polygon(
         image_polygon(
-            camera, np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]])
+            camera,
+            np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]]),
         ),
         MARK_COLOUR,
     )
 
 
 def face_grey_levels(normals):
-    """Return the grey levels, as colours, of faces with normals (n, 3)."""
+    """Return the colours (grey levels) of faces with normals (n, 3)."""
     lit = (
         normals
         @ LIGHT_DIRECTION

@@ -1,4 +1,4 @@
-"""RESULT -> PICTURES: the data of each picture, from the solved motion and the sound.
+"""Collect the data of each picture from the solved motion and the sound.
 
 Every picture is readable without colour.
 """
@@ -15,10 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dynamics.observables import drawn_rates, nutation_frequency, precession_rate
-from sonify.claims.contact import carrier_line
+from dynamics.observables import nutation_frequency, plotted_rates, precession_rate
+from sonify.claims.contact import contact_resonance_line
 from sonify.claims.paper_figures import is_paper_scene
-from sonify.claims.rigid_motion import PAPER_FORCING_FREQUENCY, PAPER_FORCING_FREQUENCY_TIME
+from sonify.claims.rigid_motion import (
+    PAPER_FORCING_FREQUENCY,
+    PAPER_FORCING_FREQUENCY_TIME,
+)
 from sonify.claims.sound import LAST_SECONDS
 from sonify.claims.table import radiated_power
 from sonify.claims.two_way import energy_budget, two_way_part
@@ -26,7 +29,7 @@ from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.plan.supports import modes_over_run
 from sonify.report.mode_names import table_caption
-from sonify.report.render_worker import drawn, painter
+from sonify.report.render_worker import draw_png, painter
 from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import in_background
 from sonify.sound.radiation import listener_of
@@ -37,35 +40,33 @@ if TYPE_CHECKING:
     from sonify.result import Result, SolvedMotion
 
 
-MIN_TIME_LEFT_SHARE = 1e-4
-"""Shortest time to the end in the energy curves, over the duration of two-way coupling."""
-MAX_TABLE_MODES = 10
-"""Largest number of table modes drawn; the lowest modes are kept."""
-
-
 class Pictures:
-    """Pictures of a run, and the slow parts of its page.
+    """Pictures of a run and the time-consuming parts of its page.
 
     The `painter` draws each picture as soon as its data are known.
     """
 
     def __init__(self):
         self._futures: dict[str, Future] = {}
-        self._parts = {"colours": painter().draw("sound", "draw_colours", dict)}
+        self._parts = {"colours": painter().draw("sound", "write_colour_table", dict)}
 
     def begin(self, found: "SolvedMotion | Result"):
-        """Start the pictures and the parts of the page for which the data are known."""
+        """Start drawing the pictures and encoding the page parts with known data."""
         known = ("motion",) if found.sound is None else ("motion", "sound")
         for name, (needs, *_) in PICTURES.items():
-            if needs in known and name not in self._futures and not _is_omitted(name, found):
+            if (
+                needs in known
+                and name not in self._futures
+                and not _is_omitted(name, found)
+            ):
                 self._futures[name] = _picture_future(name, found)
         if "motion" not in self._parts:
             self._parts["motion"] = in_background(encode_motion, found.motion)
         if found.sound is not None and "sound" not in self._parts:
             self._parts["sound"] = in_background(encode_sounds, found.sound)
 
-    def parts(self) -> dict[str, Any]:
-        """Return the `parts` for the page_data of a result after `begin`."""
+    def page_parts(self) -> dict[str, Any]:
+        """Return the argument `parts` of `page_data`; `begin` must have been called."""
         return {name: part.result() for name, part in self._parts.items()}
 
     def write(self, result: "Result"):
@@ -86,7 +87,7 @@ class Pictures:
 def _picture_future(name, found):
     """Return the Future of a picture; a thread of the painter collects its data."""
     _, module, function, shown = PICTURES[name]
-    # modes of a disk on its contact change over the run, so that no cache helps
+    # modes of a disk on its contact change over the run, so caching is useless
     if name == "modes" and found.scene.support.kind != "contact":
         return _mode_picture_future(pickle.dumps(shown(found)))
     return painter().draw(module, function, partial(shown, found))
@@ -96,7 +97,7 @@ def _picture_future(name, found):
 def _mode_picture_future(content):
     """Return the Future of a picture of modes.
 
-    The cache reuses a picture if only the motion and the sound of the disk differ.
+    The cached picture is reused if only motion and sound differ.
     """
     return painter().draw(*PICTURES["modes"][1:3], partial(pickle.loads, content))
 
@@ -104,7 +105,7 @@ def _mode_picture_future(content):
 if sys.platform != "win32":
     os.register_at_fork(
         after_in_child=_mode_picture_future.cache_clear
-    )  # futures of the parent do not complete in a child
+    )  # futures of the parent process never complete in a child
 
 
 def encode_motion(motion):
@@ -116,7 +117,7 @@ def encode_motion(motion):
 def encode_sounds(sound):
     from sonify.report.page_data import encoded_sounds  # slow import
 
-    _ = sound.loudness  # computed early; run.json contains it
+    _ = sound.loudness  # computed early, because run.json contains it
     return encoded_sounds(sound)
 
 
@@ -134,9 +135,11 @@ def picture(result: "Result", name: str) -> "Image":
     from PIL import Image
 
     if name not in PICTURES:
-        raise ValueError(f"there is no picture {name!r}: it is one of {', '.join(PICTURES)}")
+        raise ValueError(
+            f"there is no picture {name!r}; choose one of {', '.join(PICTURES)}"
+        )
     _, module, function, shown = PICTURES[name]
-    return Image.open(BytesIO(drawn(module, function, shown(result))))
+    return Image.open(BytesIO(draw_png(module, function, shown(result)))).convert("RGB")
 
 
 def spectrogram_data(found):
@@ -148,10 +151,10 @@ def spectrogram_data(found):
         max(sound.source_end - LAST_SECONDS, 0.0),
         min(sound.source_end + LAST_SECONDS / 4, sound.duration),
     )
-    time, precession, nutation = drawn_rates(motion)
+    time, precession, nutation = plotted_rates(motion)
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
     delay = sound.source_end - motion.t[-1]
-    carrier = carrier_line(found.scene, motion, delay)
+    carrier = contact_resonance_line(found.scene, motion, delay)
     table = found.table.frequency if found.table else []
     seen |= {"frequencies": found.modes.frequency, "table": table, "carrier": carrier}
     return seen | {"time": time + delay, "rates": [precession, nutation]}
@@ -160,24 +163,27 @@ def spectrogram_data(found):
 def stem_level_data(found):
     sound = found.sound
     heard = {name: audibility(stem) for name, stem in sound.stems.items()}
-    stems = {name: (one.time, one.a_weighted, one.above_threshold) for name, one in heard.items()}
+    stems = {
+        name: (one.time, one.a_weighted, one.above_threshold)
+        for name, one in heard.items()
+    }
     return {"stems": stems, "end": sound.source_end, "duration": sound.duration}
 
 
 def motion_curve_data(found):
-    """Return the time histories of a motion.
-
-    For the paper's scene, the curves of the paper's figures are added.
+    """Return the time histories of a motion and, for the paper's scene, the curves of
+    its figures.
     """
     paper = _paper_figures(found.motion) if is_paper_scene(found.scene) else None
     return {"motion": _time_histories(found.motion), "paper": paper}
 
 
 def _time_histories(motion):
-    """Return the time histories of a motion in SI units, with inclination in degrees."""
+    """Return the time histories of a motion in SI units, with inclination in
+    degrees."""
     t = np.linspace(0, motion.t[-1], 24_000)
     state, force = motion.at_and_force(t)
-    rates = np.array(drawn_rates(motion))
+    rates = np.array(plotted_rates(motion))
     return {
         "time": t,
         "inclination": np.degrees(state[:, 1]),
@@ -191,7 +197,8 @@ def _time_histories(motion):
 
 
 def _paper_figures(motion):
-    """Return the curves of the paper's figures and the weight in units of their normal force."""
+    """Return the curves of the paper's figures and the weight in their unit of
+    force."""
     disk = motion.disk
     chi = disk.time_unit
     t = np.linspace(0, motion.t[-1], 12000)
@@ -218,11 +225,14 @@ def _paper_figures(motion):
 
 
 def energy_data(found):
-    """Return the energies of a two-way coupled motion, at times denser towards its end."""
+    """Return the energies of a two-way coupled motion at times that are spaced more
+    closely towards its end."""
     end = found.motion.t[-1]
     begin = two_way_part(found.motion)[1]
     t = times_towards_end(begin, end)
-    budget = energy_budget(found.motion, t, radiated_power(found.sound, listener_of(found.scene)))
+    budget = energy_budget(
+        found.motion, t, radiated_power(found.sound, listener_of(found.scene))
+    )
     held = {
         "disk": budget.disk,
         "modes of the table": budget.table,
@@ -236,10 +246,10 @@ def energy_data(found):
 
 
 def times_towards_end(begin: float, end: float) -> np.ndarray:
-    """Return times [s] from `begin`, denser towards `end`."""
+    """Return times [s] from `begin` to `end`, spaced more closely towards `end`."""
     return np.maximum(
-        end - np.geomspace(end - begin, MIN_TIME_LEFT_SHARE * (end - begin), 2000), begin
-    )  # round-off must not give earlier times
+        end - np.geomspace(end - begin, 1e-4 * (end - begin), 2000), begin
+    )  # round-off must not produce earlier times
 
 
 def mode_shape_data(found):
@@ -255,22 +265,36 @@ def mode_shape_data(found):
     }
     if not table:
         return shown
-    few = range(min(len(table), MAX_TABLE_MODES))
+    few = range(min(len(table), 10))
     return shown | {
-        "table": (table.points, table.face[few], [table_caption(table, i) for i in few], len(table))
+        "table": (
+            table.points,
+            table.face[few],
+            [table_caption(table, i) for i in few],
+            len(table),
+        )
     }
 
 
 def mode_changes_text(steps) -> str:
-    """Return one line per mode of a disk on its contact.
+    """Return one line for each mode of a disk on its contact.
 
-    It lists the frequency [Hz] of the mode at each inclination [degrees] as the disk falls.
+    It lists the frequency [Hz] at each inclination [degrees] as the disk falls.
     """
     frequencies = [step.modes.frequency if step.modes else () for step in steps]
-    rows = zip_longest(*[[f"{f:.0f}" for f in here] for here in frequencies], fillvalue="none")
-    at = ",\n".join(f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps)
+    rows = zip_longest(
+        *[[f"{f:.0f}" for f in here] for here in frequencies], fillvalue="none"
+    )
+    at = ",\n".join(
+        f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps
+    )
     return (
-        "\n".join([f"[Hz] at {at}", *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1))])
+        "\n".join(
+            [
+                f"[Hz] at {at}",
+                *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1)),
+            ]
+        )
         if steps
         else ""
     )
@@ -283,4 +307,5 @@ PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
     "energy": ("sound", "motion", "draw_energy", energy_data),
     "modes": ("motion", "mode_shapes", "draw_modes", mode_shape_data),
 }
-"""Name of a picture -> required data, module, drawing function, function that collects its data."""
+"""Required stage, module, drawing function and data-collecting function of each
+picture, by its name."""

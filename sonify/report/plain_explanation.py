@@ -1,4 +1,4 @@
-"""MOTION + FINDINGS -> "Why does it buzz?": five sentences for readers without physics."""
+"""Explain in five sentences, for readers without physics, why the disk buzzes."""
 
 from collections.abc import Sequence
 from math import pi
@@ -16,20 +16,23 @@ END_CLAUSES = {
     Outcome.UPRIGHT: "the disk stands upright",
     Outcome.FELL: "the disk drops flat while it still turns",
 }
-"""Outcome -> clause; any other outcome is stated by its own sentence."""
+"""Clause for each outcome; other outcomes are described by their own sentence."""
 LOUDEST_PARTS = {
     "table_is_louder": "the table vibrates under the moving contact and sounds like a drum skin",
     "carrier_is_contact": "the disk vibrates on its springy contact, too fast to be seen",
     "modes_carry_the_end": "the disk rings like a bell under the moving contact",
+    "free_modes_are_heard": "the disk rings like a bell at every knock",
 }
-"""Key of a finding -> what sounds if it holds; the first finding that holds counts."""
+"""Description of the loudest part if a finding holds, by its key; the first one that
+holds is used."""
 PITCH_KEYS = ("table_tone_rises", "carrier_rises", "pitch_rises")
 
 
 def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:
-    """Return five sentences on the movement, the pitch, the source, the contact and the end.
+    """Return five sentences on the movement, the pitch, the source, the contact and the
+    end.
 
-    They use the numbers of the run. An undecided or missing finding is not replaced by a guess.
+    They contain numbers of the run and state which findings are undecided or missing.
     """
     by_key = {finding.key: finding for finding in findings}
     return [
@@ -42,15 +45,18 @@ def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:
 
 
 def movement_sentence(motion):
-    """State how often the contact runs round the disk in the first and in the last second."""
+    """State the number of turns of the contact in the first and in the last second."""
     end = float(motion.t[-1])
     window = min(1.0, end / 2)
     angles = motion.precession([0.0, window, end - window, end])
     first, last = (abs(float(angles[i + 1] - angles[i])) / (2 * pi) for i in (0, 2))
     span = "second" if window == 1 else f"{window:.2g} s"
+    turns = [
+        f"{count:.3g}" if count < 1000 else f"{count:.0f}" for count in (first, last)
+    ]
     return (
         f"The disk rolls on its edge, and the point where it touches the table runs round "
-        f"{first:.3g} times in the first {span} and {last:.3g} times in the last."
+        f"{turns[0]} times in the first {span} and {turns[1]} times in the last."
     )
 
 
@@ -68,7 +74,9 @@ def pitch_sentence(by_key):
 
 
 def source_sentence(by_key):
-    decided = [key for key in LOUDEST_PARTS if key in by_key and by_key[key].holds is not None]
+    decided = [
+        key for key in LOUDEST_PARTS if key in by_key and by_key[key].holds is not None
+    ]
     sounding = next((key for key in decided if by_key[key].holds), None)
     if sounding is not None:
         return f"What you hear most is this: {LOUDEST_PARTS[sounding]}."
@@ -77,7 +85,10 @@ def source_sentence(by_key):
             "What you hear most is the disk as a whole, which pushes the air as it rocks; it rings "
             "less loudly."
         )
-    return "What sounds most was not decided in this run."
+    moving = by_key.get("heard_through_film")
+    if moving is not None and moving.holds is False:
+        return "The air under the disk makes its movement too faint to hear."
+    return "Which part is loudest was not decided in this run."
 
 
 def contact_sentence(by_key):
@@ -88,16 +99,22 @@ def contact_sentence(by_key):
             f"The disk flies from crest to crest of the uneven table, and every landing is a small "
             f"knock, {knocks:.0f} a second."
         )
+    carried = by_key.get("carried_by_air")
     lost = by_key.get("contact_is_lost")
     kept = by_key.get("contact_kept")
     if lost is not None and lost.holds is not None:
         leaves = lost.holds
+    elif carried is not None and carried.holds and carried.cause == "film":
+        return "The disk rolls on the table until the air under it carries its weight."
     elif kept is not None and kept.holds is not None:
         leaves = not kept.holds
     else:
         return "Whether the disk leaves the table was not decided in this run."
     if leaves:
-        return "The disk leaves the table for moments, and every landing is a small knock."
+        return (
+            "The disk leaves the table for brief moments, and every landing is a small "
+            "knock."
+        )
     return "The disk never leaves the table: the sound comes from a rolling edge, not from knocks."
 
 

@@ -1,8 +1,8 @@
-"""RECORDING -> FILES: the analysis of the user's sound file in words, numbers and a picture."""
+"""Report the analysis of a user's sound file in words, numbers and pictures."""
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from math import inf
 from pathlib import Path
 
@@ -12,8 +12,13 @@ from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectral_lines import Carrier
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
-from sonify.report.settling import false_alarm_sentence, run_numbers, run_sentences
-from sonify.runtime.files import atomic_write, create_folder, first_numbered
+from sonify.report.settling import (
+    false_alarm_sentence,
+    region_sentence,
+    run_sentences,
+    settling_run_record,
+)
+from sonify.runtime.files import atomic_write, create_folder, first_matching_folder
 
 
 def write_recording_report(
@@ -23,50 +28,51 @@ def write_recording_report(
     warn: Callable[[str], None] = lambda line: None,
     span: tuple[float, float] = (0.0, inf),
 ) -> list[str]:
-    """Analyse a recording; return the results as lines of text.
+    """Analyse a recording and return the results as lines of text.
 
-    Writes heard.json and spectrogram.png into `out`, and settling.png if it contains a disk. If a
-    `scene` is given, the spectral lines are matched to its resonances. `warn` is called with a line
-    if the file is truncated. Only the part within the `span` [s] is analysed.
+    The files heard.json and spectrogram.png are written to `out`, and settling.png if a
+    settling disk is detected. If a `scene` is given, spectral lines are matched to its
+    resonances. `warn` is called with a message if the file is truncated. Only the part
+    within the `span` [s] is analysed.
 
-    Raises RecordingError and SceneError before anything is written, and OutputError if `out` cannot
-    be written.
+    Raises RecordingError and SceneError before anything is written, and OutputError if
+    `out` cannot be written.
     """
     known = _resonances(scene) if scene else []
-    read(recording)  # raises RecordingError unless the file is a sound
+    read(recording)  # raises RecordingError if the file is not a sound file
     whole_sound = source_of(recording)
     begin = max(span[0], 0.0)
     part = excerpt(whole_sound, *span)
     runs = [run.later(begin) for run in settling_runs(part)]
-    heard = listen(part, runs[-1].t_end.value - begin if runs else None, tones=False, begin=begin)
+    heard = listen(
+        part, runs[-1].t_end.value - begin if runs else None, tones=False, begin=begin
+    )
     truncation = truncation_of(whole_sound)
     if truncation:
         warn(f"{recording}: {truncation}")
     samples, rate, _, _ = read(part)
     ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
-    folder = create_folder(out or own_folder(recording))
+    folder = create_folder(out or default_report_folder(recording))
     from sonify.report.sound import draw_recording, draw_settling
-    from sonify.report.write import finite, write_json
+    from sonify.report.write import json_safe, write_json
 
     low = spectrogram(whole_sound, WINDOW_RATES, span=span).band(*RATES)
     high = spectrogram(whole_sound, WINDOW_MODES, span=span)
     with atomic_write(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, (begin, begin + heard.duration), runs)
     if runs:
-        burst_window = 0.004  # [s], short enough to separate the bursts of a settling disk
-        bursts = spectrogram(part, burst_window, columns=1 << 20)
-        bursts = replace(bursts, time=bursts.time + begin)
         with atomic_write(folder / "settling.png") as temporary:
-            draw_settling(temporary, bursts, runs)
+            draw_settling(temporary, part, begin, runs)
     content = (
         {"recording": absolute_path_text(recording)}
-        | numbers(heard, known)
+        | analysis_record(heard, known)
         | {"decaying_lines": [asdict(line) for line in ringing]}
-        | {"runs": [run_numbers(run) for run in runs]}
+        | {"runs": [settling_run_record(run) for run in runs]}
     )
-    write_json(finite(content), folder / "heard.json")
+    write_json(json_safe(content), folder / "heard.json")
     settled = [line for run in runs for line in run_sentences(run)]
-    lines = sentences(heard, known)
+    settled += [region_sentence(run) for run in runs]
+    lines = analysis_sentences(heard, known)
     max_ringing_sentences = 4  # heard.json contains all decaying lines
     return [
         lines[0],
@@ -78,22 +84,24 @@ def write_recording_report(
     ]
 
 
-def own_folder(recording: str | Path) -> Path:
-    """Return outputs/listen/<name of the recording>.
+def default_report_folder(recording: str | Path) -> Path:
+    """Return the folder outputs/listen/<name of the recording>.
 
-    If that folder belongs to another recording, try <name>-2, <name>-3, ...
+    If it belongs to another recording, <name>-2, <name>-3, ... are tried.
     """
     first = Path("outputs") / "listen" / Path(recording).stem
-    return first_numbered(
+    return first_matching_folder(
         first,
-        lambda folder: recording_named_in_folder(folder) in (None, absolute_path_text(recording)),
+        lambda folder: (
+            recording_named_in_folder(folder) in (None, absolute_path_text(recording))
+        ),
     )
 
 
 def recording_named_in_folder(folder):
-    """Return the recording that the heard.json of a folder names.
+    """Return the path of the recording stored in the heard.json of a folder.
 
-    Return None if there is no such file, and "" if another program wrote it.
+    The result is None if there is no such file, and "" if another program wrote it.
     """
     content = folder / "heard.json"
     try:
@@ -125,25 +133,32 @@ def matching_resonance(carrier, known):
     return nearest_resonance(carrier, known)
 
 
-def numbers(heard: Heard, known=()) -> dict:
-    """Return the analysis as plain values: the extent of the sound and its spectral lines."""
+def analysis_record(heard: Heard, known=()) -> dict:
+    """Return the analysis as plain values: duration and start of the sound, and its
+    spectral lines."""
     values = asdict(heard)
     del values["tone"]
-    return values | {"carriers": [carrier_numbers(carrier, known) for carrier in heard.carriers]}
+    return values | {
+        "carriers": [spectral_line_record(carrier, known) for carrier in heard.carriers]
+    }
 
 
-def carrier_numbers(carrier: Carrier, known=()) -> dict:
-    """Return a spectral line as plain values.
-
-    They include its course and the known resonance that matches it.
+def spectral_line_record(carrier: Carrier, known=()) -> dict:
+    """Return a spectral line as plain values, with its trend (`course`) and the
+    matching known resonance.
     """
     match = matching_resonance(carrier, known)
-    return asdict(carrier) | {"course": carrier.course, "matched": match and match._asdict()}
+    return asdict(carrier) | {
+        "course": carrier.course,
+        "matched": match and match._asdict(),
+    }
 
 
-def sentences(heard: Heard, known=()) -> list[str]:
-    """Return the analysis in words."""
-    lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
+def analysis_sentences(heard: Heard, known=()) -> list[str]:
+    """Return the analysis as lines of text."""
+    lines = [
+        f"{heard.duration:.3f} s at {heard.sample_rate} Hz, sound from {heard.start:.3f} s on"
+    ]
     return lines + [
         f"carrier: {spectral_line_description(c)}{match_clause(matching_resonance(c, known))}"
         for c in heard.carriers
@@ -151,7 +166,7 @@ def sentences(heard: Heard, known=()) -> list[str]:
 
 
 def ringing_sentence(line):
-    """Describe a decaying spectral line in words."""
+    """Return a description of a decaying spectral line."""
     return (
         f"free ringing: {line.frequency:.1f} Hz, amplitude decay {line.decay_rate:.1f} ± "
         f"{line.decay_error:.1f} 1/s"

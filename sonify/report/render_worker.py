@@ -1,6 +1,7 @@
-"""Worker process that draws pictures while this process renders a sound.
+"""Draw pictures in a worker process while the main process renders a sound.
 
-It also loads matplotlib, and it solves modes while this process solves a motion.
+The worker also imports matplotlib and solves modes while the main process solves a
+motion.
 """
 
 import atexit
@@ -18,39 +19,46 @@ from typing import Any
 from sonify.runtime.workers import WorkerDiedError, WorkerProcess, serve_calls
 
 
-def drawn(module: str, name: str, data: dict) -> bytes:
-    """Return the PNG that a function `name` of a module of this package draws from `data`."""
+def draw_png(module: str, name: str, data: dict) -> bytes:
+    """Return the PNG drawn from `data` by the function `name` of a module of this
+    package."""
     file = BytesIO()
     getattr(import_module(f"sonify.report.{module}"), name)(path=file, **data)
     return file.getvalue()
 
 
 class Painter:
-    """Draws in a worker process, or in this process if no worker can be started.
+    """Draws pictures in a worker process, or in this process if no worker can be
+    started.
 
-    The worker ends with this process.
+    The worker exits with this process.
     """
 
     def __init__(self):
         self._gathering = ThreadPoolExecutor(1, "gathering")
         self._waiting = ThreadPoolExecutor(1, "painter")
-        self._worker = self._waiting.submit(WorkerProcess, __name__, single_threaded=False)
+        self._worker = self._waiting.submit(
+            WorkerProcess, __name__, single_threaded=False
+        )
         self._loaded = False
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
-        """Return the Future of `drawn`; pictures are drawn one after the other.
+        """Return the Future of `draw_png`; pictures are drawn one after another.
 
         A thread calls `data` while the worker draws the previous picture.
         """
         gathered = self._gathering.submit(data)
         return self._waiting.submit(
-            lambda: self._call_worker_or_run_here(drawn, module, name, gathered.result())
+            lambda: self._call_worker_or_run_here(
+                draw_png, module, name, gathered.result()
+            )
         )
 
     def call(self, function: Callable, *arguments, **options) -> Any:
         """Return the result of a module-level `function`.
 
-        It runs in the worker once that has completed a first task, and otherwise in this process.
+        The function runs in the worker if the worker has completed a task before, and
+        otherwise in this process.
         """
         if not self._loaded:
             return function(*arguments, **options)
@@ -61,7 +69,7 @@ class Painter:
     def _call_worker_or_run_here(self, function, *arguments, **options):
         try:
             answer = self._worker.result().call(function, *arguments, **options)
-        except (OSError, WorkerDiedError):  # it was not started, or it died
+        except (OSError, WorkerDiedError):  # the worker was not started or has died
             return function(*arguments, **options)
         self._loaded = True
         return answer
@@ -76,7 +84,7 @@ class Painter:
 
 @lru_cache(1)
 def painter() -> Painter:
-    """Return the only painter of this process; the first call starts its worker."""
+    """Return the single painter of this process; the first call starts its worker."""
     one = Painter()
     atexit.register(one.close)
     return one
@@ -85,7 +93,7 @@ def painter() -> Painter:
 if sys.platform != "win32":
     os.register_at_fork(
         after_in_child=painter.cache_clear
-    )  # two processes cannot share one painter
+    )  # processes cannot share a painter
 
 
 def serve():

@@ -1,4 +1,4 @@
-"""FOLDER with an earlier run -> one line on the results that a run of another scene replaces."""
+"""Report the results of an earlier run that a new run replaces."""
 
 from pathlib import Path
 
@@ -10,8 +10,8 @@ from sonify.scene_errors import SceneError
 def replaced_results(scene: Scene, folder: Path) -> str:
     """Return one line on the results in a folder that a run of `scene` replaces.
 
-    It lists the keys that differ. It is empty if the folder holds no run, or a run of the same
-    scene with the same settings.
+    It lists the keys that differ. It is empty if the folder contains no run or a run of
+    the same scene with the same settings.
     """
     record = folder / "run.json"
     if not record.is_file():
@@ -22,17 +22,22 @@ def replaced_results(scene: Scene, folder: Path) -> str:
         return f"{folder}: replaces results of a run that cannot be read ({error})"
     old = values_by_dotted_key(scene_record(earlier))
     new = values_by_dotted_key(scene_record(scene))
-    differing = [key for key in old | new if old.get(key) != new.get(key) and key != "name"]
+    differing = [
+        key for key in old | new if old.get(key) != new.get(key) and key != "name"
+    ]
     if not differing and earlier.name == scene.name:
         return ""
     shown = differing[:8]
-    more = [f"{len(differing) - len(shown)} more"] if len(differing) > len(shown) else []
+    more = (
+        [f"{len(differing) - len(shown)} more"] if len(differing) > len(shown) else []
+    )
     keys = f", which differs in {', '.join([*shown, *more])}" if differing else ""
     return f"{folder}: replaces the results of {earlier.name}{keys}"
 
 
 def values_by_dotted_key(record, path=""):
-    """Return the values of a nested record by dotted key; a list is one value."""
+    """Return the values of a nested record by dotted key; a list counts as one
+    value."""
     values = {}
     for key, value in record.items():
         if isinstance(value, dict):

@@ -1,12 +1,15 @@
-"""SETTLING RUNS -> WORDS AND NUMBERS: the output of `sonify listen`."""
+"""Convert settling runs to the text and the records of `sonify listen`."""
+
+import numpy as np
 
 from sonify.hearing.settling.detector import SettlingRun
 from sonify.hearing.settling.joint_region import Estimate
 from sonify.hearing.settling.settings import SettlingSettings
 
 
-def run_numbers(run: SettlingRun) -> dict:
-    """Return a run as plain values, an entry of `runs` in heard.json."""
+def settling_run_record(run: SettlingRun) -> dict:
+    """Return a run as plain values for the list `runs` in heard.json."""
+    rate = run.rate_at_1s.value
     return {
         "kind": run.kind,
         "start": run.start,
@@ -18,18 +21,64 @@ def run_numbers(run: SettlingRun) -> dict:
         "bands": [list(band) for band in run.bands],
         "score": run.score,
         "certain": run.certain,
+        "joint_region": joint_region_rows(run),
+        "turns_per_second": {
+            "one_burst_per_turn": rate,
+            "two_bursts_per_turn": rate / 2,
+        },
     }
 
 
+def joint_region_rows(run: SettlingRun, step: float = 0.05) -> list[dict]:
+    """Return the ranges of end and rate compatible with a run, one row per step of the
+    exponent."""
+    region = run.region
+    places = np.round(region.exponents / step)
+    rows = []
+    for place in np.unique(places):
+        ends = region.ends[places == place]
+        rates = region.rates[places == place]
+        exponents = region.exponents[places == place]
+        rows.append(
+            {
+                "exponent": [float(exponents.min()), float(exponents.max())],
+                "t_end": [float(ends.min()), float(ends.max())],
+                "rate": [float(rates.min()), float(rates.max())],
+            }
+        )
+    return rows
+
+
+def region_sentence(run: SettlingRun) -> str:
+    """Return a line on the joint region of exponent and end, and on both
+    interpretations of the turns."""
+    rows = joint_region_rows(run)
+    rate = run.rate_at_1s.value
+    ridge = "; ".join(
+        "n {:.2f} to {:.2f} with an end at {:.3f} to {:.3f} s".format(
+            *row["exponent"], *row["t_end"]
+        )
+        for row in rows
+    )
+    return (
+        f"joint region of the run to {run.t_end.value:.3f} s: {ridge}; {rate:.1f} turns per second "
+        f"with one burst per turn, {rate / 2:.1f} with two"
+    )
+
+
 def run_sentences(run: SettlingRun) -> list[str]:
-    """Return two lines on a run: its time and power law, and its certainty."""
+    """Return two lines on the time, the power law and the certainty of a run."""
     end = f"{run.t_end.value:.3f} s ({run.t_end.low:.3f} to {run.t_end.high:.3f})"
     rate = f"{run.rate_at_1s.value:.1f} Hz ({run.rate_at_1s.low:.1f} to {run.rate_at_1s.high:.1f})"
     low = f"{run.exponent.low:.2f}"
     high = f"{run.exponent.high:.2f}"
-    value = "not determined" if run.exponent.value is None else f"{run.exponent.value:.2f}"
+    value = (
+        "not determined" if run.exponent.value is None else f"{run.exponent.value:.2f}"
+    )
     bands = ", ".join(f"{below:.0f} to {above:.0f} Hz" for below, above in run.bands)
-    when = "at first" if run.t_end.value - run.start < 1 else "one second before the end"
+    when = (
+        "at first" if run.t_end.value - run.start < 1 else "one second before the end"
+    )
     certainty = "certain" if run.certain else "probable"
     return [
         f"a disk or coin comes to rest at {end}: {run.kind} in {bands} from {run.start:.2f} s on",

@@ -1,6 +1,5 @@
-"""SOUND -> PICTURES: spectrograms with the solved frequencies, and levels of the causes of sound.
-
-The levels are compared with the threshold of hearing.
+"""Draw spectrograms with the computed frequencies, and stem levels above the threshold
+of hearing.
 """
 
 from itertools import cycle, pairwise
@@ -10,14 +9,19 @@ from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
 from scipy.ndimage import uniform_filter
 
-from sonify.hearing.spectrogram import RATES, REFERENCE_PRESSURE, Spectrogram
-from sonify.report.figure import figure_at, legend_above, plain_decades
+from sonify.hearing.spectrogram import (
+    RATES,
+    REFERENCE_PRESSURE,
+    Spectrogram,
+    spectrogram,
+)
+from sonify.report.figure import label_plain_decades, place_legend_above, png_figure
 
 COLOUR_RANGE_DB = 65.0
 """Range of the colour scale [dB].
 
-The brightest colour is the loudest level of each band, because the modes may be much quieter
-than the contact rates.
+The brightest colour represents the loudest level of each band, because the modes may be
+much quieter than the contact rates.
 """
 STEM_STYLES = (
     ("#0072b2", "-"),
@@ -28,15 +32,10 @@ STEM_STYLES = (
     ("#cc79a7", (0, (5, 1, 1, 1, 1, 1))),
     ("#e69f00", (0, (3, 2))),
 )
-"""Colours distinguishable for the colour-blind; the dashes differ in grey print."""
+"""Colours that colour-blind readers can distinguish; the dashes differ in greyscale
+print."""
 MIN_MODE_FREQUENCY = 250.0
 """Lower limit of the band of the modes [Hz]."""
-IMAGE_ROWS = 400
-"""Number of rows of an image, close to the height of a panel in pixels."""
-TABLE_LINE_LENGTH = 0.04
-"""Length of the lines of the table modes, as a share of the width of a panel."""
-TEXT_LINE_HEIGHT = 14
-"""Height of a line of small text [px]."""
 DARK_OUTLINE = [withStroke(linewidth=2.5, foreground="k")]
 """Dark outline that keeps a white line visible on a white background."""
 
@@ -52,7 +51,7 @@ def draw_spectrogram(
     table=(),
     carrier=None,
 ):
-    """Draw spectrograms of the pressure with the solved frequencies.
+    """Draw spectrograms of the pressure with the computed frequencies.
 
     Parameters
     ----------
@@ -74,17 +73,20 @@ def draw_spectrogram(
         Times [s] and frequencies [Hz] of the resonance of an elastic contact.
     """
     floors = [
-        loudest_db(part) - COLOUR_RANGE_DB for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
+        loudest_db(part) - COLOUR_RANGE_DB
+        for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
     ]
-    with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
+    with png_figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
             top.set(xlim=span)
-            log_frequency(top, RATES)
-            turning = level_image(top, low.during(*span), 1.0, floors[0])
+            set_log_frequency_axis(top, RATES)
+            turning = draw_level_image(top, low.during(*span), 1.0, floors[0])
             draw_rate_lines(top, time, rates, 1.0)
             bottom.set(xlim=span)
-            log_frequency(bottom, (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3))
-            ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
+            set_log_frequency_axis(
+                bottom, (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3)
+            )
+            ringing = draw_level_image(bottom, high.during(*span), 1e3, floors[1])
             modes = np.unique(np.round(frequencies)) / 1e3
             bottom.hlines(
                 modes,
@@ -113,38 +115,49 @@ def draw_spectrogram(
         label_frequencies(axes[1, 0], frequencies, 1e3)
         label_frequencies(axes[0, 1], table, 1.0)
         label_frequencies(axes[1, 1], table if len(table) else frequencies, 1e3)
-        for row, unit, title in zip(axes, ("Hz", "kHz"), ("Contact rates", "Modes"), strict=True):
+        for row, unit, title in zip(
+            axes, ("Hz", "kHz"), ("Contact rates", "Modes"), strict=True
+        ):
             for panel, part in zip(row, (title, f"{title}, the end"), strict=True):
-                panel.set(xlabel="time at the listener [s]", ylabel=f"frequency [{unit}]")
+                panel.set(
+                    xlabel="time at the listener [s]", ylabel=f"frequency [{unit}]"
+                )
                 panel.set_title(part, loc="left")
         for image, row in ((turning, axes[0]), (ringing, axes[1])):
             figure.colorbar(
-                image, ax=row, pad=0.05, fraction=0.04, label="level of a sine [dB re 20 µPa]"
+                image,
+                ax=row,
+                pad=0.05,
+                fraction=0.04,
+                label="level of a sine [dB re 20 µPa]",
             )
 
 
 LAW_NAMES = {"flat": "steady", "exponential": "expon."}
-MAX_DRAWN_RUNS = 3
-"""Number of settling runs in a picture."""
 
 
 def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
-    """Draw the spectrogram of a recording in two bands, relative to full scale, over a `span` [s].
+    """Draw the spectrogram of a recording in two bands, relative to full scale, over a
+    `span` [s].
 
-    The rates of the settling `runs` are drawn over it.
+    The rates of the settling `runs` are overlaid.
     """
     floors = [
         loudest_db(part, 1.0) - COLOUR_RANGE_DB
         for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
     ]
-    with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
-        log_frequency(axes[0], RATES)
-        log_frequency(axes[1], (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3))
+    with png_figure(path, 2, 1, (11, 9)) as (figure, axes):
+        set_log_frequency_axis(axes[0], RATES)
+        set_log_frequency_axis(
+            axes[1], (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3)
+        )
         axes[0].set(ylabel="frequency [Hz]", xlabel="time [s]")
         axes[0].set_title("Contact rates", loc="left")
-        for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
+        for panel, seen, unit, floor in zip(
+            axes, (low, high), (1.0, 1e3), floors, strict=True
+        ):
             panel.set(xlim=span)
-            image = level_image(panel, seen, unit, floor, 1.0)
+            image = draw_level_image(panel, seen, unit, floor, 1.0)
             figure.colorbar(
                 image,
                 ax=panel,
@@ -157,7 +170,12 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
             time = run.t_end.value - left
             label = "rate of a settling disk, fitted"
             axes[0].plot(
-                time, run.rate(time), "w--", lw=1.0, label=label, path_effects=DARK_OUTLINE
+                time,
+                run.rate(time),
+                "w--",
+                lw=1.0,
+                label=label,
+                path_effects=DARK_OUTLINE,
             )
         if runs:
             draw_legend(axes[0])
@@ -165,23 +183,29 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
         axes[1].set_title("Modes", loc="left")
 
 
-def draw_settling(path, seen: Spectrogram, runs):
-    """Draw the sound of settling runs turn by turn, and how well rival laws predict it.
+def draw_settling(path, source, begin, runs):
+    """Draw the settling runs in a source turn by turn, with the scores of rival laws.
 
-    Above, every row is one turn of the fitted law: bursts that follow it form vertical lines, of
-    which each is shown twice. Below are the scores of the laws.
+    The source starts at the time `begin` [s]. In the upper panels each row is one turn
+    of the fitted law, drawn twice side by side: bursts that follow the law form
+    vertical lines. The lower panels show the scores of the laws.
     """
-    shown = sorted(runs, key=lambda run: -run.score)[:MAX_DRAWN_RUNS]
+    shown = sorted(runs, key=lambda run: -run.score)[:3]
     size = (max(5.5 * len(shown), 7), 9)
-    with figure_at(path, 2, len(shown), size, squeeze=False) as (_, axes):
+    with png_figure(path, 2, len(shown), size, squeeze=False) as (_, axes):
         for (above, below), run in zip(axes.T, shown, strict=True):
+            burst_window = 0.004  # s, separates the bursts
             low, high = run.bands[0]
+            span = (run.start - begin - 1.0, run.t_end.value - begin + 0.1)
+            seen = spectrogram(
+                source, burst_window, 1 << 20, (max(span[0], 0.0), span[1])
+            )
             level = 10 * np.log10(seen.band(low, high).power.sum(axis=0) + 1e-14)
             first, last = run.turns_left(np.array([run.start, run.t_end.value - 0.02]))
             turns = np.arange(int(first), max(int(last), 0), -1)
             fractions = np.linspace(0, 2, 129)
             wanted = turns[:, None] - fractions
-            rows = np.interp(-wanted, -run.turns_left(seen.time), level)
+            rows = np.interp(-wanted, -run.turns_left(begin + seen.time), level)
             rows = uniform_filter(rows - np.median(rows, axis=1, keepdims=True), (3, 7))
             extent = (0, 2, turns[-1], turns[0])
             above.imshow(
@@ -191,32 +215,38 @@ def draw_settling(path, seen: Spectrogram, runs):
                 extent=extent,
                 cmap="magma",
             )
-            above.set(xlabel="turn", ylabel="turns left to the end")
-            above.set_title(f"{run.kind} in {low:.0f} to {high:.0f} Hz, turn by turn", loc="left")
-            colours = ["#d55e00" if name == "disk" else "#999999" for name in run.law_scores]
+            above.set(xlabel="turn", ylabel="turns left until the end")
+            above.set_title(
+                f"{run.kind} in {low:.0f} to {high:.0f} Hz, turn by turn", loc="left"
+            )
+            colours = [
+                "#d55e00" if name == "disk" else "#999999" for name in run.law_scores
+            ]
             names = [LAW_NAMES.get(name, name) for name in run.law_scores]
             below.barh(names, list(run.law_scores.values()), color=colours)
             below.invert_yaxis()
-            below.set(xlabel="log likelihood of unseen parts")
+            below.set(xlabel="log likelihood of held-out parts")
             below.set_title(f"law of the rate; Q = {run.score:.0f}", loc="left")
 
 
-def log_frequency(axes, band):
-    """Make the frequency axis of a panel logarithmic over `band`, with ticks at 1, 2, 5, 10 ..."""
+def set_log_frequency_axis(axes, band):
+    """Set a logarithmic frequency axis over `band` with ticks at 1, 2, 5, 10, ..."""
     axes.set(yscale="log", ylim=band)
-    plain_decades(axes.yaxis)
+    label_plain_decades(axes.yaxis)
 
 
 def loudest_db(seen, reference=REFERENCE_PRESSURE) -> float:
-    """Return the highest spectrogram level [dB re `reference`], rounded up to a multiple of 5."""
+    """Return the highest spectrogram level [dB re `reference`], rounded up to a
+    multiple of 5."""
     return float(5 * np.ceil(seen.level_db(reference).max(initial=-200.0) / 5))
 
 
-def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
-    """Draw a spectrogram level [dB re `reference`] over time and frequency; return the image.
+def draw_level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
+    """Draw a spectrogram level [dB re `reference`] over time and frequency; return the
+    image.
 
-    The time is in s and the frequency in Hz divided by `unit`. The colour scale starts at `floor`
-    [dB], and times without a window have the colour of the floor.
+    The time is in s and the frequency in Hz divided by `unit`. The colour scale starts
+    at `floor` [dB], which is also the colour of times without a window.
     """
     axes.set_facecolor(colormaps["magma"](0))
     level = seen.level_db(reference)
@@ -240,18 +270,28 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
 def resample_to_rows(level, frequency, axes):
     """Resample levels (f, t) to evenly spaced rows of a panel.
 
-    A row that holds several frequencies shows the loudest.
+    A row that contains several frequencies shows the highest level.
     """
     heights = axes.yaxis.get_transform().transform(axes.get_ylim())
-    edges = np.linspace(*heights, IMAGE_ROWS + 1)
+    edges = np.linspace(
+        *heights, 401
+    )  # 400 rows, close to the height of a panel in pixels
     edges = axes.yaxis.get_transform().inverted().transform(edges)
     between = np.searchsorted((frequency[1:] + frequency[:-1]) / 2, edges)
-    return np.stack([level[a : max(a, b) + 1].max(axis=0) for a, b in pairwise(between)])
+    return np.stack(
+        [level[a : max(a, b) + 1].max(axis=0) for a, b in pairwise(between)]
+    )
 
 
-def draw_colours(path):
-    """Write the colours of a `level_image`, from dark to bright, into a file as (256, 3) bytes."""
-    path.write((255 * colormaps["magma"](np.arange(256))[:, :3]).round().astype(np.uint8).tobytes())
+def write_colour_table(path):
+    """Write the colours of a `draw_level_image` to a file as (256, 3) bytes, from dark
+    to bright."""
+    path.write(
+        (255 * colormaps["magma"](np.arange(256))[:, :3])
+        .round()
+        .astype(np.uint8)
+        .tobytes()
+    )
 
 
 def draw_rate_lines(axes, time, rates, unit):
@@ -270,7 +310,7 @@ def draw_rate_lines(axes, time, rates, unit):
 
 
 def draw_legend(axes):
-    legend_above(axes, facecolor="0.2", labelcolor="w")
+    place_legend_above(axes, facecolor="0.2", labelcolor="w")
 
 
 def draw_table_mode_lines(panels, table, span):
@@ -278,7 +318,8 @@ def draw_table_mode_lines(panels, table, span):
 
     A table has many modes; longer lines would hide their sound.
     """
-    begin = span[1] - TABLE_LINE_LENGTH * (span[1] - span[0])
+    line_length = 0.04  # of the width of a panel
+    begin = span[1] - line_length * (span[1] - span[0])
     for axes, unit in zip(panels, (1.0, 1e3), strict=True):
         axes.hlines(
             np.round(table) / unit,
@@ -299,7 +340,8 @@ def label_frequencies(axes, frequencies, unit):
     (low, high) = axes.get_ylim()
     heights = np.unique(np.round(frequencies)) / unit  # a degenerate pair is one line
     shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
-    apart = TEXT_LINE_HEIGHT / axes.get_window_extent().height
+    text_height = 14  # px
+    apart = text_height / axes.get_window_extent().height
     last = -1.0
     leader = {
         "arrowstyle": "-",
@@ -330,27 +372,35 @@ def label_frequencies(axes, frequencies, unit):
 
 
 def draw_stems(path, stems, end: float, duration: float):
-    """Draw the A-weighted level of each cause of sound, and its level above the hearing threshold.
+    """Draw the A-weighted level of each stem and its level above the threshold of
+    hearing.
 
-    `stems` holds times (t,) [s] and both levels (t,) [dB] by name. `end` is the end of the motion
-    [s], and `duration` is that of the sound [s].
+    `stems` contains times (t,) [s] and both levels (t,) [dB] by name. `end` is the end
+    of the motion [s], and `duration` that of the sound [s].
     """
-    with figure_at(path, 2, 1, (11, 8.6)) as (_, (weighted, above)):
+    with png_figure(path, 2, 1, (11, 8.6)) as (_, (weighted, above)):
         for (name, (time, a_weighted, above_threshold)), (color, style) in zip(
             stems.items(), cycle(STEM_STYLES)
         ):
-            options = {"color": color, "ls": style, "lw": 1.4, "label": name.replace("_", " ")}
+            options = {
+                "color": color,
+                "ls": style,
+                "lw": 1.4,
+                "label": name.replace("_", " "),
+            }
             weighted.plot(time, a_weighted, **options)
             above.plot(time, above_threshold, **options)
         weighted.set(ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None))
         weighted.set_title("Causes of sound", loc="left")
-        above.axhspan(-30, 0, color="0.9", label="not heard")
+        above.axhspan(-30, 0, color="0.9", label="inaudible")
         above.set(ylabel="above the threshold [dB]", ylim=(-30, None))
-        above.set_title("Best third octave over the threshold of hearing (ISO 226)", loc="left")
+        above.set_title(
+            "Best third octave over the threshold of hearing (ISO 226)", loc="left"
+        )
         for axes in (weighted, above):
             axes.grid(alpha=0.3)
             axes.axvline(end, color="k", lw=0.6, ls=":", label="end of the motion")
             axes.set(xlabel="time at the listener [s]", xlim=(0, duration))
-        legend_above(weighted, columns=len(stems) + 1, frameon=False)
+        place_legend_above(weighted, columns=len(stems) + 1, frameon=False)
         unheard, ended = above.get_legend_handles_labels()[0][-2:]
-        legend_above(above, handles=[unheard, ended], frameon=False)
+        place_legend_above(above, handles=[unheard, ended], frameon=False)

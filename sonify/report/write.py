@@ -1,8 +1,9 @@
-"""RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page."""
+"""Write run.json, motion.npz, the modes, the pictures and the page of a result."""
 
 import json
 import shutil
 import subprocess
+from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import asdict
 from functools import lru_cache
@@ -16,47 +17,63 @@ import numpy as np
 from dynamics import Motion
 from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
-from sonify.claims.air import air_scalars
+from sonify.claims.air import end_cause_scalars
 from sonify.claims.checks import Check
+from sonify.claims.ensemble import Ensemble, repeat_final_part
 from sonify.claims.finding import Finding
 from sonify.hearing.loudness import MissingExtraError, roughness
 from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
+from sonify.report.headline import headline
 from sonify.report.pictures import Pictures
 from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import Stages
 from sonify.sound.audible_modes import RingDown
-from sonify.sound.mastering import chain_record, true_peak_dbtp
+from sonify.sound.mastering import mastering_record, true_peak_dbtp
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
     from sonify.result import Result
 
 NAME = "eulers-disk-sonify"
-LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
+LIBRARIES = (
+    "numpy",
+    "scipy",
+    "numba",
+    "heyoka",
+    "scikit-fem",
+    "soundfile",
+    "matplotlib",
+)
 
 
 def page_content(result: "Result", pictures: Pictures) -> dict[str, Any]:
-    """Return the data of the page of a result, in the form that the page embeds."""
+    """Return the data of the page of a result in the form embedded in the page."""
     from sonify.report import page  # slow import
 
-    return page.template_data(result, pictures.parts())
+    return page.template_data(result, pictures.page_parts())
 
 
 def write_record(
-    result: "Result", stages: Stages, pictures: Pictures, record: Future, content: Future
+    result: "Result",
+    stages: Stages,
+    pictures: Pictures,
+    record: Future,
+    content: Future,
 ) -> None:
-    """Write all files except the sound into the folder of a result, and time the stages.
+    """Write all files of a result except its sound, and time the stages.
 
-    `record` and `content` are Futures of the contents of run.json and of the data of the page.
+    `record` and `content` are Futures of the content of run.json and of the data of the
+    page.
     """
     from sonify.report import page  # slow import
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
-        rings = {"ring_down": finite(ring_down_record(result.sound.ringing))}
+        rings = {"ring_down": json_safe(ring_down_record(result.sound.ringing))}
         write_json(
-            as_json(result.modes) | mode_changes_record(result) | rings, result.out / "modes.json"
+            as_json(result.modes) | mode_changes_record(result) | rings,
+            result.out / "modes.json",
         )
         with atomic_write(result.out / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
@@ -65,34 +82,40 @@ def write_record(
     if result.scene.surface.kind == "mesh":
         copy_table_mesh(Path(result.scene.surface.file), result.out)
     write_json(
-        record.result() | {"seconds": rounded_seconds(result.seconds)}, result.out / "run.json"
+        record.result() | {"seconds": rounded_seconds(result.seconds)},
+        result.out / "run.json",
     )
-    page.write(result, result.out / "report.html", content.result())
+    page.write_page(result, result.out / "report.html", content.result())
 
 
 def mode_changes_record(result: "Result") -> dict:
     """Return the entry of modes.json for a disk on its contact.
 
-    It holds the modes at several inclinations [rad] of the run.
+    It contains the modes at several inclinations [rad] of the run.
     """
     steps = modes_over_run(result.scene, result.motion, result.plan.highest_mode)
     columns = ("frequency", "decay_rate")
     rows = [
-        vars(s) | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns}
+        vars(s)
+        | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns}
         for s in steps
     ]
     return (
-        {"over_the_run": [{k: v for k, v in row.items() if k != "modes"} for row in rows]}
+        {
+            "over_the_run": [
+                {k: v for k, v in row.items() if k != "modes"} for row in rows
+            ]
+        }
         if rows
         else {}
     )
 
 
 def write_motion(motion: Motion, path: Path):
-    """Write the motion into a NumPy archive.
+    """Write the motion to a NumPy archive.
 
-    It holds times [s], states, forces [N] and regimes at the ends of the pieces, the jumps, and the
-    transitions between regimes.
+    The archive contains times [s], states, forces [N] and regimes at the ends of the
+    pieces, the jumps, and the transitions between regimes.
     """
     jumps = motion.jumps
     events = motion.transitions
@@ -117,7 +140,8 @@ def write_motion(motion: Motion, path: Path):
 def copy_table_mesh(file: Path, out: Path):
     """Copy the mesh of a table into the folder `out` of run.json.
 
-    The record names the mesh without its folder, so it is a valid scene on any machine.
+    The record contains the file name without the folder, so it is a valid scene on any
+    machine.
     """
     if (out / file.name).resolve() != file.resolve():
         with atomic_write(out / file.name) as temporary:
@@ -125,8 +149,8 @@ def copy_table_mesh(file: Path, out: Path):
 
 
 def scene_record(scene) -> dict:
-    """Return all keys of a scene; a mesh is named without its folder."""
-    record = finite(asdict(scene))
+    """Return all keys of a scene; the file name of a mesh has no folder."""
+    record = json_safe(asdict(scene))
     if scene.surface.kind == "mesh":
         record["surface"]["file"] = Path(scene.surface.file).name
     return record
@@ -139,47 +163,71 @@ def run_record(result: "Result") -> dict:
         "scene": scene_record(result.scene),
         "unused": list(unused_keys(result.scene)),
         "plan": asdict(result.plan),
-        "outcome": {"name": result.motion.outcome.name, "sentence": result.motion.outcome.sentence},
-        "motion": {"end": float(result.motion.t[-1]), "integrator": result.motion.integrator},
+        "outcome": {
+            "name": result.motion.outcome.name,
+            "sentence": result.motion.outcome.sentence,
+        },
+        "motion": {
+            "end": float(result.motion.t[-1]),
+            "integrator": result.motion.integrator,
+        },
         "sound": {
             "sample_rate": sound.sample_rate,
             "duration": sound.duration,
             "peak_pascal": sound.peak,
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
-            "loudness_lufs": finite(sound.loudness[0]),
+            "loudness_lufs": json_safe(sound.loudness[0]),
             "roughness": "not in a draft"
             if result.plan.accuracy == "draft"
             else roughness_record(sound),
-            "stem_peak_pascal": sound.stem_peak,
-            "energy_below_100_hz_300_hz": sound.low_share,
-            "ring_down": finite(ring_down_record(sound.ringing)),
+            "stem_peak_pascal": sound.stem_peaks,
+            "energy_below_100_hz_300_hz": sound.low_frequency_shares,
+            "ring_down": json_safe(ring_down_record(sound.ringing)),
             "audible_full_scale_pascal": sound.audible.full_scale,
-            "audible_loudness_lufs": finite(sound.loudness[1]),
+            "audible_loudness_lufs": json_safe(sound.loudness[1]),
             "audible_true_peak_dbtp": true_peak_dbtp(sound.audible),
-            "audible_chain": chain_record(sound.audible),
+            "audible_chain": mastering_record(sound.audible),
         },
-        "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
+        "headline": headline(result.findings),
+        "checks": [
+            json_safe(asdict(check)) | {"passed": check.passed}
+            for check in result.checks
+        ],
         "findings": [
-            finite(asdict(f)) | {"verdict": f.verdict, "holds": f.holds} for f in result.findings
+            json_safe(asdict(f)) | {"verdict": f.verdict, "holds": f.holds}
+            for f in result.findings
         ],
         "seconds": rounded_seconds(result.seconds),
         "versions": versions(),
     }
 
 
-def ring_down_record(ringing: RingDown) -> dict:
-    """Return the modes that ring after the motion: frequency [Hz], decay rates [1/s] and T60 [s].
+def write_ensemble(
+    result: "Result", count: int, watch: Callable[[float], None]
+) -> Ensemble:
+    """Repeat the final part of the motion of a result and write ensemble.json to its
+    folder."""
+    repeated = repeat_final_part(result.scene, result.motion, count, watch=watch)
+    write_json(json_safe(repeated.record()), result.out / "ensemble.json")
+    return repeated
 
-    The mean gap [m] of the air film is added.
+
+def ring_down_record(ringing: RingDown) -> dict:
+    """Return frequency [Hz], decay rates [1/s] and T60 [s] of the modes after the
+    motion.
+
+    The record also contains the mean gap [m] of the air film.
     """
     columns = {
         "frequency": ringing.frequency,
         "decay_rate": ringing.decay_rate,
         "decay_time": ringing.decay_time,
-        "decay_rate_without_film": ringing.without_film,
+        "decay_rate_without_film": ringing.decay_rate_without_film,
     }
-    return {name: column.tolist() for name, column in columns.items()} | {"mean_gap": ringing.gap}
+    return {name: column.tolist() for name, column in columns.items()} | {
+        "mean_gap": ringing.gap
+    }
 
 
 def rounded_seconds(seconds: dict[str, float]) -> dict[str, float]:
@@ -190,8 +238,8 @@ def rounded_seconds(seconds: dict[str, float]) -> dict[str, float]:
 def summary(result: "Result") -> dict[str, Any]:
     """Return the scalars of a result as one row of a table.
 
-    The row includes value and verdict of each finding and check, and the duration of each stage
-    [s].
+    The row includes the value and verdict of each finding and check, and the duration
+    of each stage [s].
     """
     row = {
         "outcome": result.motion.outcome.name,
@@ -199,11 +247,19 @@ def summary(result: "Result") -> dict[str, Any]:
         "passed": result.passed,
     }
     row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
-    row |= air_scalars(result.scene, result.motion)
+    row |= end_cause_scalars(result.scene, result.motion)
     row |= dict(
-        zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True)
+        zip(
+            ("energy_below_100_hz", "energy_below_300_hz"),
+            result.sound.low_frequency_shares,
+            strict=True,
+        )
     )
-    return row | verdict_columns(result.findings, result.checks) | duration_columns(result.seconds)
+    return (
+        row
+        | verdict_columns(result.findings, result.checks)
+        | duration_columns(result.seconds)
+    )
 
 
 def verdict_columns(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
@@ -218,13 +274,14 @@ def verdict_columns(findings: list[Finding], checks: list[Check]) -> dict[str, A
 
 def duration_columns(seconds: dict[str, float]) -> dict[str, float]:
     """Return the duration of each stage [s] as scalars of a row."""
-    return {f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()}
+    return {
+        f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()
+    }
 
 
 def roughness_record(sound: Sound) -> dict | str:
-    """Return the roughness [asper] in the last seconds of the motion.
-
-    If it cannot be computed, return the reason.
+    """Return the roughness [asper] in the last seconds of the motion, or the reason why
+    it is unknown.
     """
     try:
         time, asper = roughness(sound.pressure, sound.source_end)
@@ -233,19 +290,22 @@ def roughness_record(sound: Sound) -> dict | str:
         return str(error)
 
 
-def finite(value):
-    """Return nested values with non-finite floats as strings, because JSON has none."""
+def json_safe(value):
+    """Return nested values with non-finite floats as strings, because JSON cannot
+    represent them."""
     if isinstance(value, dict):
-        return {key: finite(item) for key, item in value.items()}
+        return {key: json_safe(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [finite(item) for item in value]
+        return [json_safe(item) for item in value]
     return value if not isinstance(value, float) or np.isfinite(value) else str(value)
 
 
 def write_json(value, path: Path):
     """Write strict JSON. Raises ValueError if a value is not finite."""
     with atomic_write(path) as temporary:
-        temporary.write_text(json.dumps(value, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+        temporary.write_text(
+            json.dumps(value, indent=1, allow_nan=False) + "\n", encoding="utf-8"
+        )
 
 
 def versions() -> dict[str, str]:
@@ -269,12 +329,20 @@ def version_of(package: str) -> str:
 def run_git(*asked: str) -> str:
     """Return the output of a git command in the checkout of this file.
 
-    The default is the hash of its commit. The result is "unknown" without output.
+    The default command returns the hash of the commit. The result is "unknown" if there
+    is no output.
     """
-    command = ["git", "-C", str(Path(__file__).parent), *(asked or ("rev-parse", "HEAD"))]
+    command = [
+        "git",
+        "-C",
+        str(Path(__file__).parent),
+        *(asked or ("rev-parse", "HEAD")),
+    ]
     try:
         return (
-            subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
+            subprocess.run(
+                command, capture_output=True, text=True, check=False
+            ).stdout.strip()
             or "unknown"
         )
     except OSError:

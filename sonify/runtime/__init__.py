@@ -1,1 +1,1 @@
-"""Interface to the operating system: signals, worker processes, progress and files."""
+"""Signals, worker processes, progress and files."""

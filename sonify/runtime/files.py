@@ -1,4 +1,4 @@
-"""Atomic file output that leaves no temporary files, however a run ends."""
+"""Atomic file output; temporary files are removed however a run ends."""
 
 import errno
 import os
@@ -11,17 +11,17 @@ from secrets import token_hex
 from filelock import FileLock, Timeout
 
 TEMPORARY_PREFIX = ".sonify-"
-"""Prefix of the names of unfinished files and of the locks that their writers hold."""
+"""Prefix of the names of unfinished files and of their locks."""
 
 
 class OutputError(OSError):
-    """The output folder cannot be written; the message is one line."""
+    """Raised with a one-line message if the output folder is not writable."""
 
 
 def create_folder(folder: str | Path) -> Path:
-    """Create `folder` if it does not exist, and check that it is writable before any work.
+    """Create `folder` if it does not exist, and return its path.
 
-    Raises OutputError if it is not.
+    Raises OutputError if the folder is not writable.
     """
     folder = Path(folder)
     try:
@@ -34,16 +34,21 @@ def create_folder(folder: str | Path) -> Path:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
 
 
-def first_numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
-    """Return the first of the folders `first`, `first`-2, ... for which `serves` is True."""
+def first_matching_folder(first: Path, is_suitable: Callable[[Path], bool]) -> Path:
+    """Return the first of the folders `first`, `first`-2, ... for which `is_suitable`
+    is True."""
     return next(
-        filter(serves, chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2))))
+        filter(
+            is_suitable,
+            chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2))),
+        )
     )
 
 
 @contextmanager
 def claimed_folder(folder: str | Path) -> Iterator[Path]:
-    """Yield the folder after `create_folder`; remove the created folders that are still empty at the end.
+    """Create and yield the folder; at the end, remove created folders that are still
+    empty.
 
     Raises OutputError if the folder is not writable.
     """
@@ -63,10 +68,10 @@ def claimed_folder(folder: str | Path) -> Iterator[Path]:
 def atomic_write(path: str | Path):
     """Yield a temporary path in the folder of `path`, for an atomic write.
 
-    The temporary file is renamed to `path` if the block succeeds, and removed if it fails. Files
-    that killed processes left in the folder are also removed. Raises IsADirectoryError if `path` is
-    a directory. If an OSError does not name a file, as for a full disk, `path` is added to it.
-    """
+    The temporary file is renamed to `path` if the block succeeds, and removed if it
+    fails. Temporary files left in the folder by killed processes are also removed.
+    Raises IsADirectoryError if `path` is a directory. An OSError without a file name,
+    as for a full disk, is given the name `path`."""
     path = Path(path)
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
@@ -87,7 +92,8 @@ def atomic_write(path: str | Path):
 
 @contextmanager
 def _locked_temporary_name(folder):
-    """Yield a unique hidden file name in `folder`; its lock ends with the block or the process."""
+    """Yield a unique hidden file name in `folder`, locked until the block or the
+    process ends."""
     lock = folder / f"{TEMPORARY_PREFIX}{token_hex(6)}.lock"
     try:
         lock.touch()  # FileLock may wait forever if it cannot create the file
@@ -101,7 +107,8 @@ def _locked_temporary_name(folder):
 
 
 def _remove_orphans(folder):
-    """Remove the unfinished files in `folder` of dead writers; their locks can be acquired."""
+    """Remove the unfinished files in `folder` that are no longer locked by a living
+    process."""
     for lock in folder.glob(f"{TEMPORARY_PREFIX}*.lock"):
         with suppress(Timeout):
             with FileLock(lock, timeout=0):

@@ -13,9 +13,10 @@ if TYPE_CHECKING:
 
 
 class Stages:
-    """Timer for the stages of a run, which may overlap; `seconds` maps names to durations [s].
+    """Timer for the stages of a run, which may overlap; `seconds` maps names to
+    durations [s].
 
-    This class prints nothing; the command line uses a subclass that prints.
+    This class prints nothing; the subclass for the command line prints the progress.
     """
 
     def __init__(self, seconds: dict[str, float] | None = None):
@@ -32,7 +33,8 @@ class Stages:
         """Receive a message for the user before the work starts."""
 
     def pressure(self, block, sample_rate: int, samples: int):
-        """Receive a block (k,) of the pressure at the first listener [Pa] while it is rendered.
+        """Receive a block (k,) of the pressure at the first listener [Pa] while it is
+        rendered.
 
         `samples` is the length of the whole sound.
         """
@@ -42,11 +44,11 @@ class Stages:
 
 
 class StageProgress:
-    """Progress of one stage, with the remaining time at the average speed of the last 30 s.
+    """Progress of one stage; the remaining time assumes the average speed of the last
+    30 s.
 
-    The caller passes the clock times [s]. The completed share never decreases and is None before
-    the first report.
-    """
+    The caller passes clock times [s]. The completed share never decreases; it is None
+    before the first report."""
 
     def __init__(self, name: str, began: float):
         self.name = name
@@ -73,11 +75,14 @@ class StageProgress:
         return (1 - self.share) * (now - before) / gained if gained > 0 else None
 
     def line(self, now: float) -> str:
-        """Return name, percentage, remaining time and note; initially name and elapsed time."""
+        """Return the name with percentage, remaining time and note, or initially, after
+        one second, the elapsed time."""
         if self.share is None:
-            return f"{self.name} for {duration_in_words(now - self.began)}"
+            elapsed = now - self.began
+            spent = f" for {duration_in_words(elapsed)}" if elapsed >= 1.0 else ""
+            return self.name + spent
         unfinished = min(self.share, 0.999)
-        parts = [f"{self.name} {percent(unfinished)}"]
+        parts = [f"{self.name} {percent_text(unfinished)}"]
         remaining = self.remaining(now)
         if remaining is not None:
             parts.append(f"about {duration_in_words(max(round(remaining), 1))} left")
@@ -86,13 +91,15 @@ class StageProgress:
         return ", ".join(parts)
 
 
-def percent(share: float) -> str:
-    """Return a share in percent, rounded down, so that only a complete stage shows 100 %."""
+def percent_text(share: float) -> str:
+    """Format a share as a percentage, rounded down so that only a complete stage shows
+    100 %."""
     return f"{floor(100 * share)} %"
 
 
 def duration_in_words(seconds: float) -> str:
-    """Return a duration in a suitable unit: "0.8 s", "12 min", "3.4 h", "2.1 days"."""
+    """Format a duration [s] in a suitable unit: "0.8 s", "12 min", "3.4 h", "2.1
+    days"."""
     for size, unit in ((86400.0, "days"), (3600.0, "h"), (60.0, "min")):
         if seconds >= 1.5 * size:
             return f"{two_significant_digits(seconds / size)} {unit}"
@@ -100,7 +107,8 @@ def duration_in_words(seconds: float) -> str:
 
 
 def two_significant_digits(number):
-    """Format a number with two significant digits, or more if its integer part needs them."""
+    """Format a number with two significant digits, or more if its integer part needs
+    them."""
     return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
 
 

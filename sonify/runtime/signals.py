@@ -9,20 +9,22 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from stat import S_ISREG
 
 TERMINATION_SIGNALS = [signal.SIGINT, signal.SIGTERM]
-"""Signals that end a command: Ctrl-C, end of a batch job, and (not on Windows) closed terminal."""
+"""Signals that end a command: Ctrl-C, the end of a batch job and, except on Windows, a
+closed terminal."""
 if sys.platform != "win32":
     TERMINATION_SIGNALS.append(signal.SIGHUP)
 NO_READER_ERRORS = {errno.EPIPE, errno.EIO, errno.EINVAL}
-"""Error codes of a stream without a reader: closed pipe, closed terminal, closed Windows pipe."""
+"""Error codes for output to a closed pipe or terminal."""
 
 
 class AbortedError(RuntimeError):
-    """A command cannot continue although its input is valid; the message is one line."""
+    """Raised with a one-line message if a command with valid input cannot continue."""
 
 
 @contextmanager
 def orderly_exit():
-    """Turn termination signals into KeyboardInterrupt(number) and ignore closed output streams."""
+    """Convert termination signals to KeyboardInterrupt(number) and ignore closed output
+    streams."""
     with (
         signal_handlers(),
         redirect_stdout(AbandonableStream(sys.stdout)),
@@ -59,7 +61,8 @@ def signal_handlers():
 
 
 def send_signal(thread, number):
-    """Send a signal to a thread and wake it; Windows can only raise it in the current thread."""
+    """Send a signal to a thread and wake it; on Windows, raise it in the current
+    thread."""
     if sys.platform != "win32":
         signal.pthread_kill(thread, number)
     else:
@@ -77,7 +80,8 @@ def _is_importing(frame):
 
 
 class AbandonableStream:
-    """Text stream that discards its output once the reader has left, so that the run continues."""
+    """Text stream that discards its output after the reader closes it, so that the run
+    continues."""
 
     def __init__(self, stream):
         self._stream = stream
@@ -97,7 +101,9 @@ class AbandonableStream:
         try:
             return function(*arguments)
         except OSError as error:
-            if error.errno not in NO_READER_ERRORS or S_ISREG(os.fstat(self.fileno()).st_mode):
+            if error.errno not in NO_READER_ERRORS or S_ISREG(
+                os.fstat(self.fileno()).st_mode
+            ):
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
             return function(*arguments)

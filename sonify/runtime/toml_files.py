@@ -1,4 +1,4 @@
-"""NAME or PATH -> DOCUMENT: read a shipped file or a file of the user as plain values."""
+"""Read shipped or user TOML and JSON files as plain values."""
 
 import json
 import tomllib
@@ -13,17 +13,25 @@ def shipped_names(folder: Path) -> list[str]:
     return sorted(file.stem for file in folder.glob("*.toml"))
 
 
-def find_file(source: str | Path, folder: Path, what: str, fault: type[Exception]) -> Path:
-    """Return the path of a shipped name, or `source` itself if it is a path.
+def find_file(
+    source: str | Path, folder: Path, what: str, fault: type[Exception]
+) -> Path:
+    """Return the path of the shipped file named `source`, or `source` itself if it is a
+    path.
 
-    Raises `fault` for an unknown name.
+    Raises `fault` with a message about `what`, the kind of file, for an unknown name.
     """
-    if Path(source).is_file() or not str(source).replace("-", "").replace("_", "").isalnum():
+    if (
+        Path(source).is_file()
+        or not str(source).replace("-", "").replace("_", "").isalnum()
+    ):
         return Path(source)
     if str(source) not in shipped_names(folder):
         names = shipped_names(folder)
-        choice = f"shipped: {', '.join(names)}; or give a TOML file"
-        raise fault(f"{source}: no such {what}; {choice}{did_you_mean(str(source), names)}")
+        choice = f"give a TOML file or one of: {', '.join(names)}"
+        raise fault(
+            f"{source}: no such {what}; {choice}{did_you_mean(str(source), names)}"
+        )
     return folder / f"{source}.toml"
 
 
@@ -32,7 +40,9 @@ def read_toml(path: Path, fault: type[Exception]) -> dict[str, Any]:
 
     Raises `fault` with a one-line message if the file cannot be read.
     """
-    form, parse = ("JSON", json.loads) if path.suffix == ".json" else ("TOML", tomllib.loads)
+    form, parse = (
+        ("JSON", json.loads) if path.suffix == ".json" else ("TOML", tomllib.loads)
+    )
     try:
         return parse(
             path.read_bytes().decode("utf-8-sig")
@@ -40,4 +50,4 @@ def read_toml(path: Path, fault: type[Exception]) -> dict[str, Any]:
     except OSError as error:
         raise fault(f"{path}: cannot be read: {error.strerror}") from None
     except (ValueError, RecursionError) as error:
-        raise fault(f"{path}: not {form}: {error}") from None
+        raise fault(f"{path}: invalid {form}: {error}") from None

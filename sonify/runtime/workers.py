@@ -1,4 +1,4 @@
-"""Worker processes that serve pickled calls and end with the process that started them."""
+"""Worker processes that serve pickled calls and exit with their parent process."""
 
 import os
 import pickle
@@ -13,16 +13,15 @@ from typing import Any
 
 
 class WorkerDiedError(Exception):
-    """The called worker process is dead."""
+    """Raised if a called worker process is dead."""
 
 
 class WorkerProcess:
     """Process that runs a module of this program; the module must call `serve_calls`.
 
-    It imports from the same folders as this process, but not the script of the user, which
-    therefore needs no main guard. With `single_threaded`, its libraries use one thread, because
-    other workers occupy the remaining cores.
-    """
+    The process has the import path of its parent but does not import the script of the
+    user, which therefore needs no main guard. With `single_threaded`, its libraries use
+    one thread, because other workers occupy the remaining cores."""
 
     def __init__(self, module: str = __name__, single_threaded: bool = True):
         environment = os.environ | {
@@ -40,10 +39,10 @@ class WorkerProcess:
         )
 
     def call(self, function: Callable, *arguments: Any, **options: Any) -> Any:
-        """Return the result of a module-level `function`, which the worker calls.
+        """Call a module-level `function` in the worker and return its result.
 
-        Exceptions of the function are raised here. Raises WorkerDiedError if the worker is dead.
-        """
+        Exceptions raised by the function are raised again. Raises WorkerDiedError if
+        the worker is dead."""
         assert self.process.stdin
         assert self.process.stdout
         try:
@@ -63,8 +62,10 @@ class WorkerProcess:
             self.process.kill()
 
 
-def serve_calls(after_call: Callable[[], Any] = lambda: None, idle_timeout: float | None = None):
-    """Serve calls until the parent exits, or none arrives for `idle_timeout` [s]."""
+def serve_calls(
+    after_call: Callable[[], Any] = lambda: None, idle_timeout: float | None = None
+):
+    """Serve calls until the parent exits or no call arrives for `idle_timeout` [s]."""
     # Windows sends Ctrl-C to all processes of a terminal.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     output = os.fdopen(os.dup(1), "wb")
@@ -75,7 +76,10 @@ def serve_calls(after_call: Callable[[], Any] = lambda: None, idle_timeout: floa
         while True:
             function, arguments, options = calls.get(timeout=idle_timeout)
             try:
-                answer: tuple[Any, Exception | None] = (function(*arguments, **options), None)
+                answer: tuple[Any, Exception | None] = (
+                    function(*arguments, **options),
+                    None,
+                )
             except Exception as error:
                 answer = (None, error)
             pickle.dump(answer, output)

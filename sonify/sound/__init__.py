@@ -1,1 +1,1 @@
-"""MOTION + MODES -> SOUND: the contact force, what it drives, and the pressure at the listener."""
+"""Compute the sound pressure at the listener from the motion and the elastic modes."""

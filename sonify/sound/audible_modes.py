@@ -1,4 +1,4 @@
-"""MODES -> LOUDNESS: which modes are audible, and how much each contributes."""
+"""Determine which modes are audible, how loud each one is, and how long it rings."""
 
 from dataclasses import dataclass
 
@@ -11,14 +11,14 @@ from sonify.sound.modal_forcing import forcing_per_newton
 from sonify.sound.radiation import directivity_table, listener_of
 
 RING_DOWN_DB = 60.0
-"""Decay [dB] from the loudest mode after which a ringing mode is inaudible."""
+"""Level [dB] below the loudest mode at which a ringing mode becomes inaudible."""
 MAX_RING_TIME = 10.0  # s
 """Longest time for which a sound continues after the motion."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RingDown:
-    """Free decay of m modes after the end of the motion.
+    """Frequencies and decay rates of m modes that decay freely after the motion.
 
     Attributes
     ----------
@@ -26,54 +26,63 @@ class RingDown:
         [Hz]
     decay_rate : ndarray, shape (m,)
         [1/s]
-    without_film : ndarray, shape (m,)
-        Decay rate by material and radiation alone [1/s].
+    decay_rate_without_film : ndarray, shape (m,)
+        Decay rate due to material and radiation alone [1/s].
     gap : float or None
-        Mean gap [m] of the film that adds to the decay; None without a film.
+        Mean gap [m] of the film that adds to the decay, or None if there is no film.
     """
 
     frequency: np.ndarray
     decay_rate: np.ndarray
-    without_film: np.ndarray
+    decay_rate_without_film: np.ndarray
     gap: float | None = None
 
     @property
     def decay_time(self) -> np.ndarray:
-        """Reverberation time T60 (m,) [s], for a decay by 60 dB; infinite without losses."""
+        """Time T60 (m,) [s] in which a mode decays by 60 dB; infinite without
+        losses."""
         with np.errstate(divide="ignore"):
             return 3 * np.log(10) / self.decay_rate
 
 
-def sounding_modes(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
-    """Return the indices (k,) in `wanted` (all modes if None) with frequencies below half the
-    sample rate.
+def modes_below_nyquist(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
+    """Return the indices (k,) of the modes in `wanted` (all if None) below the Nyquist
+    frequency.
 
-    Higher modes are left out, because they would alias."""
+    Higher modes would alias."""
     keep = np.arange(len(modes)) if wanted is None else np.array(wanted, dtype=int)
     return keep[modes.frequency[keep] < sample_rate / 2]
 
 
 def response_to_unit_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.ndarray]:
-    """Return the response of the modes to a force jump of 1 N: loudness (m,) [Pa^2 s] and energy
-    (m,) [J].
+    """Return loudness (m,) [Pa^2 s] and energy (m,) [J] of the modes after a force jump
+    of 1 N.
 
-    A mode of modal mass 1 with a forcing g rings as q'' = g exp(-d t) cos(w t). Its energy is
-    g^2/(2 w^2). The integral of its squared, A-weighted pressure is (g R)^2/(4 d). g is the root of
-    the sum of squares over three directions, R the root mean square of Rayleigh's integral over 64
-    azimuths. A nutation that sweeps through the modes excites them in the same proportion: at the
-    sweep rate w^2/k it leaves q'' = g sqrt(pi k/2)."""
+    A mode of unit modal mass and forcing g rings as q'' = g exp(-d t) cos(w t). Its
+    energy is g^2/(2 w^2), and the integral of its squared A-weighted pressure is (g
+    R)^2/(4 d). Here g is the root of the sum of squares over the three force
+    directions, and R is the root mean square of Rayleigh's integral over 64 azimuths.
+    If the nutation frequency instead sweeps through the modes at the rate w^2/k, it
+    excites q'' = g sqrt(pi k/2), so the ratios between modes are the same."""
     listener = listener_of(scene)
     g2 = np.square(forcing_per_newton(modes, scene)).sum(axis=0)
-    pressure2 = np.mean(np.abs(directivity_table(modes, listener, count=64)) ** 2, axis=0)
+    pressure2 = np.mean(
+        np.abs(directivity_table(modes, listener, count=64)) ** 2, axis=0
+    )
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)
     decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
-    return weight * g2 * pressure2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
+    return weight * g2 * pressure2 / (4 * decay), g2 / (
+        2 * (2 * np.pi * modes.frequency) ** 2
+    )
 
 
-def ring_down(modes: Modes, scene: Scene, decay_rate: np.ndarray | None = None) -> float:
-    """Return the time [s] until the modes are inaudible after the motion, at most MAX_RING_TIME.
+def ring_down_time(
+    modes: Modes, scene: Scene, decay_rate: np.ndarray | None = None
+) -> float:
+    """Return the time [s] from the end of the motion until no mode is audible.
 
-    `decay_rate` (m,) [1/s] replaces that of the modes where a film adds to it."""
+    It is at most MAX_RING_TIME. `decay_rate` (m,) [1/s] replaces the decay rates of the
+    modes if a film adds to them."""
     loudness, _ = response_to_unit_jump(modes, scene)
     at_start = loudness * np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
     rate = modes.decay_rate if decay_rate is None else decay_rate

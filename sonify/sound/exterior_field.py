@@ -1,11 +1,11 @@
-"""EXTERIOR FIELD: sound of a solid disk above a baffle, radiated by its face and by the flow out of
-the gap.
+"""Compute the sound field outside a solid disk above a baffle.
 
-Lengths are in units of the radius R, pressures in units of density times R times acceleration.
-Waves are exp(i w t), of order n round the axis; k = w R/c. Finite elements in the half plane of r
-and z extend from the disk to a hemisphere, where the field is a sum of outgoing multipoles. Their
-amplitudes give the pressure at every listener beyond the hemisphere. See
-tests/sound/test_open_film_sound.py."""
+The face of the disk and the air flow out of the gap radiate. Lengths are in units of
+the radius R, and pressures in units of density times R times acceleration. Fields of
+azimuthal order n vary as exp(i w t), with k = w R/c. Finite elements in the (r, z) half
+plane extend from the disk to a hemisphere, beyond which the field is a sum of outgoing
+multipoles. Their amplitudes determine the pressure at every listener outside the
+hemisphere. See tests/sound/test_open_film_sound.py."""
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -17,18 +17,19 @@ FACE_CELLS = 14
 """Number of elements along the face of the disk."""
 RADIAL_CELLS = 6
 """Number of elements from the disk to the hemisphere."""
-MULTIPOLES = 8
-"""Number of multipoles of each order."""
+MULTIPOLE_COUNT = 8
+"""Number of multipoles of each azimuthal order."""
 
 
 class ExteriorField:
-    """The air around a disk of `thickness` above a `gap`, within a hemisphere of radius `far`.
+    """Finite-element model of the air around a disk inside a hemisphere of radius
+    `far`.
 
     Attributes
     ----------
     loads : ndarray, shape (3, nodes)
-        Sources of the field: heave and tilt of the disk, and a flow of unit volume per length of
-        the rim.
+        Load vectors of heave, of tilt, and of a flow of unit volume per length of the
+        rim.
     """
 
     def __init__(
@@ -59,33 +60,45 @@ class ExteriorField:
         )
         self._axis = self._basis.get_dofs(facets[r < 1e-9]).all()
         self._forms = [
-            form.assemble(self._basis) for form in (gradient_form, azimuthal_form, mass_form)
+            form.assemble(self._basis)
+            for form in (gradient_form, azimuthal_form, mass_form)
         ]
         heave = boundary_load_form.assemble(face, weight=1.0)
-        face_tilt = boundary_load_form.assemble(face, weight=quadrature_coordinates(face)[0])
+        face_tilt = boundary_load_form.assemble(
+            face, weight=quadrature_coordinates(face)[0]
+        )
         side_tilt = boundary_load_form.assemble(
             side, weight=quadrature_coordinates(side)[1] - gap - thickness / 2
         )
         self.loads = np.array(
-            [heave, face_tilt - side_tilt, boundary_load_form.assemble(outlet, weight=1 / gap)]
+            [
+                heave,
+                face_tilt - side_tilt,
+                boundary_load_form.assemble(outlet, weight=1 / gap),
+            ]
         )
 
     def solve(self, n: int, wavenumbers) -> tuple[np.ndarray, np.ndarray]:
-        """Solve for each of `loads` times cos n theta, at `wavenumbers` k (a,).
+        """Solve for each load times cos n theta at `wavenumbers` k (a,).
 
         Returns
         -------
         at_rim : ndarray, shape (a, 3)
             Mean pressure at the outlet of the gap.
-        multipoles : ndarray, shape (a, MULTIPOLES, 3)
+        multipoles : ndarray, shape (a, MULTIPOLE_COUNT, 3)
             Amplitudes on the hemisphere.
         """
-        order = n + 2 * np.arange(MULTIPOLES)
+        order = n + 2 * np.arange(MULTIPOLE_COUNT)
         stiffness, azimuthal, mass = self._forms
         r, z = quadrature_coordinates(self._hemisphere)
         shapes = associated_legendre(n, z / np.hypot(r, z))
         waves = (
-            np.array([boundary_load_form.assemble(self._hemisphere, weight=w) for w in shapes])
+            np.array(
+                [
+                    boundary_load_form.assemble(self._hemisphere, weight=w)
+                    for w in shapes
+                ]
+            )
             / self.far**2
         )
         on = np.flatnonzero(waves.any(axis=0))
@@ -103,9 +116,9 @@ class ExteriorField:
             boundary = coo_matrix(
                 (values, (np.repeat(on, len(on)), np.tile(on, len(on)))), mass.shape
             )
-            matrix = (stiffness + n * n * azimuthal - k * k * mass - boundary).tocsc()[free][
-                :, free
-            ]
+            matrix = (stiffness + n * n * azimuthal - k * k * mass - boundary).tocsc()[
+                free
+            ][:, free]
             p = splu(matrix).solve(self.loads.T[free].astype(complex))
             at_rim.append(self.loads[2, free] @ p)
             multipoles.append(waves[:, free] @ p)
@@ -115,21 +128,22 @@ class ExteriorField:
 def listener_pressure(
     n: int, wavenumbers, far: float, distance: float, elevation: float
 ) -> np.ndarray:
-    """Return the pressures (a, MULTIPOLES) of unit multipoles of order n at a listener, at
-    wavenumbers k (a,).
+    """Return the pressures (a, MULTIPOLE_COUNT) of unit multipoles of order n at a
+    listener.
 
-    The multipoles are normalised on the hemisphere of radius `far`. The listener is at a distance
-    in units of the radius, an elevation [rad], and azimuth 0. The pressures are retarded to the
-    centre."""
-    order = n + 2 * np.arange(MULTIPOLES)
+    The wavenumbers are k (a,). The multipoles are normalised on the hemisphere of
+    radius `far`. The listener is at a distance in units of the radius, an elevation
+    [rad], and azimuth 0. The propagation phase from the centre of the disk is
+    removed."""
+    order = n + 2 * np.arange(MULTIPOLE_COUNT)
     k = np.asarray(wavenumbers)[:, None]
     wave = outgoing_hankel(order, k * distance) / outgoing_hankel(order, k * far)
     return wave * np.exp(1j * k * distance) * associated_legendre(n, np.sin(elevation))
 
 
 def exterior_mesh(height, gap, far, face_cells, radial_cells):
-    """Return a mesh of quadrilaterals between the disk and the hemisphere, refined towards the
-    edges of the disk."""
+    """Return a quadrilateral mesh from the disk to the hemisphere, refined at the edges
+    of the disk."""
     half = height - (height - gap) / 2
     inwards = np.linspace(0, 1, face_cells + 1) ** 2
     low = int(np.ceil(np.log2(max((half - gap) / gap, 4.0)))) + 1
@@ -160,15 +174,20 @@ def quadrature_coordinates(basis):
 
 
 def outgoing_hankel(order, x, derivative=False):
-    """Return the outgoing spherical Hankel function for exp(i w t), of the second kind."""
+    """Return the spherical Hankel function of the second kind, outgoing for exp(i w
+    t)."""
     return spherical_jn(order, x, derivative) - 1j * spherical_yn(order, x, derivative)
 
 
 def associated_legendre(n, cosine):
-    """Return associated Legendre functions of degrees n, n + 2, ..., (MULTIPOLES, ...), of unit
-    mean square."""
-    degree = n + 2 * np.arange(MULTIPOLES)
-    size = np.sqrt((2 * degree + 1) * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1)))
+    """Return associated Legendre functions of order n and degrees n, n + 2, ...,
+    normalised to unit mean square.
+
+    The shape is (MULTIPOLE_COUNT, ...)."""
+    degree = n + 2 * np.arange(MULTIPOLE_COUNT)
+    size = np.sqrt(
+        (2 * degree + 1) * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1))
+    )
     return np.array([c * lpmv(n, m, cosine) for c, m in zip(size, degree, strict=True)])
 
 

@@ -1,11 +1,11 @@
-"""FILM + EXTERIOR FIELD -> PRESSURE: radiation of a rigid disk that vibrates over its film, by face
-and rim.
+"""Compute the radiation of a rigid disk that vibrates above its air film.
 
-In the wedge the pressure is constant across the gap, and viscosity and heat conduction act on the
-air (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units of exterior_field.py. The flow
-of the film meets the exterior field at the rim. There the pressure varies as -2/pi ln of the
-distance from a line source in the corner, so the coupling is known for the local gap. Film and
-exterior field together have resonances, which move little with the gap. See
+In the wedge the pressure is constant across the gap, and viscosity and heat conduction
+act on the air (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units of
+exterior_field.py. The flow of the film enters the exterior field at the rim. Near the
+rim the pressure of a line source in the corner varies as -2/pi times the logarithm of
+the distance, which gives the coupling for the local gap. The coupled film and exterior
+field have resonances that depend only weakly on the gap. See
 tests/sound/test_open_film_sound.py."""
 
 from dataclasses import dataclass
@@ -15,10 +15,10 @@ from math import log, pi, sqrt
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from dynamics.air import HEAT_RATIO, PRANDTL
+from dynamics.air import HEAT_CAPACITY_RATIO, PRANDTL_NUMBER
 
-RIM_ORDERS = 4
-"""Highest harmonic of the flow round the rim."""
+MAX_RIM_ORDER = 4
+"""Highest azimuthal harmonic of the flow out of the rim."""
 WAVENUMBERS = np.concatenate(
     [
         [0.1],
@@ -28,15 +28,24 @@ WAVENUMBERS = np.concatenate(
         np.arange(4, 6.1, 0.4),
     ]
 )
-"""Tabulated k R, densest near the resonances; the radiation is constant outside this range."""
+"""Values of k R at which the radiation is tabulated, densest near the resonances;
+outside the range the nearest value applies."""
+RIM_ORDERS = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(1, MAX_RIM_ORDER + 1))
+"""Azimuthal orders of the waves, first the cosines, then the sines."""
+FACE_WAVES = (0, 1, MAX_RIM_ORDER + 1)
+"""Waves excited by heave, tilt about y and tilt about x."""
+FACE_VELOCITIES = (0, 1, 2)
+"""Columns of their velocities."""
+FACE_SOLUTIONS = (0, 1, 1)
+"""Columns of their exterior solutions."""
 EXTERIOR_WAVENUMBERS = np.linspace(WAVENUMBERS[0], WAVENUMBERS[-1], 16)
-"""Values of k R at which the exterior field is solved; it has no resonance."""
+"""Values of k R at which the exterior field is solved; it has no resonances."""
 MEAN_GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
-"""Tabulated mean gaps over the radius, dense from 0.1 on, where resonances move; gaps outside the
-range act as its nearest end."""
+"""Ratios of mean gap to radius at which the radiation is tabulated, densest above 0.1,
+where the resonance frequencies vary; outside the range the nearest value applies."""
 EXTERIOR_GAPS = (0.02, 0.2)
-"""Mean gaps over the radius at which the exterior field is solved; it is linear in the gap up to
-the larger one."""
+"""Ratios of mean gap to radius at which the exterior field is solved; up to the larger
+one it is linear in the gap."""
 MESH_CELLS = 8
 """Number of elements of the film's mesh along the radius."""
 MESH_GRADING = 5.0
@@ -45,38 +54,58 @@ MESH_GRADING = 5.0
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RadiatedMultipoles:
-    """Outgoing multipoles of a vibrating disk over its film, on a hemisphere.
+    """Amplitudes on a hemisphere of the multipoles radiated by a disk above its film.
 
     Attributes
     ----------
     far : float
-        Radius of the hemisphere over that of the disk.
-    multipoles : ndarray, shape (a, k, 2 RIM_ORDERS + 1, m, 3)
-        Amplitudes over density and radius, at MEAN_GAPS (a,) and WAVENUMBERS (k,), of cos n theta
-        and then of sin n theta, with the contact at x = -1. The last axis is the acceleration of
-        the face: 1, x, and y.
+        Radius of the hemisphere, divided by that of the disk.
+    multipoles : ndarray, shape (a, k, 2 MAX_RIM_ORDER + 1, m, 3)
+        Amplitudes divided by density and radius, at MEAN_GAPS (a,) and WAVENUMBERS
+        (k,), first of cos n theta, then of sin n theta. The contact is at x = -1. The
+        last axis runs over the accelerations 1, x and y of the face.
+    rim_flow : ndarray, shape (a, k, 2 MAX_RIM_ORDER + 1, 3)
+        Harmonics of the flow out of the rim per length, divided by the radius.
     """
 
     far: float
     multipoles: np.ndarray
+    rim_flow: np.ndarray
 
     def pressure_at(self, distance: float, elevation: float) -> np.ndarray:
-        """Return the pressures (a, k, 2 RIM_ORDERS + 1, 3) over density and radius at a listener.
+        """Return the pressures (a, k, 2 MAX_RIM_ORDER + 1, 3) at a listener, divided by
+        density and radius.
 
-        The distance is in units of the radius, and theta is the listener's azimuth. The pressures
-        are retarded to the centre of the disk."""
-        from sonify.sound.exterior_field import listener_pressure  # scikit-fem loads slowly
+        The distance is in units of the radius, and theta is the listener's azimuth. The
+        propagation phase from the centre of the disk is removed."""
+        from sonify.sound.exterior_field import (
+            listener_pressure,
+        )  # scikit-fem loads slowly
 
         orders = [
             listener_pressure(n, WAVENUMBERS, self.far, distance, elevation)
-            for n in range(RIM_ORDERS + 1)
+            for n in range(MAX_RIM_ORDER + 1)
         ]
-        return np.einsum("akwml,wkm->akwl", self.multipoles, np.array(orders + orders[1:]))
+        return np.einsum(
+            "akwml,wkm->akwl", self.multipoles, np.array(orders + orders[1:])
+        )
+
+    def near_pressure_at(self, listener, disk) -> np.ndarray:
+        """Return the pressures of `pressure_at` at a listener near the disk, where the
+        multipoles diverge.
+
+        The disk scatters nothing; see near_field.py."""
+        from sonify.sound.near_field import rayleigh_waves
+
+        face, rim = rayleigh_waves(listener, disk, WAVENUMBERS, MAX_RIM_ORDER + 1)
+        pressure = self.rim_flow * np.hstack([rim, rim[:, 1:]])[:, :, None]
+        pressure[:, :, [*FACE_WAVES], [*FACE_VELOCITIES]] += face[:, [0, 1, 1]]
+        return pressure
 
 
 @lru_cache(8)
 def radiated_multipoles(disk, air) -> RadiatedMultipoles:
-    """Return the multipoles that a solid disk radiates over a film of this air."""
+    """Return the multipoles radiated by a solid disk above a film of this air."""
     from dynamics.film.reynolds import FilmMesh
 
     thickness = disk.thickness / disk.radius
@@ -84,77 +113,107 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
     far = 1.5 * np.hypot(1.0, thickness + EXTERIOR_GAPS[-1])
     low, high = (_exterior_at_gap(thickness, gap, far) for gap in EXTERIOR_GAPS)
     multipoles = []
+    flows = []
     for gap in MEAN_GAPS:
         part = (min(gap, EXTERIOR_GAPS[1]) - EXTERIOR_GAPS[0]) / (
             EXTERIOR_GAPS[1] - EXTERIOR_GAPS[0]
         )
         rim, exterior = (a + part * (b - a) for a, b in zip(low, high, strict=True))
-        films = [film_at(mesh, gap, k, disk.radius, air) for k in WAVENUMBERS]
+        films = [film_rim_matrices(mesh, gap, k, disk.radius, air) for k in WAVENUMBERS]
         multipoles.append(
-            [couple_at_rim(gap, *fields) for fields in zip(films, rim, exterior, strict=True)]
+            [
+                couple_at_rim(gap, *fields)
+                for fields in zip(films, rim, exterior, strict=True)
+            ]
         )
-    return RadiatedMultipoles(far=far, multipoles=np.array(multipoles))
+        flows.append(
+            [flow_at_rim(gap, *fields) for fields in zip(films, rim, strict=True)]
+        )
+    return RadiatedMultipoles(
+        far=far, multipoles=np.array(multipoles), rim_flow=np.array(flows)
+    )
 
 
-def film_at(mesh, gap: float, k: float, radius: float, air):
+def film_rim_matrices(mesh, gap: float, k: float, radius: float, air):
     """Return `FilmMesh.rim_flow_matrices` of the film for the face velocities 1, x, y.
 
-    `gap` is the mean gap over the radius, `k` the wavenumber times the radius, `radius` in m.
+    `gap` is the mean gap divided by the radius, `k` the wavenumber times the radius;
+    `radius` is in m.
     """
     from dynamics.film.reynolds import film_mobility
 
     x = mesh.points.real
     y = mesh.points.imag
     h = mesh.height
-    layers = gap * radius * (1j * k * air.sound_speed / radius * air.density / air.viscosity) ** 0.5
-    viscous, thermal = (film_mobility(h, c) * c * c / 12 for c in (layers, layers * sqrt(PRANDTL)))
-    storage = -k * k * gap * (HEAT_RATIO * h - (HEAT_RATIO - 1) * thermal)
-    return mesh.rim_flow_matrices(gap * viscous, storage, [np.ones_like(x), x, y], RIM_ORDERS)
+    layers = (
+        gap
+        * radius
+        * (1j * k * air.sound_speed / radius * air.density / air.viscosity) ** 0.5
+    )
+    viscous, thermal = (
+        film_mobility(h, c) * c * c / 12
+        for c in (layers, layers * sqrt(PRANDTL_NUMBER))
+    )
+    storage = (
+        -k * k * gap * (HEAT_CAPACITY_RATIO * h - (HEAT_CAPACITY_RATIO - 1) * thermal)
+    )
+    return mesh.rim_flow_matrices(
+        gap * viscous, storage, [np.ones_like(x), x, y], MAX_RIM_ORDER
+    )
 
 
 def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.ndarray:
-    """Return the multipoles (2 RIM_ORDERS + 1, m, 3) of a film coupled to the exterior field.
+    """Return the multipoles (2 MAX_RIM_ORDER + 1, m, 3) of a film coupled to the
+    exterior field.
 
     Parameters
     ----------
     gap : float
-        Mean gap over the radius.
+        Mean gap divided by the radius.
     film : tuple
-        Result of `film_at`.
-    rim : ndarray, shape (RIM_ORDERS + 1, 3)
-        Exterior pressure at the rim by heave, tilt and flow, the flow of a line source over a gap
-        of 1.
-    exterior : ndarray, shape (RIM_ORDERS + 1, m, 3)
-        Exterior multipoles of the same three.
+        Result of `film_rim_matrices`.
+    rim : ndarray, shape (MAX_RIM_ORDER + 1, 3)
+        Exterior pressure at the rim due to heave, tilt and flow; the flow is that of a
+        line source above a gap of 1.
+    exterior : ndarray, shape (MAX_RIM_ORDER + 1, m, 3)
+        Exterior multipoles due to heave, tilt and flow.
     wedge : bool
         False for a uniform gap.
     """
-    order = np.append(np.arange(RIM_ORDERS + 1), np.arange(1, RIM_ORDERS + 1))
-    norm = pi * np.where(order == 0, 2.0, 1.0)
-    # Rows of the waves that heave, tilt about y and tilt about x excite, their velocities, and the
-    # exterior solutions.
-    waves = (0, 1, RIM_ORDERS + 1)
-    velocities = (0, 1, 2)
-    solutions = (0, 1, 1)
-    blocked = np.zeros((len(order), 3), complex)
-    blocked[waves, velocities] = rim[order[[*waves]], solutions]
+    order = RIM_ORDERS
     out = np.zeros((len(order), exterior.shape[1], 3), complex)
-    out[waves, :, velocities] = exterior[order[[*waves]], :, solutions]
-    impedance = (
-        np.diag(rim[order, 2] - 2 / pi * log(gap)) - 2 / pi * wedge * WEDGE_COUPLING / norm[:, None]
-    )
-    flow = np.linalg.solve(np.diag(norm) + film[1] @ impedance, film[0] - film[1] @ blocked)
+    out[FACE_WAVES, :, FACE_VELOCITIES] = exterior[
+        order[[*FACE_WAVES]], :, FACE_SOLUTIONS
+    ]
+    flow = flow_at_rim(gap, film, rim, wedge)
     return out + exterior[order, :, 2][:, :, None] * flow[:, None]
 
 
-def _wedge_coupling():
-    """Return int ln(1 + cos t) W V dt over the waves W and V, (2 RIM_ORDERS + 1, 2 RIM_ORDERS + 1).
+def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
+    """Return the harmonics (2 MAX_RIM_ORDER + 1, 3) of the flow out of the rim, with
+    the arguments of `couple_at_rim`."""
+    order = RIM_ORDERS
+    norm = pi * np.where(order == 0, 2.0, 1.0)
+    blocked = np.zeros((len(order), 3), complex)
+    blocked[FACE_WAVES, FACE_VELOCITIES] = rim[order[[*FACE_WAVES]], FACE_SOLUTIONS]
+    impedance = (
+        np.diag(rim[order, 2] - 2 / pi * log(gap))
+        - 2 / pi * wedge * WEDGE_COUPLING / norm[:, None]
+    )
+    return np.linalg.solve(
+        np.diag(norm) + film[1] @ impedance, film[0] - film[1] @ blocked
+    )
 
-    The integral with cos j t is -2 pi ln 2 for j = 0, and 2 pi (-1)^(j + 1)/j otherwise.
+
+def _wedge_coupling():
+    """Return the integrals of ln(1 + cos t) W V for all pairs of waves W and V.
+
+    The integral of ln(1 + cos t) cos j t is -2 pi ln 2 for j = 0, and 2 pi (-1)^(j +
+    1)/j otherwise.
     """
     n = np.append(
-        np.arange(RIM_ORDERS + 1), -np.arange(1, RIM_ORDERS + 1)
-    )  # negative orders are the sines
+        np.arange(MAX_RIM_ORDER + 1), -np.arange(1, MAX_RIM_ORDER + 1)
+    )  # negative orders denote sines
     difference = np.abs(np.subtract.outer(np.abs(n), np.abs(n)))
     total = np.add.outer(np.abs(n), np.abs(n))
     by_difference, by_total = (
@@ -166,18 +225,22 @@ def _wedge_coupling():
 
 
 WEDGE_COUPLING = _wedge_coupling()
-"""Coupling of the harmonics of the rim flow by the gap's variation along the rim."""
+"""Coupling between harmonics of the rim flow, caused by the variation of the gap along
+the rim."""
 
 
 def _exterior_at_gap(thickness, gap, far):
-    """Return the exterior field at WAVENUMBERS (k,) of a disk over one gap.
+    """Return the exterior field of a disk above one gap at WAVENUMBERS (k,).
 
-    Pressures at the rim (k, RIM_ORDERS + 1, 3) and multipoles (k, RIM_ORDERS + 1, m, 3).
+    It consists of pressures at the rim (k, MAX_RIM_ORDER + 1, 3) and multipoles (k,
+    MAX_RIM_ORDER + 1, m, 3).
     """
     from sonify.sound.exterior_field import ExteriorField
 
     field = ExteriorField(thickness, gap, far)
-    solutions = [field.solve(n, EXTERIOR_WAVENUMBERS) for n in range(RIM_ORDERS + 1)]
+    solutions = [field.solve(n, EXTERIOR_WAVENUMBERS) for n in range(MAX_RIM_ORDER + 1)]
     rim, exterior = (np.stack(part, axis=1) for part in zip(*solutions, strict=True))
     rim[..., 2] += 2 / pi * log(gap)
-    return [CubicSpline(EXTERIOR_WAVENUMBERS, part)(WAVENUMBERS) for part in (rim, exterior)]
+    return [
+        CubicSpline(EXTERIOR_WAVENUMBERS, part)(WAVENUMBERS) for part in (rim, exterior)
+    ]

@@ -1,5 +1,5 @@
-"""MODES + FILM -> MODES: frequency, decay and radiation of each mode as functions of the gap, and
-oscillators."""
+"""Compute frequency, decay and radiation of the modes above an air film as functions of
+the gap."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -12,85 +12,106 @@ from numpy.polynomial.legendre import legvander
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
-from dynamics.air import PRANDTL
+from dynamics.air import PRANDTL_NUMBER
 from modal import Modes
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import Knots, OscillatorBank
-from sonify.sound.radiation import directivity_table, listener_of, listener_position, rayleigh
+from sonify.sound.radiation import (
+    directivity_table,
+    listener_of,
+    listener_position,
+    rayleigh,
+)
 
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
-"""Mean gaps at which the film is solved; gaps outside the range act as its nearest end."""
+"""Mean gaps at which the film is solved; outside the range the nearest value
+applies."""
 MESH_GRADING = 6.0
 """Grading of the film's mesh, the argument `nearest` of FilmMesh."""
-RIM_FLOW_ORDERS = 4
-"""Highest harmonic of the flow out of the rim."""
+MAX_RIM_FLOW_ORDER = 4
+"""Highest azimuthal harmonic of the flow out of the rim."""
 MIN_MESH_CELLS = 8
-"""Least number of elements of the film's mesh along the radius."""
+"""Smallest number of elements of the film's mesh along the radius."""
 MAX_MESH_CELLS = 36
 """Largest number of elements of the film's mesh along the radius."""
-MIN_DECAY = 1e-3  # 1/s
-"""Offset that keeps the logarithm of the decay by the film finite."""
+LOG_DECAY_OFFSET = 1e-3  # 1/s
+"""Offset added to the decay rate due to the film, so that its logarithm is finite."""
 TUNING_LOG_GAP_STEP = 0.02
-"""Change of the logarithm of the gap after which the oscillators are tuned again."""
+"""Change of the logarithm of the gap after which the oscillators are retuned."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FluidLoadedModes:
-    """Properties of m modes over the film, tabulated at a mean gaps.
+    """Properties of m modes above the film, tabulated at several mean gaps (a,).
 
     Attributes
     ----------
-    gap : ndarray, shape (a,)
-        Equidistant logarithms of the mean gaps [m], in descending order.
+    log_gap : ndarray, shape (a,)
+        Equally spaced logarithms of the mean gaps [m], in descending order.
     frequency : ndarray, shape (a, m)
         Frequency of the damped mode [Hz].
-    added : ndarray, shape (a, m)
-        Decay rate [1/s] that the film adds.
+    film_decay_rate : ndarray, shape (a, m)
+        Decay rate due to the film [1/s].
     decay_rate : ndarray, shape (m,)
         Decay rate [1/s] without the film.
     gain : ndarray, shape (a, m)
-        Radiated pressure over that of the same mode above a closed film.
+        Radiated pressure, divided by that of the same mode above a closed film.
     """
 
-    gap: np.ndarray
+    log_gap: np.ndarray
     frequency: np.ndarray
-    added: np.ndarray
+    film_decay_rate: np.ndarray
     decay_rate: np.ndarray
     gain: np.ndarray
 
     def apply_gain(self, ringing, gap) -> np.ndarray:
-        """Multiply modal accelerations `ringing` (s, k, m) in place by the gain at logarithms of
+        """Multiply modal accelerations (s, k, m) in place by the gain at logarithms of
         gaps (k,)."""
-        intervals = len(self.gap) - 1
-        where = (gap - self.gap[0]) * (intervals / (self.gap[-1] - self.gap[0]))
+        intervals = len(self.log_gap) - 1
+        where = (gap - self.log_gap[0]) * (
+            intervals / (self.log_gap[-1] - self.log_gap[0])
+        )
         return _apply_gain(ringing, np.clip(where, 0.0, intervals), self.gain)
 
     def tuning(self, gap) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequency [Hz] and decay rate [1/s], both (..., m), at logarithms of gaps
+        """Return frequency [Hz] and decay rate [1/s] (..., m) at logarithms of gaps
         (...)."""
-        frequency, log_added = self._curves
-        return frequency(gap), self.decay_rate + np.maximum(np.exp(log_added(gap)) - MIN_DECAY, 0.0)
+        frequency, log_added = self._tuning_interpolants
+        return frequency(gap), self.decay_rate + np.maximum(
+            np.exp(log_added(gap)) - LOG_DECAY_OFFSET, 0.0
+        )
 
     def nearest_tuning(self, gap: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return the tuning (m,) that GapTunedOscillators use at the logarithm of a gap."""
-        return self.tuning(self.gap[0] - TUNING_LOG_GAP_STEP * tuning_level(gap, self.gap))
+        """Return frequency and decay rate (m,) of GapTunedOscillators at the logarithm
+        of a gap."""
+        return self.tuning(
+            self.log_gap[0] - TUNING_LOG_GAP_STEP * tuning_step_index(gap, self.log_gap)
+        )
 
     @cached_property
-    def _curves(self):
-        """Monotone interpolants of frequency and log decay, which never overshoot."""
-        values = (self.frequency, np.log(self.added + MIN_DECAY))
-        return [PchipInterpolator(self.gap[::-1], column[::-1]) for column in values]
+    def _tuning_interpolants(self):
+        """Monotone interpolants of the frequency and of the logarithm of the decay
+        rate."""
+        values = (self.frequency, np.log(self.film_decay_rate + LOG_DECAY_OFFSET))
+        return [
+            PchipInterpolator(self.log_gap[::-1], column[::-1]) for column in values
+        ]
 
 
 @lru_cache(maxsize=1)  # one solution for all listeners
-def fluid_loaded_modes(modes: Modes, scene, smallest_gap: float = 0.0) -> FluidLoadedModes:
-    """Return the modes of a scene over its air film, tabulated down to `smallest_gap` [m].
+def fluid_loaded_modes(
+    modes: Modes, scene, smallest_gap: float = 0.0
+) -> FluidLoadedModes:
+    """Return the modes of a scene above its air film, tabulated down to `smallest_gap`
+    [m].
 
-    The contact is at the patch of the modes. An eigenvalue of a mode of modal mass 1 solves
-    lambda^2 + 2 drag lambda + w^2 = 0, with drag = d - 6 mu R^4/g^3 int p w dA at the rate Im
-    lambda, extrapolated from the wider gaps. Where the logarithm of the solved rate over the
-    extrapolated one exceeds 0.1, the film dominates the mode, and `_phase_resonance` finds the
-    rate. The air has inertia and conducts heat to both faces; the pressure vanishes at the rim."""
+    The contact is at the patch of the modes. The eigenvalue of a mode of unit modal
+    mass solves lambda^2 + 2 drag lambda + w^2 = 0, with drag = d - 6 mu R^4/g^3 int p w
+    dA evaluated at the rate Im lambda, which is extrapolated from the wider gaps. If
+    the solved rate differs from the extrapolated one by more than 0.1 in its logarithm,
+    the film dominates the mode, and `_phase_resonance` finds the rate. The film model
+    includes the inertia of the air and heat conduction to both faces; the pressure
+    vanishes at the rim."""
     from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
 
     air = scene.air
@@ -100,24 +121,34 @@ def fluid_loaded_modes(modes: Modes, scene, smallest_gap: float = 0.0) -> FluidL
     highest = 2 * pi * 0.45 * scene.audio.sample_rate
     cells = mesh_cells(natural * radius / air.sound_speed)
     half_meshes = {
-        count: [FilmMesh(count, nearest=MESH_GRADING, parity=parity) for parity in (1, -1)]
+        count: [
+            FilmMesh(count, nearest=MESH_GRADING, parity=parity) for parity in (1, -1)
+        ]
         for count in set(cells)
     }
-    shapes = [_parity_parts(modes, i, half_meshes[count], radius) for i, count in enumerate(cells)]
+    shapes = [
+        _parity_parts(modes, i, half_meshes[count], radius)
+        for i, count in enumerate(cells)
+    ]
     rate = natural
     previous_rate = natural
     frequencies = []
-    added = []
+    film_decay_rate = []
     flows = []
     spare_gaps = 2
-    gaps = TABULATED_GAPS[: max(np.count_nonzero(smallest_gap < TABULATED_GAPS) + spare_gaps, 4)]
+    gaps = TABULATED_GAPS[
+        : max(np.count_nonzero(smallest_gap < TABULATED_GAPS) + spare_gaps, 4)
+    ]
     for gap in gaps:
         extrapolated = np.clip(rate * rate / previous_rate, lowest, highest)
         responses = [
             _film_response(parts, gap, r, radius, air)
             for parts, r in zip(shapes, extrapolated, strict=True)
         ]
-        drag = np.array([response.drag for response in responses], complex) + modes.decay_rate
+        drag = (
+            np.array([response.drag for response in responses], complex)
+            + modes.decay_rate
+        )
         root = np.sqrt(drag**2 - natural**2)
         eigenvalue = -drag + np.where(root.imag < 0, -root, root)
         previous_rate = rate
@@ -130,35 +161,38 @@ def fluid_loaded_modes(modes: Modes, scene, smallest_gap: float = 0.0) -> FluidL
             )
             decay[i] = responses[i].drag.real + modes.decay_rate[i]
         frequencies.append(rate / (2 * pi))
-        added.append(np.maximum(decay - modes.decay_rate, 0.0))
+        film_decay_rate.append(np.maximum(decay - modes.decay_rate, 0.0))
         flows.append([response.rim for response in responses])
-    rim_flows = np.reshape(flows, (len(gaps), len(modes), 2 * RIM_FLOW_ORDERS + 1))
+    rim_flows = np.reshape(flows, (len(gaps), len(modes), 2 * MAX_RIM_FLOW_ORDER + 1))
     return FluidLoadedModes(
-        gap=np.log(gaps),
+        log_gap=np.log(gaps),
         frequency=np.array(frequencies),
-        added=np.array(added),
+        film_decay_rate=np.array(film_decay_rate),
         decay_rate=modes.decay_rate,
         gain=radiation_gain(modes, scene, rim_flows),
     )
 
 
 class FilmResponse(NamedTuple):
-    """Response of the film to a mode of modal mass 1.
+    """Response of the film to a mode of unit modal mass.
 
-    `drag` is half its impedance [1/s], `rim` (2 RIM_FLOW_ORDERS + 1,) are harmonics of the flow out
-    of the rim."""
+    `drag` is half the impedance of the film [1/s]; `rim` (2 MAX_RIM_FLOW_ORDER + 1,)
+    contains the harmonics of the flow out of the rim."""
 
     drag: complex
     rim: np.ndarray
 
 
-def _phase_resonance(parts, gap, natural, limits, radius, air) -> tuple[float, FilmResponse]:
-    """Return the rate [rad/s] of phase resonance of a mode on its film, within `limits`, and the
-    response there.
+def _phase_resonance(
+    parts, gap, natural, limits, radius, air
+) -> tuple[float, FilmResponse]:
+    """Return the phase-resonance rate [rad/s] of a mode above its film and the response
+    there.
 
-    It solves w^2 + K(rate) = rate^2, where K = -2 rate Im drag is the stiffness of the film minus
-    its inertia. The squeezed film is a spring behind a leak: K grows with rate^2 and saturates, so
-    the solution is unique."""
+    The rate is within `limits` and solves w^2 + K(rate) = rate^2, where K = -2 rate Im
+    drag is the stiffness of the film minus its inertia. The squeezed film acts as a
+    spring in series with a leak: K grows as rate^2 and saturates, so the solution is
+    unique."""
     responses = {}
 
     def excess(log_rate):
@@ -176,28 +210,30 @@ def _phase_resonance(parts, gap, natural, limits, radius, air) -> tuple[float, F
     return float(np.exp(log_rate)), responses[log_rate]
 
 
-def mesh_cells(wavenumber, cells_per_wave=2.5, most_work: float = 5e4) -> list[int]:
-    """Return the number of elements along the radius of the film's mesh for modes of wavenumbers k
-    R (m,).
+def mesh_cells(wavenumber, cells_per_wave=2.5, max_work: float = 5e4) -> list[int]:
+    """Return the number of mesh elements along the radius for modes of wavenumbers k R
+    (m,).
 
-    A solution takes a time proportional to its square. If the sum of squares exceeds `most_work`,
-    which would take minutes, the finest meshes are coarsened, down to MIN_MESH_CELLS."""
+    The time of a solution is proportional to the square of this number. If the sum of
+    squares exceeds `max_work`, which would take minutes, the finest meshes are
+    coarsened, down to MIN_MESH_CELLS."""
     cells = np.clip(
         np.ceil(cells_per_wave * np.asarray(wavenumber)), MIN_MESH_CELLS, MAX_MESH_CELLS
     ).astype(int)
     finest = MAX_MESH_CELLS
-    while (cells**2).sum() > most_work and finest > MIN_MESH_CELLS:
+    while (cells**2).sum() > max_work and finest > MIN_MESH_CELLS:
         finest -= 1
         cells = np.minimum(cells, finest)
     return cells.tolist()
 
 
 def _parity_parts(modes, i, half_meshes, radius):
-    """Return the even and odd parts of the bottom face of a mode, as pairs (half mesh, shape), if
-    not negligible.
+    """Return the even and odd parts of a mode's bottom-face shape as pairs (half mesh,
+    shape).
 
-    The pressure goes with the square of the shape, so parts below 1e-4 of the larger one are
-    negligible. A mode that does not move the face, such as a torsion, has no parts."""
+    Parts smaller than 1e-4 of the larger one are omitted, because the response is
+    quadratic in the shape. A mode that does not move the face, such as a torsional
+    mode, has no parts."""
     points = half_meshes[0].points
     here, mirrored = bottom_shape(modes, i, np.array([points, points.conj()]), radius)
     parts = [(mesh, (here + mesh.parity * mirrored) / 2) for mesh in half_meshes]
@@ -206,74 +242,102 @@ def _parity_parts(modes, i, half_meshes, radius):
 
 
 def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
-    """Return the response of the film to a mode at a rate [rad/s] above a mean gap [m]."""
+    """Return the response of a film of a mean gap [m] to a mode at a rate [rad/s]."""
     sigma = 12 * air.viscosity * rate * radius**2 / (air.pressure * gap**2)
     layers = boundary_layer_number(gap, rate, air)
-    heat = layers * PRANDTL**0.5
+    heat = layers * PRANDTL_NUMBER**0.5
     work = 0j
-    rim = np.zeros(2 * RIM_FLOW_ORDERS + 1, complex)
+    rim = np.zeros(2 * MAX_RIM_FLOW_ORDER + 1, complex)
     for mesh, shape in parts:
         response = mesh.linear_responses(
-            [shape], [shape], sigma, inertia=layers, orders=RIM_FLOW_ORDERS, heat=heat
+            [shape],
+            [shape],
+            sigma,
+            inertia=layers,
+            orders=MAX_RIM_FLOW_ORDER,
+            heat=heat,
         )[0]
         work += response.works[0]
         rim = rim + response.rim
     return FilmResponse(-6 * air.viscosity * radius**4 / gap**3 * work, rim)
 
 
-def height_factors(thickness: float, radius: float) -> tuple[float, float, float, float]:
-    """Return a0, b0, a1, b1: pressure of a raised disk over that of a flush piston.
+def raised_disk_pressure_ratios(
+    thickness: float, radius: float
+) -> tuple[float, float, float, float]:
+    """Return the pressure ratios a0, b0, a1, b1 of a raised disk to a flush piston.
 
-    a is for the motion of the upper face, b for the flow out of the rim; 0 is for heave, 1 for
-    tilt. Fits within 2 % below 1 kHz, at a distance of 0.5 m and an elevation of 45 degrees."""
+    The factors a apply to the motion of the upper face, b to the flow out of the rim;
+    index 0 is heave, 1 is tilt. The fits are accurate within 2 % below 1 kHz, at a
+    distance of 0.5 m and an elevation of 45 degrees."""
     x = thickness / radius
     return 1.0, 0.998, 1 + 0.75 * x / (1 + 2.45 * x), 1 + 1.66 * x / (1 + 1.5 * x)
 
 
 def boundary_layer_number(gap: float, rate: float, air) -> complex:
-    """Return g sqrt(i w rho/mu): the gap over the thickness of the viscous boundary layers."""
+    """Return g sqrt(i w rho/mu), the ratio of the gap to the thickness of the viscous
+    boundary layers."""
     return gap * (1j * rate * air.density / air.viscosity) ** 0.5
 
 
 def bottom_shape(modes: Modes, i: int, points, radius: float) -> np.ndarray:
-    """Return the axial shape of mode i on the bottom face at complex points (x + i y)/radius; the
-    contact is at -1."""
+    """Return the axial shape of mode i on the bottom face at complex points (x + i
+    y)/radius.
+
+    The contact is at -1."""
     wave = np.fft.rfft(modes.face_shape[i, 0], axis=1) / len(modes.face_angle)
     wave[:, 1:] *= 2
     nodes = modes.face_radius / radius
     degree = len(modes.face_radius) - 1
-    polynomials = np.linalg.solve(legvander(2 * nodes - 1, degree), wave[:, : 2 * RIM_FLOW_ORDERS])
+    polynomials = np.linalg.solve(
+        legvander(2 * nodes - 1, degree), wave[:, : 2 * MAX_RIM_FLOW_ORDER]
+    )
     along = legvander(2 * np.abs(points).ravel() - 1, degree) @ polynomials
     turn = np.exp(1j * np.outer(np.angle(points) + pi, np.arange(along.shape[1])))
     return (along * turn).real.sum(axis=1).reshape(points.shape)
 
 
-def radiation_gain(modes: Modes, scene, flows, views=16, max_wavenumber=1.5) -> np.ndarray:
-    """Return the pressure of each mode with the flow out of the rim over that of its upper face
-    alone, (a, m).
+def radiation_gain(
+    modes: Modes, scene, flows, views=16, max_wavenumber=1.5
+) -> np.ndarray:
+    """Return the ratio (a, m) of the pressure of face and rim flow to that of the upper
+    face alone.
 
-    `flows` (a, m, 2 RIM_FLOW_ORDERS + 1) are harmonics of the rim flow. Pressures are root mean
-    squares over `views` azimuths. The height of the disk is included in harmonics 0 and 1. Modes of
-    k R above `max_wavenumber` radiate as above a closed film, because their rim flow is not known.
+    `flows` (a, m, 2 MAX_RIM_FLOW_ORDER + 1) are harmonics of the rim flow. Pressures
+    are root mean squares over `views` azimuths. Harmonics 0 and 1 account for the
+    height of the disk. Modes with k R above `max_wavenumber` radiate as above a closed
+    film, because the model does not cover their rim flow.
     """
-    a0, b0, a1, b1 = height_factors(scene.disk.thickness, scene.disk.radius)
+    a0, b0, a1, b1 = raised_disk_pressure_ratios(
+        scene.disk.thickness, scene.disk.radius
+    )
     listener = listener_of(scene)
-    signed_order = np.append(np.arange(RIM_FLOW_ORDERS + 1), np.arange(-RIM_FLOW_ORDERS, 0))
+    signed_order = np.append(
+        np.arange(MAX_RIM_FLOW_ORDER + 1), np.arange(-MAX_RIM_FLOW_ORDER, 0)
+    )
     order = np.abs(signed_order)
     wave = np.fft.rfft(modes.face_shape, axis=3)
     wave[..., 0] *= a0
     wave[..., 1] *= a1
-    raised = replace(modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3))
+    raised = replace(
+        modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3)
+    )
     closed, top = (directivity_table(m, listener, count=views) for m in (modes, raised))
     radius = scene.disk.radius
     angle = 2 * pi * np.arange(64) / 64
     turn = np.exp(1j * np.outer(signed_order, angle + pi))
-    waves = np.select([order == 0, order == 1], [b0, b1], b1)[:, None] * turn * radius / (2 * pi)
+    waves = (
+        np.select([order == 0, order == 1], [b0, b1], b1)[:, None]
+        * turn
+        * radius
+        / (2 * pi)
+    )
     ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
     weight = np.full(64, radius * angle[1])
     k = 2 * pi * modes.frequency / listener.air.sound_speed
     listeners = [
-        listener_position(listener, azimuth) for azimuth in 2 * pi * np.arange(views) / views
+        listener_position(listener, azimuth)
+        for azimuth in 2 * pi * np.arange(views) / views
     ]
     wave_of_mode = np.tile(waves, (len(k), 1))
     k_of_wave = np.repeat(k, len(waves))
@@ -283,21 +347,24 @@ def radiation_gain(modes: Modes, scene, flows, views=16, max_wavenumber=1.5) -> 
             for place in listeners
         ]
     )
-    rim = np.einsum("amn,vmn->avm", flows, rim_pressure.reshape(views, len(k), len(waves)))
+    rim = np.einsum(
+        "amn,vmn->avm", flows, rim_pressure.reshape(views, len(k), len(waves))
+    )
     alone = np.mean(np.abs(closed) ** 2, axis=0)
     power = np.mean(np.abs(top + rim) ** 2, axis=1)
     level = np.divide(
         power, alone, out=np.ones_like(power), where=alone > 0
-    )  # a torsion radiates nothing
+    )  # torsional modes do not radiate
     return np.where(k * radius > max_wavenumber, 1.0, np.sqrt(level))
 
 
 class GapTunedOscillators:
-    """Oscillators for m modes; their frequency and decay rate follow the gap without clicks.
+    """Oscillators of m modes with frequencies and decay rates that follow the gap
+    without clicks.
 
-    The solution is exact while the tuning is constant. When the tuning changes, the velocity is
-    kept, and so is the displacement relative to the static equilibrium: the film does not resist
-    slow motion, so a static load must not ring.
+    The solution is exact while the tuning is constant. A change of tuning conserves the
+    velocity and the displacement from static equilibrium: the film does not resist slow
+    motion, so a static load must not excite ringing.
 
     Parameters
     ----------
@@ -310,23 +377,27 @@ class GapTunedOscillators:
         Logarithm of the mean gap [m] when the first block begins.
     """
 
-    def __init__(self, table: FluidLoadedModes, sample_rate: float, settled, gap: float):
+    def __init__(
+        self, table: FluidLoadedModes, sample_rate: float, settled, gap: float
+    ):
         self._table = table
         self._rate = sample_rate
-        levels = np.arange(self._tuning_level(table.gap[-1]) + 1)
-        self._tuning = table.tuning(table.gap[0] - TUNING_LOG_GAP_STEP * levels)
-        self._bank = _bank_rows(OscillatorBank(*self._tuning, sample_rate))
-        self._level = self._tuning_level(gap)
+        levels = np.arange(self._tuning_step_index(table.log_gap[-1]) + 1)
+        self._tuning = table.tuning(table.log_gap[0] - TUNING_LOG_GAP_STEP * levels)
+        self._bank = _bank_coefficients(OscillatorBank(*self._tuning, sample_rate))
+        self._level = self._tuning_step_index(gap)
         smooth = self._bank_at(self._level)
-        smooth.settle(settled)
+        smooth.set_steady_state(settled)
         jumps = self._bank_at(self._level)
-        jumps.settle(0 * settled)
+        jumps.set_steady_state(0 * settled)
         self._states = [smooth.state, jumps.state]
 
     def advance(self, force: ContactForce, gap) -> np.ndarray:
-        """Return the accelerations (2, k, m) in the block of a ContactForce, at logarithms of the
-        gap (k + 1,)."""
-        level = self._tuning_level(gap[:-1])
+        """Return the accelerations (2, k, m) in one block of a ContactForce for smooth
+        force and jumps.
+
+        `gap` (k + 1,) is the logarithm of the mean gap."""
+        level = self._tuning_step_index(gap[:-1])
         none = 0 * force.bend
         bank = self._bank_at(level[force.knots[0]])
         out = np.empty((2, len(level), force.smooth.shape[1]))
@@ -338,30 +409,38 @@ class GapTunedOscillators:
             g = np.ascontiguousarray(g, dtype=float)
             impulses = np.ascontiguousarray(bank.knot_impulses(knots))
             _step_oscillators(
-                level, self._level, self._bank, g, knots.interval, impulses, state, ringing
+                level,
+                self._level,
+                self._bank,
+                g,
+                knots.interval,
+                impulses,
+                state,
+                ringing,
             )
         self._level = level[-1]
         return out
 
-    def _tuning_level(self, gap):
-        return tuning_level(gap, self._table.gap)
+    def _tuning_step_index(self, gap):
+        return tuning_step_index(gap, self._table.log_gap)
 
     def _bank_at(self, level):
         return OscillatorBank(*(values[level] for values in self._tuning), self._rate)
 
 
-def tuning_level(gap, tabulated) -> np.ndarray:
-    """Return the number of TUNING_LOG_GAP_STEPs from the widest `tabulated` logarithm of the gap
-    down to `gap`."""
+def tuning_step_index(gap, tabulated) -> np.ndarray:
+    """Return the number of steps of TUNING_LOG_GAP_STEP from the widest tabulated gap
+    to `gap`."""
     inside = np.clip(gap, tabulated[-1], tabulated[0])
     return np.round((tabulated[0] - inside) / TUNING_LOG_GAP_STEP).astype(int)
 
 
-def _bank_rows(bank: OscillatorBank) -> np.ndarray:
-    """Return the coefficients of a bank (l, m) as (l, 15, m), for `_step_oscillators`.
+def _bank_coefficients(bank: OscillatorBank) -> np.ndarray:
+    """Return the coefficients (l, 15, m) of a bank (l, m) for `_step_oscillators`.
 
-    Rows 0 to 4 contain the step. Rows 5 to 8 and 9 to 12 convert (q - g/w^2, q') to the state and
-    back. Rows 13 and 14 contain the contribution of g to them."""
+    Rows 0 to 4 contain the time step. Rows 5 to 8 convert (q - g/w^2, q') to the state,
+    rows 9 to 12 convert it back, and rows 13 and 14 contain the contribution of g to (q
+    - g/w^2, q')."""
     late = bank.late - [bank.omega**-2.0, 0 * bank.omega]
     return np.ascontiguousarray(
         np.concatenate([bank.step, *bank.rows, *bank.back, late]).swapaxes(0, 1)
@@ -370,7 +449,8 @@ def _bank_rows(bank: OscillatorBank) -> np.ndarray:
 
 @njit(cache=True)
 def _apply_gain(ringing, where, gain):
-    """Multiply ringing (s, k, m) by gain (a, m), interpolated at fractional rows `where` (k,)."""
+    """Multiply accelerations (s, k, m) by the gain (a, m) interpolated at fractional
+    rows (k,)."""
     for n in range(len(where)):
         low = min(int(where[n]), len(gain) - 2)
         for m in range(gain.shape[1]):
@@ -382,11 +462,11 @@ def _apply_gain(ringing, where, gain):
 
 @njit(cache=True)
 def _step_oscillators(levels, level_before, bank, g, interval, impulses, state, out):
-    """Step the oscillators through samples g (k + 1, m) at tuning levels (k,) into accelerations
-    `out` (k, m).
+    """Step the oscillators through samples g (k + 1, m) and write accelerations `out`
+    (k, m).
 
-    `level_before` is the level of the preceding sample. `impulses` (2, j, m) act at the ends of the
-    intervals (j,)."""
+    `levels` (k,) are the tuning levels, and `level_before` is that of the preceding
+    sample. `impulses` (2, j, m) act at the ends of the intervals (j,)."""
     knot = 0
     level = level_before
     for n in range(len(out)):
@@ -397,8 +477,16 @@ def _step_oscillators(levels, level_before, bank, g, interval, impulses, state, 
             first = state[0, m]
             second = state[1, m]
             if levels[n] != level:
-                q = old[9, m] * first + old[10, m] * second + (old[13, m] - new[13, m]) * u
-                v = old[11, m] * first + old[12, m] * second + (old[14, m] - new[14, m]) * u
+                q = (
+                    old[9, m] * first
+                    + old[10, m] * second
+                    + (old[13, m] - new[13, m]) * u
+                )
+                v = (
+                    old[11, m] * first
+                    + old[12, m] * second
+                    + (old[14, m] - new[14, m]) * u
+                )
                 first = new[5, m] * q + new[6, m] * v
                 second = new[7, m] * q + new[8, m] * v
             out[n, m] = new[0, m] * u + first

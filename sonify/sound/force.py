@@ -1,5 +1,4 @@
-"""MOTION -> FORCE: channels of the contact force at the sample rate, with exact times and sizes of
-jumps."""
+"""Sample the contact force of a motion, with the exact times and sizes of its jumps."""
 
 from dataclasses import dataclass, replace
 
@@ -11,18 +10,22 @@ from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
 
 LOW_PASS_HALF_WIDTH = 8  # samples
-"""Half width of the windowed sinc that filters a force too fast for the sample rate."""
-CALM_STRIDE = 16  # samples
-"""Distance of the nodes at which a calm force is evaluated; it is interpolated between them."""
-CALM_NODES = 6
-"""Number of nodes of the interpolating polynomial: three before a sample, three after it."""
+"""Half width of the windowed-sinc filter for a force that varies too fast for the
+sample rate."""
+INTERPOLATION_STRIDE = 16  # samples
+"""Spacing of the nodes at which a slowly varying force is evaluated before
+interpolation."""
+INTERPOLATION_NODES = 6
+"""Number of nodes of the interpolating polynomial; half of them precede the sample."""
 FADE_TURNS = 4
-"""Turns of the contact at the end of a settled motion over which each channel fades to its mean."""
+"""Number of turns of the contact over which each channel fades to its mean at the end
+of a settled motion."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactForce:
-    """Channels of the contact force in one block of samples: a continuous part plus steps.
+    """Channels of the contact force in one block of samples: a continuous part plus
+    steps.
 
     Attributes
     ----------
@@ -37,8 +40,8 @@ class ContactForce:
     jump : ndarray, shape (j, c)
         Sizes of the jumps.
     bend : ndarray, shape (j, c)
-        Continuous part at each jump, minus the line from the previous jump or sample to the next
-        sample.
+        Deviation of the continuous part at each jump from the straight line between the
+        previous jump or sample and the next sample.
     """
 
     t: np.ndarray
@@ -50,11 +53,12 @@ class ContactForce:
 
     @property
     def samples(self) -> np.ndarray:
-        """Sum of both parts at the samples, (k, c); at a jump the value after it."""
+        """Sum (k, c) of both parts at the samples; the value after the jump if a sample
+        coincides with one."""
         return self.smooth + self.steps
 
     def channels(self, columns: slice) -> "ContactForce":
-        """Return the force with these columns of the channels."""
+        """Return the same force with a selection of its channels."""
         return replace(
             self,
             smooth=self.smooth[:, columns],
@@ -65,8 +69,8 @@ class ContactForce:
 
     @property
     def knots(self):
-        """Interval of each jump (j,), time since the previous jump or sample, and time to the next
-        sample (j,) [s]."""
+        """Intervals of the jumps (j,), times since the previous jump or sample, and
+        times to the next sample (j,) [s]."""
         interval = np.searchsorted(self.t, self.jump_time, side="left") - 1
         since = self.jump_time - _previous_knot(self.jump_time, self.t[interval])
         until = self.t[interval + 1] - self.jump_time
@@ -74,27 +78,29 @@ class ContactForce:
 
 
 def force_in_newton(force, state):
-    """Return the force itself as the channels: along a_1, a_2 and the normal, (k, 3) [N]."""
+    """Return the force (k, 3) [N] along a_1, a_2 and the normal as the channels."""
     return force
 
 
 def final_contact_rate(motion) -> float:
     """Return the angular rate [rad/s] of the contact at the end of a motion.
 
-    The result is at least half the rate of steady motion there: a disk that rattles on a moving
-    table may be at rest at the last instant."""
+    The result is at least half the rate of steady motion at the final inclination,
+    because a disk that rattles on a moving table may be at rest at the last instant."""
     state = motion.at(motion.t[-1:])
     steady = 2 / (motion.disk.time_unit * np.sqrt(np.sin(state[0, 1])))
     return max(abs(precession_rate(state)[0]), steady / 2)
 
 
 class ForceSampler:
-    """Samples channels of the contact force of a motion at times start + n / sample_rate [s].
+    """Samples channels of the contact force of a motion at times start + n /
+    sample_rate [s].
 
-    Before the motion the channels have their first values. After it they rest, so that the end is
-    not an impact: each channel fades to its mean over the last turns of the contact. The rest of
-    the self-similar end, after the solution stops, is far above hearing. Blocks may be requested in
-    any order and any number of times. Where the force changes faster than the sample rate allows
+    Before the motion the channels have their first values. Over the last turns of the
+    contact each channel fades to its mean and then stays constant, so that the end is
+    not heard as an impact. The part of the self-similar end after the solution stops
+    has frequencies far above the audible range. Blocks may be requested in any order
+    and repeatedly. Where the force varies faster than the sample rate allows
     (`Motion.bandwidth`), the channels are low-pass filtered first.
 
     Parameters
@@ -105,16 +111,17 @@ class ForceSampler:
     start : float
         Time of sample 0 [s].
     channels : callable
-        channels(force (k, 3) [N], state (k, 11)) -> (k, c). At a jump of the force it must be
-        linear in the force.
+        Function channels(force (k, 3) [N], state (k, 11)) -> (k, c); at a jump of the
+        force it must be linear in the force.
     rest : float or ndarray, shape (c,)
         Value of each channel after the motion, instead of its mean; NaN keeps the mean.
     calm : float
-        Turn of the contact [rad] per CALM_STRIDE samples, in harmonic FORCE_HARMONICS of the force,
-        below which the channels are evaluated at every CALM_STRIDE-th sample and interpolated,
-        unless a jump is near; 0 disables it.
+        Phase [rad] of harmonic FORCE_HARMONICS of the force per INTERPOLATION_STRIDE samples.
+        Below this value the channels are evaluated at every INTERPOLATION_STRIDE-th sample and
+        interpolated, except near jumps; 0 disables the interpolation.
     fade : float or ndarray, shape (c,)
-        Fade time [s] of each channel in a motion that breaks off; 0 keeps the last value.
+        Fade time [s] of each channel at the end of a motion that does not settle; 0
+        keeps the last value.
 
     Attributes
     ----------
@@ -142,7 +149,9 @@ class ForceSampler:
         if motion.outcome.name == "SETTLED":
             fade = FADE_TURNS * 2 * np.pi / final_contact_rate(motion)
         span = np.min(fade, where=np.greater(fade, 0), initial=self.end)
-        last = self._evaluate(self.end - span * np.linspace(0, 1, 32 * FADE_TURNS))[1]
+        last = self._evaluate_channels(
+            self.end - span * np.linspace(0, 1, 32 * FADE_TURNS)
+        )[1]
         mean = np.where(np.greater(fade, 0), last.mean(axis=0), last[0])
         self.rest = np.where(np.isnan(rest), mean, rest)
         self.fade = np.broadcast_to(fade, mean.shape)
@@ -154,115 +163,150 @@ class ForceSampler:
         The last sample is also the first one of the next block.
         """
         n = np.arange(first, first + count + 1)
-        t = self._times(n)
+        t = self._sample_times(n)
         inside = slice(*np.searchsorted(self.jump_time, t[[0, -1]], side="right"))
         if t[0] > self.end + LOW_PASS_HALF_WIDTH / self.sample_rate:
             return self._block_at_rest(t)
-        smooth, calm = self._interpolated(n)
+        smooth, calm = self._interpolate_samples(n)
         unfiltered = calm.copy()
-        smooth[~calm], unfiltered[~calm] = self._sampled(n[~calm])
+        smooth[~calm], unfiltered[~calm] = self._sample_continuous_part(n[~calm])
         return ContactForce(
             t=t,
             smooth=smooth,
-            steps=self._step_sum(t),
+            steps=self._sum_of_jumps(t),
             jump_time=self.jump_time[inside],
             jump=self.jump[inside],
-            bend=self._bends(t, unfiltered, smooth, inside),
+            bend=self._deviations_at_jumps(t, unfiltered, smooth, inside),
         )
 
-    def _sampled(self, n):
-        """Return the continuous part at samples n (k,), and a mask (k,) of unfiltered samples."""
-        t = self._times(n)
+    def _sample_continuous_part(self, n):
+        """Return the continuous part at samples n (k,) and a mask (k,) of unfiltered
+        samples."""
+        t = self._sample_times(n)
         state, smooth = self._continuous_part(t)
         after_end = t > self.end + LOW_PASS_HALF_WIDTH / self.sample_rate
         unfiltered = (self._oversampling(state) == 1) | after_end
         smooth[~unfiltered] = self._low_passed(n[~unfiltered])
         return smooth, unfiltered
 
-    def _interpolated(self, n):
-        """Return the interpolated continuous part at samples n (k,), and a mask (k,) of calm
-        ones."""
+    def _interpolate_samples(self, n):
+        """Return the interpolated continuous part at samples n (k,) and the mask (k,)
+        where it is valid."""
         if not self.calm:
             return np.empty((len(n), len(self.rest))), np.zeros(len(n), bool)
-        nodes_before = CALM_NODES // 2 - 1
-        first = n[0] // CALM_STRIDE
-        cells = n[-1] // CALM_STRIDE - first + 1
-        t = self._times((first - nodes_before + np.arange(cells + CALM_NODES - 1)) * CALM_STRIDE)
+        nodes_before = INTERPOLATION_NODES // 2 - 1
+        first = n[0] // INTERPOLATION_STRIDE
+        cells = n[-1] // INTERPOLATION_STRIDE - first + 1
+        t = self._sample_times(
+            (first - nodes_before + np.arange(cells + INTERPOLATION_NODES - 1))
+            * INTERPOLATION_STRIDE
+        )
         state, values = self._continuous_part(t)
         jumps = np.searchsorted(self.jump_time, t)
         turning = 2 * np.pi / FORCE_HARMONICS * self.motion.bandwidth(state)
-        slow = turning * CALM_STRIDE < self.calm * self.sample_rate
+        slow = turning * INTERPOLATION_STRIDE < self.calm * self.sample_rate
         calm_nodes = slow & (t >= 0) & (t <= self.end - self.fade.max())
-        no_jump = jumps[CALM_NODES - 1 :] == jumps[: 1 - CALM_NODES]
-        calm = sliding_window_view(calm_nodes, CALM_NODES).all(axis=1) & no_jump
-        nodes = sliding_window_view(values, CALM_NODES, axis=0).swapaxes(1, 2)
-        within_cell = np.arange(CALM_STRIDE) / CALM_STRIDE
-        smooth = lagrange_weights(np.arange(CALM_NODES) - nodes_before, within_cell).T @ nodes
-        wanted = slice(n[0] - first * CALM_STRIDE, n[0] - first * CALM_STRIDE + len(n))
-        return smooth.reshape(-1, len(self.rest))[wanted], np.repeat(calm, CALM_STRIDE)[wanted]
+        no_jump = jumps[INTERPOLATION_NODES - 1 :] == jumps[: 1 - INTERPOLATION_NODES]
+        calm = (
+            sliding_window_view(calm_nodes, INTERPOLATION_NODES).all(axis=1) & no_jump
+        )
+        nodes = sliding_window_view(values, INTERPOLATION_NODES, axis=0).swapaxes(1, 2)
+        within_cell = np.arange(INTERPOLATION_STRIDE) / INTERPOLATION_STRIDE
+        smooth = (
+            lagrange_weights(
+                np.arange(INTERPOLATION_NODES) - nodes_before, within_cell
+            ).T
+            @ nodes
+        )
+        wanted = slice(
+            n[0] - first * INTERPOLATION_STRIDE,
+            n[0] - first * INTERPOLATION_STRIDE + len(n),
+        )
+        return smooth.reshape(-1, len(self.rest))[wanted], np.repeat(
+            calm, INTERPOLATION_STRIDE
+        )[wanted]
 
     def _block_at_rest(self, t):
         steps = np.broadcast_to(self._levels[-1], (len(t), len(self.rest)))
         none = np.zeros((0, len(self.rest)))
         return ContactForce(
-            t=t, smooth=self.rest - steps, steps=steps, jump_time=np.zeros(0), jump=none, bend=none
+            t=t,
+            smooth=self.rest - steps,
+            steps=steps,
+            jump_time=np.zeros(0),
+            jump=none,
+            bend=none,
         )
 
     def _prepare_jumps(self, jumps):
         self.jump_time = np.asarray(jumps.t)
         state = self.motion.at(self.jump_time)
         before, after = (
-            self.channels(np.asarray(force), state) for force in (jumps.before, jumps.after)
+            self.channels(np.asarray(force), state)
+            for force in (jumps.before, jumps.after)
         )
         self.jump = self._fade_factor(self.jump_time) * (after - before)
-        self._levels = np.vstack([np.zeros_like(self.rest), np.cumsum(self.jump, axis=0)])
-        self._continuous_at_jump = self._faded(self.jump_time, before) - self._levels[:-1]
+        self._levels = np.vstack(
+            [np.zeros_like(self.rest), np.cumsum(self.jump, axis=0)]
+        )
+        self._continuous_at_jump = (
+            self._apply_fade(self.jump_time, before) - self._levels[:-1]
+        )
 
-    def _times(self, n):
+    def _sample_times(self, n):
         return self.start + n / self.sample_rate
 
     def _clip_to_motion(self, t):
         return np.clip(t, 0.0, self.end)
 
-    def _step_sum(self, t):
-        return self._levels.take(np.searchsorted(self.jump_time, t, side="right"), axis=0)
+    def _sum_of_jumps(self, t):
+        return self._levels.take(
+            np.searchsorted(self.jump_time, t, side="right"), axis=0
+        )
 
-    def _evaluate(self, t):
-        """Return states (k, 11) and channels (k, c) at t (k,) [s], clipped to the motion."""
+    def _evaluate_channels(self, t):
+        """Return states (k, 11) and channels (k, c) at t (k,) [s], clipped to the
+        motion."""
         self.evaluations += len(t)
         state, force = self.motion.at_and_force(self._clip_to_motion(t))
         return state, self.channels(force, state)
 
     def _continuous_part(self, t):
-        """Return states (k, 11) and the continuous part of the channels (k, c) at t (k,) [s]."""
-        state, channels = self._evaluate(t)
-        return state, self._faded(t, channels) - self._step_sum(t)
+        """Return states (k, 11) and the continuous part of the channels (k, c) at t
+        (k,) [s]."""
+        state, channels = self._evaluate_channels(t)
+        return state, self._apply_fade(t, channels) - self._sum_of_jumps(t)
 
     def _fade_factor(self, t):
-        """Return the fade (k, c) at t (k,) [s], a raised cosine: 1 before, 0 at the end."""
+        """Return the fade factor (k, c) at t (k,) [s], a raised cosine from 1 to 0 at
+        the end."""
         share = (self.end - np.asarray(t)[:, None]) / np.maximum(self.fade, 1e-300)
         return np.cos(np.pi / 2 * np.clip(1 - share, 0, 1)) ** 2
 
-    def _faded(self, t, values):
+    def _apply_fade(self, t, values):
         late = np.asarray(t) > self.end - self.fade.max()
         if not late.any():
             return values
         values = values.copy()
-        values[late] = self.rest + self._fade_factor(t[late]) * (values[late] - self.rest)
+        values[late] = self.rest + self._fade_factor(t[late]) * (
+            values[late] - self.rest
+        )
         return values
 
     def _oversampling(self, state):
-        """Return the required oversampling (k,) at states (k, 11): a power of 2, usually 1."""
+        """Return the required oversampling (k,) at states (k, 11): a power of 2,
+        usually 1."""
         needed = np.clip(2 * self.motion.bandwidth(state) / self.sample_rate, 1, 2**16)
         return 2 ** np.ceil(np.log2(needed)).astype(int)
 
     def _low_passed(self, n):
-        """Return the continuous part at ascending samples n (k,), filtered by a windowed sinc."""
+        """Return the continuous part at ascending samples n (k,), filtered by a
+        windowed sinc."""
         if not len(n):
             return np.empty((0, len(self.rest)))
         width = LOW_PASS_HALF_WIDTH
         cells = np.arange(n[0] - width, n[-1] + width)
-        middle = self._times(cells + 0.5)
+        middle = self._sample_times(cells + 0.5)
         oversampling = self._oversampling(self.motion.at(self._clip_to_motion(middle)))
         density = np.where(middle > self.end, 1, oversampling)
         cell = np.repeat(np.arange(len(cells)), density)
@@ -273,14 +317,18 @@ class ForceSampler:
         column = np.concatenate([np.arange(*pair) for pair in edges.T])
         distance = at[column] - n[row]
         weight = (
-            np.sinc(distance) * np.cos(np.pi / 2 * distance / width) ** 2 / density[cell[column]]
+            np.sinc(distance)
+            * np.cos(np.pi / 2 * distance / width) ** 2
+            / density[cell[column]]
         )
         sinc = sparse.csr_array((weight, (row, column)), shape=(len(n), len(at)))
-        return (sinc @ self._continuous_part(self._times(at))[1]) / sinc.sum(axis=1)[:, None]
+        return (sinc @ self._continuous_part(self._sample_times(at))[1]) / sinc.sum(
+            axis=1
+        )[:, None]
 
-    def _bends(self, t, unfiltered, smooth, inside):
-        """Return `ContactForce.bend` of the jumps `inside` the block; zero where the samples are
-        low-pass filtered."""
+    def _deviations_at_jumps(self, t, unfiltered, smooth, inside):
+        """Return `ContactForce.bend` of the jumps in the slice `inside`; zero where the
+        samples are low-pass filtered."""
         times = self.jump_time[inside]
         at_jump = self._continuous_at_jump[inside]
         interval = np.searchsorted(t, times, side="left") - 1
@@ -289,7 +337,9 @@ class ForceSampler:
         before = np.where(after_sample, smooth[interval], np.roll(at_jump, 1, axis=0))
         part = ((times - previous) / (t[interval + 1] - previous))[:, None]
         bend = at_jump - (before + part * (smooth[interval + 1] - before))
-        return np.where((unfiltered[interval] & unfiltered[interval + 1])[:, None], bend, 0.0)
+        return np.where(
+            (unfiltered[interval] & unfiltered[interval + 1])[:, None], bend, 0.0
+        )
 
 
 def lagrange_weights(nodes, x) -> np.ndarray:
@@ -301,5 +351,5 @@ def lagrange_weights(nodes, x) -> np.ndarray:
 
 
 def _previous_knot(times, samples):
-    """Return the later one of the previous jump and the previous sample, (j,) [s]."""
+    """Return the time (j,) [s] of the previous jump or sample, whichever is later."""
     return np.maximum(np.concatenate([[-np.inf], times[:-1]]), samples)

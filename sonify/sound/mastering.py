@@ -1,4 +1,5 @@
-"""PLAYBACK COPY -> MASTER for small loudspeakers: compressed dynamics, stated loudness, true peak."""
+"""Master a sound for small loudspeakers: compress its dynamics, then set loudness and
+true peak."""
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
@@ -9,7 +10,7 @@ import numpy as np
 from scipy.ndimage import minimum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.audio_source import Excerpt, pieces
+from sonify.hearing.audio_source import BLOCK, Excerpt, pieces
 from sonify.hearing.loudness import loudness_lufs
 from sonify.sound.playback import (
     LOUDNESS_LUFS,
@@ -22,39 +23,37 @@ from sonify.sound.playback import (
     true_peak,
 )
 
-PIECE = 1 << 16
-"""Samples processed at once; pieces begin at its multiples."""
-FILTER_REACH = 32
-"""Reach of the filter that finds the values between samples [samples]."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Mastering:
-    """Settings of the master, a chain of compressor, gain, limiter and trim."""
+    """Settings of the mastering chain of compressor, gain, limiter and trim."""
 
     loudness_lufs: float = -18.0
     """Integrated loudness [LUFS] by BS.1770."""
     limit_dbtp: float = -1.5
-    """True peak [dBTP] that the limiter allows; its meter may read 0.5 dB less than another one."""
+    """Largest true peak [dBTP] allowed by the limiter; its meter may read 0.5 dB less
+    than other meters."""
     ratio: float = 3.0
-    """Ratio of the compressor: 3 dB below the loudest window become 1 dB."""
+    """Compression ratio: a level 3 dB below the loudest window is raised to 1 dB below
+    it."""
     max_boost_db: float = 24.0
-    """Greatest gain of the compressor [dB]; the loudest window has none."""
+    """Greatest gain of the compressor [dB]; the loudest window is not amplified."""
     window: float = 0.1
     """Length [s] of the windows in which the compressor measures the level."""
     limiter_reach: float = 0.005
-    """Time [s] before and after a peak in which the limiter lowers the gain."""
+    """Time [s] before and after a peak during which the limiter lowers the gain."""
     max_gain_db: float = 120.0
     """Greatest gain [dB] above the one that brings the highest peak to the limit."""
     sparse_gain_db: float = 12.0
-    """The same gain [dB] for a sound too sparse for the loudness, such as a single click."""
+    """The same gain [dB] for a sound too sparse to reach the loudness, such as a single
+    click."""
     tolerance: float = 0.2
     """Greatest excess of loudness [LU] that the trim removes."""
 
 
 @dataclass(frozen=True)
-class WithLeadIn:
-    """A track with a number of zeros before its first sample."""
+class TrackWithLeadIn:
+    """A track preceded by a number of zero samples."""
 
     track: Any
     zeros: int
@@ -77,7 +76,8 @@ class WithLeadIn:
 
 @dataclass(frozen=True, kw_only=True)
 class ProcessedTrack(DerivedTrack):
-    """A track processed piece by piece; `reach` samples on both sides of a piece affect it.
+    """A track processed piece by piece; each piece depends on `context_samples` further
+    samples on both sides.
 
     The result is cached up to `max_cached` samples.
     """
@@ -87,7 +87,7 @@ class ProcessedTrack(DerivedTrack):
     max_cached: int = 1 << 23
 
     @property
-    def reach(self) -> int:
+    def context_samples(self) -> int:
         """Number of samples before and after a piece that affect it."""
         raise NotImplementedError
 
@@ -101,25 +101,33 @@ class ProcessedTrack(DerivedTrack):
         return list(self._processed_blocks()) if few else None
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, channels) of samples from number `start` on; each call starts again."""
-        first = start // PIECE * PIECE
+        """Yield blocks (k, channels) from sample `start` on; each call starts
+        afresh."""
+        first = start // BLOCK * BLOCK
         cached = self._cached_blocks
-        for block in cached[start // PIECE :] if cached else self._processed_blocks(first):
+        for block in (
+            cached[start // BLOCK :] if cached else self._processed_blocks(first)
+        ):
             yield block[max(start - first, 0) :]
-            first += PIECE
+            first += BLOCK
 
     def _processed_blocks(self, start=0):
-        """Yield the pieces from the one that begins at sample `start` on."""
-        reach = self.reach  # shorter than a piece
-        source = self.track if start else WithLeadIn(self.track, reach)
-        padded = pieces(source, PIECE, 2 * reach, start - reach if start else 0)
-        for first, samples in zip(range(start, self.frames, PIECE), padded, strict=False):
-            yield self.processed(samples)[reach : reach + min(PIECE, self.frames - first)]
+        """Yield the pieces, beginning with the one at sample `start`."""
+        reach = self.context_samples  # shorter than a piece
+        source = self.track if start else TrackWithLeadIn(self.track, reach)
+        padded = pieces(source, BLOCK, 2 * reach, start - reach if start else 0)
+        for first, samples in zip(
+            range(start, self.frames, BLOCK), padded, strict=False
+        ):
+            yield self.processed(samples)[
+                reach : reach + min(BLOCK, self.frames - first)
+            ]
 
 
 @dataclass(frozen=True, kw_only=True)
 class CompressedTrack(ProcessedTrack):
-    """A track whose windows fainter than the loudest one are raised, all channels alike.
+    """A track with compressed dynamics: quiet windows are amplified, equally in all
+    channels.
 
     `loudest` is the greatest mean square of a window.
     """
@@ -127,15 +135,17 @@ class CompressedTrack(ProcessedTrack):
     loudest: float
 
     @property
-    def reach(self) -> int:
+    def context_samples(self) -> int:
         """Half the length of a window [samples]."""
         return window_reach(self.sample_rate, self.settings)
 
     def processed(self, samples: np.ndarray) -> np.ndarray:
         """Return the samples multiplied by the gain of the compressor."""
-        power = windowed_power(samples, self.reach)
+        power = windowed_power(samples, self.context_samples)
         below = 10 * np.log10(self.loudest / np.maximum(power, 1e-30 * self.loudest))
-        boost = np.clip(below * (1 - 1 / self.settings.ratio), 0.0, self.settings.max_boost_db)
+        boost = np.clip(
+            below * (1 - 1 / self.settings.ratio), 0.0, self.settings.max_boost_db
+        )
         return samples * 10 ** (boost[:, None] / 20)
 
 
@@ -150,20 +160,23 @@ class MasteredTrack(ProcessedTrack):
 
     @property
     def full_scale(self) -> float:
-        """Pressure [Pa] that 1.0 represents where neither compressor nor limiter acts."""
+        """Pressure [Pa] represented by 1.0 where neither compressor nor limiter
+        acts."""
         return 1 / (self.gain * self.trim)
 
     @property
-    def reach(self) -> int:
+    def context_samples(self) -> int:
         """Reach of the limiter and of its meter [samples]."""
-        return 2 * limiter_samples(self.sample_rate, self.settings) + FILTER_REACH
+        filter_reach = 32  # samples
+        return 2 * limiter_reach_samples(self.sample_rate, self.settings) + filter_reach
 
     def processed(self, samples: np.ndarray) -> np.ndarray:
         """Return the samples after gain, limiter and trim.
 
-        At a peak the mean of the smallest allowed gains around it is at most the allowed one.
+        The gain is a moving average of local minima of the allowed gain and therefore
+        never exceeds the allowed gain at a peak.
         """
-        around = limiter_samples(self.sample_rate, self.settings)
+        around = limiter_reach_samples(self.sample_rate, self.settings)
         loud = samples * self.gain
         limit = 10 ** (self.settings.limit_dbtp / 20)
         if np.abs(loud).max() * MAX_OVERSHOOT <= limit:
@@ -177,15 +190,16 @@ class MasteredTrack(ProcessedTrack):
 
     @cached_property
     def loudness(self) -> float:
-        """Loudness by BS.1770 [LUFS] of the complete gating blocks.
+        """Loudness [LUFS] of the complete gating blocks by BS.1770.
 
-        Raises ValueError if the track is too short for it.
+        Raises ValueError if the track is too short to have a loudness.
         """
-        return loudness_lufs(Excerpt(self, 0, complete_blocks(self)))
+        return loudness_lufs(Excerpt(self, 0, complete_gating_length(self)))
 
 
-def complete_blocks(track) -> int:
-    """Return the length [samples] of the complete gating blocks of 0.4 s that overlap by 75 %."""
+def complete_gating_length(track) -> int:
+    """Return the length [samples] covered by complete gating blocks of 0.4 s that
+    overlap by 75 %."""
     block = round(0.4 * track.sample_rate)
     if track.frames < block:
         return track.frames
@@ -198,29 +212,38 @@ def window_reach(sample_rate: int, settings: Mastering) -> int:
     return max(round(settings.window * sample_rate / 2), 1)
 
 
-def limiter_samples(sample_rate: int, settings: Mastering) -> int:
-    """Return the time in which the limiter lowers the gain before a peak [samples]."""
+def limiter_reach_samples(sample_rate: int, settings: Mastering) -> int:
+    """Return the time before a peak during which the limiter lowers the gain
+    [samples]."""
     return max(round(settings.limiter_reach * sample_rate), 1)
 
 
 def windowed_power(samples: np.ndarray, reach: int) -> np.ndarray:
     """Return the mean square (k,) of samples (k, channels) in triangular windows."""
     power = np.square(samples).mean(axis=1)
-    return uniform_filter1d(uniform_filter1d(power, reach, mode="constant"), reach, mode="constant")
+    return uniform_filter1d(
+        uniform_filter1d(power, reach, mode="constant"), reach, mode="constant"
+    )
 
 
 def loudest_window(track, settings: Mastering) -> float:
     """Return the greatest mean square of a window of a track [Pa^2]."""
     reach = window_reach(track.sample_rate, settings)
-    padded = pieces(WithLeadIn(track, reach), PIECE, 2 * reach)
-    return max(float(windowed_power(piece, reach)[reach:-reach].max()) for piece in padded)
+    padded = pieces(TrackWithLeadIn(track, reach), BLOCK, 2 * reach)
+    return max(
+        float(windowed_power(piece, reach)[reach:-reach].max()) for piece in padded
+    )
 
 
-def master_copy(track, settings: Mastering | None = None) -> MasteredTrack | ScaledTrack:
-    """Return the A-weighted copy of a track [Pa] with compressed dynamics and stated loudness.
+def master_copy(
+    track, settings: Mastering | None = None
+) -> MasteredTrack | ScaledTrack:
+    """Return an A-weighted copy of a track [Pa] with compressed dynamics and the set
+    loudness.
 
-    A sound too short for a loudness has its highest peak at the limit, and one so sparse that the
-    loudness cannot be reached is raised by `sparse_gain_db` into the limiter. Silence stays silent.
+    If a sound is too short to have a loudness, its highest peak is set to the limit. If
+    it is too sparse to reach the loudness, it is amplified by `sparse_gain_db` before
+    the limiter. Silence remains silent.
     """
     settings = settings or Mastering()
     weighted = WeightedTrack(track=track)
@@ -238,10 +261,11 @@ def master_copy(track, settings: Mastering | None = None) -> MasteredTrack | Sca
 
 
 def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
-    """Return the track with the loudness of the settings, or a fainter one if it is unreachable.
+    """Return the track at the loudness of the settings, or a quieter one if it is
+    unreachable.
 
-    The gain before the limiter is increased until the loudness is reached; the trim removes the
-    rest, so that the loudness is exact. Raises ValueError if the track is too short.
+    The gain before the limiter is increased until the loudness is reached; the trim
+    then removes the excess. Raises ValueError if the track is too short.
     """
     raised_db = initial_gain_step(at_limit, settings)
     low: float | None = None
@@ -260,7 +284,9 @@ def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> Mastered
         else:
             low = raised_db
             step = min(max(-1.5 * excess, 0.3), 20.0)
-            raised_db = raised_db + step if found is None else (raised_db + found_db) / 2
+            raised_db = (
+                raised_db + step if found is None else (raised_db + found_db) / 2
+            )
         if raised_db > settings.max_gain_db:
             break
     if found is None:
@@ -270,7 +296,8 @@ def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> Mastered
 
 
 def initial_gain_step(at_limit, settings):
-    """Return the gain [dB] over that at the limit which suffices if the limiter changes nothing."""
+    """Return the extra gain [dB] that reaches the loudness if the limiter has no
+    effect."""
     unlimited = ScaledTrack(track=at_limit.track, full_scale=1 / at_limit.gain)
     missing = settings.loudness_lufs - unlimited.loudness
     return missing if np.isfinite(missing) else 0.0
@@ -286,19 +313,24 @@ def true_peak_dbtp(track) -> float | str:
     return float(20 * np.log10(peak)) if peak else "silence"
 
 
-def chain_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
-    """Return the settings and gains of a copy for small loudspeakers, for run.json."""
+def mastering_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
+    """Return settings and gains of a copy for small loudspeakers, as written to
+    run.json."""
     if isinstance(track, MasteredTrack):
         gain_db = float(20 * np.log10(track.gain))
         trim_db = float(20 * np.log10(track.trim))
         gains = {"gain_db": gain_db, "trim_db": trim_db}
-        return {"dynamics": "compressed", "weighting": "A"} | asdict(track.settings) | gains
+        return (
+            {"dynamics": "compressed", "weighting": "A"}
+            | asdict(track.settings)
+            | gains
+        )
     gain_db = float(-20 * np.log10(track.full_scale))
     targets = {"loudness_lufs": LOUDNESS_LUFS, "limit_dbtp": TRUE_PEAK_DB}
     return {"dynamics": "natural", "weighting": "A"} | targets | {"gain_db": gain_db}
 
 
 def trimmed_below_limit(track: MasteredTrack, settings: Mastering) -> MasteredTrack:
-    """Return the track, trimmed so that its true peak does not exceed -1.1 dBTP."""
+    """Return the track with a trim that limits its true peak to -1.1 dBTP."""
     excess = true_peak(track) / 10 ** (-1.1 / 20)
     return track if excess <= 1 else replace(track, trim=track.trim / excess)

@@ -1,7 +1,8 @@
-"""FORCE -> MODES: accelerations of the rigid disk by the contact force, and the forcing of its
-elastic modes.
+"""Compute rigid-body accelerations and modal forcing of the disk due to the contact
+force.
 
-The frame of the patch has x towards the contact and z along the axis: (-e3, -e1, e2) of (2.1).
+The axes of the patch frame are (-e3, -e1, e2) of (2.1): x points to the contact, and z
+is the axis of the disk.
 """
 
 import numpy as np
@@ -13,8 +14,8 @@ from sonify.scene import Scene
 
 
 def in_patch_frame(force, inclination) -> np.ndarray:
-    """Rotate forces (k, 3) along a_1, a_2, a_3 into the frame of the patch, at inclinations (k,)
-    [rad]; (2.1)."""
+    """Rotate forces (k, 3) along a_1, a_2, a_3 into the patch frame at inclinations
+    (k,) [rad]; (2.1)."""
     along, across, normal = np.asarray(force).T
     s = np.sin(inclination)
     c = np.cos(inclination)
@@ -22,56 +23,71 @@ def in_patch_frame(force, inclination) -> np.ndarray:
 
 
 def rigid_acceleration(contact_force, disk: Disk) -> np.ndarray:
-    """Return the acceleration (k, 6) of the rigid disk by contact forces (k, 3) [N].
+    """Return the acceleration (k, 6) of the rigid disk due to contact forces (k, 3)
+    [N].
 
-    Columns: acceleration of the centre [m/s^2] and angular acceleration [rad/s^2], both in the
-    frame of the patch; inertia by (2.4), force at (R, 0, -L/2). Two effects are neglected. The
-    resisting moments (3.3) are below 1 % of the moment of the force, and 40 dB below a slip of the
-    published disk where they change sign. The centrifugal and gyroscopic loads vary slowly and
-    decay soon."""
+    The columns are the acceleration of the centre [m/s^2] and the angular acceleration
+    [rad/s^2] in the patch frame, with the inertia (2.4) and the force at (R, 0, -L/2).
+    Two effects are neglected. The resisting moments (3.3) are below 1 % of the moment
+    of the force; their changes of sign are 40 dB weaker than a slip of the published
+    disk. Centrifugal and gyroscopic loads vary slowly and soon become small."""
     moment = np.cross([disk.radius, 0.0, -disk.thickness / 2], contact_force)
     return np.hstack([contact_force, moment]) / inertia(disk)
 
 
 def inertia(disk: Disk) -> np.ndarray:
-    """Return the mass [kg] three times, and the moments of inertia [kg m^2] about x, y, z of the
-    patch, (6,); (2.4)."""
-    about_diameter = disk.mass * (disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12)
+    """Return the diagonal (6,) of the mass matrix in the patch frame: three times the
+    mass [kg], then the moments of inertia [kg m^2] about x, y, z; (2.4)."""
+    about_diameter = disk.mass * (
+        disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12
+    )
     about_axis = disk.mass * disk.radius**2 * disk.gyration / 2
     return np.array([disk.mass] * 3 + [about_diameter, about_diameter, about_axis])
 
 
-def rigid_sources(force, attitude, disk: Disk, *ears: float) -> np.ndarray:
-    """Return the accelerations (k, 1 + e) [m/s^2] of the rigid disk that radiate.
+def heave_and_tilt_accelerations(
+    force, attitude, disk: Disk, *ears: float
+) -> np.ndarray:
+    """Return the sound-radiating accelerations (k, 1 + e) [m/s^2] of the rigid disk.
 
-    The first column is the heave: 0 at rest, where the force is the weight. The others are the
-    accelerations by tilting of the rim towards each of the `ears`, azimuths [rad]. `force` (k, 3)
-    [N], `attitude` (k, 3) [rad]."""
-    turn = in_patch_frame(force, attitude[:, 1]) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
+    The first column is the heave, which is 0 when the force equals the weight. The
+    others are the accelerations, due to tilting, of the rim points at the azimuths
+    `ears` [rad]. The shapes are `force` (k, 3) [N] and `attitude` (k, 3) [rad]."""
+    turn = (
+        in_patch_frame(force, attitude[:, 1])
+        @ rigid_acceleration(np.eye(3), disk)[:, 3:]
+    )
     azimuth = listener_azimuth(attitude, turning_with_body=False)
     tilts = [
-        turn[:, 0] * np.sin(azimuth + ear) - turn[:, 1] * np.cos(azimuth + ear) for ear in ears
+        turn[:, 0] * np.sin(azimuth + ear) - turn[:, 1] * np.cos(azimuth + ear)
+        for ear in ears
     ]
     heave = (force[:, 2] - disk.weight) / disk.mass
     return np.stack([heave, *(disk.radius * tilt for tilt in tilts)], axis=1)
 
 
 def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
-    """Return the azimuth (k,) [rad] of the table's x axis in the frame of the patch or the body.
+    """Return the azimuth (k,) [rad] of the table's x axis in the patch frame or the
+    body frame.
 
-    The patch is a quarter turn ahead of the precession, along a_2; the free body also turns by the
-    spin."""
-    return -(attitude[:, 0] + np.pi / 2 + (attitude[:, 2] if turning_with_body else 0.0))
+    The patch lies along a_2, a quarter turn ahead of the precession angle; a free body
+    also rotates by the spin angle."""
+    return -(
+        attitude[:, 0] + np.pi / 2 + (attitude[:, 2] if turning_with_body else 0.0)
+    )
 
 
-def modal_drive(modes: Modes, scene: Scene):
-    """Return forcing(force (k, 3) [N], attitude (k, 3) [rad]) -> g (k, m) in q'' + 2 d q' + w^2 q =
-    g.
+def modal_forcing_function(modes: Modes, scene: Scene):
+    """Return a function of force (k, 3) [N] and attitude (k, 3) [rad] that computes the
+    modal forcing.
 
-    A disk held by its `patch` moves with the contact: g = -participation . rigid acceleration, and
-    the force does no work on the modes itself. On a `free` disk the force acts at the present
-    contact point: g = shape . force. A disk on its `contact` is driven like a held one, by the
-    motion of the contact point; for an elastic contact see `_forcing_on_springs`."""
+    The forcing is g (k, m) in q'' + 2 d q' + w^2 q = g.
+
+    A disk held at its `patch` moves with the contact: g = -participation . rigid
+    acceleration, and the force itself does no work on the modes. On a `free` disk the
+    force acts at the current contact point: g = shape . force. With the support
+    `contact` the motion of the contact point drives the disk as if it were held there;
+    for an elastic contact see `_forcing_on_springs`."""
     if scene.support.kind != "free":
         per_newton = forcing_per_newton(modes, scene)
         return lambda force, attitude: np.einsum(
@@ -79,13 +95,17 @@ def modal_drive(modes: Modes, scene: Scene):
         )
     shape = _rim_spline(modes)
     return lambda force, attitude: np.einsum(
-        "kmc,kc->km", shape(-attitude[:, 2]), in_patch_frame(force, attitude[:, 1]), optimize=True
+        "kmc,kc->km",
+        shape(-attitude[:, 2]),
+        in_patch_frame(force, attitude[:, 1]),
+        optimize=True,
     )
 
 
 def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
-    """Return the modal forcing (3, m) by 1 N along x, y, z of the patch; for a free disk the rms
-    round the rim."""
+    """Return the modal forcing (3, m) due to 1 N along x, y, z of the patch.
+
+    For a free disk it is the root mean square around the rim."""
     if scene.support.kind == "free":
         return np.sqrt(np.mean(modes.rim_shape**2, axis=1)).T
     by_support = -rigid_acceleration(np.eye(3), scene.disk) @ modes.participation.T
@@ -95,18 +115,19 @@ def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
 
 
 def _forcing_on_springs(modes, disk, by_support):
-    """Return the forcing (3, m) if a separate stem contains the vibration of the rigid disk on its
-    contact.
+    """Return the modal forcing (3, m) if a separate stem contains the rigid vibration
+    on the contact.
 
-    The force is then that of the springs, and does work on the elastic part of a shape: the shape
-    minus its rigid part. Modes that are mostly rigid belong to the other stem and are not
-    driven."""
+    The force is then that of the contact springs, and it does work on the elastic part
+    of a shape, which is the shape minus its rigid part. Mostly rigid modes belong to
+    the other stem and have no forcing."""
     rigid_share = np.square(modes.participation) @ (1 / inertia(disk))
     return (by_support + modes.rim_shape[:, 0].T) * (rigid_share < 0.5)
 
 
 def _rim_spline(modes):
-    """Return a periodic cubic spline of the bottom edge's displacement (k, m, 3) at angles (k,)."""
+    """Return a periodic cubic spline of the displacement (k, m, 3) of the bottom edge
+    at angles (k,)."""
     angle = np.append(modes.rim_angle, modes.rim_angle[0] + 2 * np.pi)
     closed = np.concatenate([modes.rim_shape, modes.rim_shape[:, :1]], axis=1)
     return CubicSpline(angle, closed.swapaxes(0, 1), bc_type="periodic")

@@ -1,4 +1,4 @@
-"""FORCE -> MODES: linear oscillators, stepped exactly for a piecewise linear force with jumps and
+"""Integrate linear oscillators exactly for a piecewise linear force with jumps and
 corners."""
 
 from typing import NamedTuple
@@ -8,12 +8,12 @@ from numba import njit
 
 
 class Knots(NamedTuple):
-    """Times, in ascending order, at which a force departs from a straight line between samples.
+    """Jumps and corners of a force between samples, in order of time.
 
     Attributes
     ----------
     interval : ndarray, shape (j,)
-        Number of the sample before each knot.
+        Index of the sample before each knot.
     since : ndarray, shape (j,)
         Time [s] since the previous knot or sample.
     until : ndarray, shape (j,)
@@ -21,8 +21,8 @@ class Knots(NamedTuple):
     jump : ndarray, shape (j, m)
         Jump of the force.
     bend : ndarray, shape (j, m)
-        Continuous part of the force minus the line from the previous knot or sample to the next
-        sample.
+        Deviation of the continuous part of the force from the straight line between the
+        previous knot or sample and the next sample.
     """
 
     interval: np.ndarray
@@ -33,16 +33,19 @@ class Knots(NamedTuple):
 
 
 def empty_knots(m: int) -> Knots:
-    """Return the knots of a force of m components without knots."""
-    return Knots(np.zeros(0, int), np.zeros(0), np.zeros(0), np.zeros((0, m)), np.zeros((0, m)))
+    """Return an empty set of knots for a force of m components."""
+    return Knots(
+        np.zeros(0, int), np.zeros(0), np.zeros(0), np.zeros((0, m)), np.zeros((0, m))
+    )
 
 
 def free_response(omega, decay, t):
-    """Return c and s of the free oscillation q = (c + decay s) q0 + s v0.
+    """Return the coefficients c and s of the free oscillation q = (c + decay s) q0 + s
+    v0.
 
-    It solves q'' + 2 decay q' + omega^2 q = 0 for omega > 0 and any decay >= 0, both [1/s], at
-    times t [s]. With w = sqrt(omega^2 - decay^2), imaginary if overdamped: c = exp(-decay t) cos(w
-    t), s = exp(-decay t) sin(w t)/w. All arguments broadcast."""
+    It solves q'' + 2 decay q' + omega^2 q = 0 for omega > 0 and any decay >= 0, both
+    [1/s], at times t [s]. With w = sqrt(omega^2 - decay^2), imaginary if overdamped: c
+    = exp(-decay t) cos(w t), s = exp(-decay t) sin(w t)/w. All arguments broadcast."""
     omega, decay, t = np.broadcast_arrays(*map(np.asarray, (omega, decay, t)))
     w = np.sqrt((omega - decay) * (omega + decay) + 0j)
     rising = np.exp((-decay + 1j * w) * t)
@@ -54,10 +57,11 @@ def free_response(omega, decay, t):
 
 
 def step_and_ramp_responses(omega, decay, t):
-    """Return the displacements at times t [s] after a unit step and after a unit ramp of the force.
+    """Return the displacements at times t [s] after a unit step and after a unit ramp
+    of force.
 
-    The velocity after a ramp is the displacement after a step. Both follow from omega^2 q = force -
-    2 decay q' - q''. Arguments as in `free_response`."""
+    The velocity after a ramp equals the displacement after a step. Both follow from
+    omega^2 q = force - 2 decay q' - q''. The arguments are those of `free_response`."""
     c, s = free_response(omega, decay, t)
     step = (1 - c - decay * s) / omega**2
     ramp = (t - 2 * decay * step - s) / omega**2
@@ -65,15 +69,15 @@ def step_and_ramp_responses(omega, decay, t):
 
 
 def compile_oscillators() -> None:
-    """Compile the kernels of OscillatorBank; call it in a background thread."""
+    """Compile the kernels of OscillatorBank; intended for a background thread."""
     OscillatorBank(np.ones(1), np.ones(1), 8.0).advance(np.zeros((1, 1)))
 
 
 class OscillatorBank:
-    """m oscillators q'' + 2 d q' + w^2 q = g(t), with states that carry over from block to block.
+    """Bank of m oscillators q'' + 2 d q' + w^2 q = g(t), advanced block by block.
 
-    The exact solution is stepped: it is unconditionally stable, and exact for every g that is
-    linear between samples and knots.
+    The time step is exact for every g that is linear between samples and knots, and
+    therefore unconditionally stable.
 
     Parameters
     ----------
@@ -100,35 +104,41 @@ class OscillatorBank:
         frequency = np.asarray(frequency, float)
         self.decay = np.asarray(decay_rate, float)
         if not np.all((frequency > 0) & (frequency < sample_rate / 2)):
-            raise ValueError("frequencies must be above 0 and below half the sample rate")
+            raise ValueError(
+                "frequencies must be above 0 and below half the sample rate"
+            )
         if not np.all((self.decay >= 0) & np.isfinite(self.decay)):
             raise ValueError("decay rates must be finite and not negative")
         self.omega = 2 * np.pi * frequency
         self.h = 1 / sample_rate
         self._compute_step()
-        self.settle(0.0)
+        self.set_steady_state(0.0)
 
-    def settle(self, g, slope=0.0):
-        """Set the steady response to a force with value g (m,) that has always risen with `slope`
-        (m,).
+    def set_steady_state(self, g, slope=0.0):
+        """Set the steady response to a force that has always risen with `slope` (m,)
+        and reaches g (m,).
 
         The samples of the next block must begin with g."""
         v = slope / self.omega**2 + 0 * self.omega
         q = (g - 2 * self.decay * v) / self.omega**2
-        self.state = self._observed(np.stack([q, v]) - self.late * g)
+        self.state = self._to_observable_coordinates(np.stack([q, v]) - self.late * g)
 
-    def advance(self, g, knots: Knots | None = None, out: np.ndarray | None = None) -> np.ndarray:
+    def advance(
+        self, g, knots: Knots | None = None, out: np.ndarray | None = None
+    ) -> np.ndarray:
         """Step through the samples of one block.
 
         Parameters
         ----------
         g : ndarray, shape (k + 1, m) or (k + 1, 1)
-            Force at the samples, after the jump where a jump coincides with a sample. The last
-            sample is also the first one of the next block. A single column acts on every mode.
+            Force at the samples; the value after the jump if a jump coincides with a
+            sample. The last sample is also the first one of the next block. A single
+            column acts on every mode.
         knots : Knots, optional
             Knots of the force, with as many components as g.
         out : ndarray, shape (k, m), optional
-            Array for the result. Allocating one per block takes longer than the recursion.
+            Array for the result; allocating a new one for each block would take longer
+            than the recursion.
 
         Returns
         -------
@@ -140,19 +150,31 @@ class OscillatorBank:
         out = np.empty((len(g) - 1, len(self.omega))) if out is None else out
         stops = np.append(knots.interval + 1, len(out))
         one_per_mode = int(len(g[0]) > 1)
-        _step_bank(g, one_per_mode, self.state, self.step, stops, self.knot_impulses(knots), out)
+        _step_bank(
+            g,
+            one_per_mode,
+            self.state,
+            self.step,
+            stops,
+            self.knot_impulses(knots),
+            out,
+        )
         return out
 
     def _compute_step(self):
-        """Compute the step x' = A x + early g0 + late g1 of x = (q, q') under a force linear from
-        g0 to g1.
+        """Compute the coefficients of the time step for a force that is linear between
+        samples.
 
-        The state is x - late g in observable coordinates, so that the acceleration is the output of
-        w1' = trace w1 + w2 + ..., w2' = -det w1 + ...: five multiplications per sample.
+        The step from g0 to g1 maps x = (q, q') to A x + early g0 + late g1. The state
+        is x - late g in observable coordinates, so that the acceleration is the output
+        of w1' = trace w1 + w2 + ..., w2' = -det w1 + ..., with five multiplications per
+        sample.
         """
         c, s = free_response(self.omega, self.decay, self.h)
         step, ramp = step_and_ramp_responses(self.omega, self.decay, self.h)
-        A = np.array([[c + self.decay * s, s], [-(self.omega**2) * s, c - self.decay * s]])
+        A = np.array(
+            [[c + self.decay * s, s], [-(self.omega**2) * s, c - self.decay * s]]
+        )
         early = np.array([step - ramp / self.h, s - step / self.h])
         self.late = np.array([ramp, step]) / self.h
         C = np.array([-(self.omega**2), -2 * self.decay])
@@ -161,29 +183,31 @@ class OscillatorBank:
         self.rows = np.array([C, np.einsum("i...,ij...->j...", C, A) - trace * C])
         (a, b), (c, d) = self.rows
         self.back = np.array([[d, -b], [-c, a]]) / (a * d - b * c)
-        into = self._observed(np.einsum("ij...,j...->i...", A, self.late) + early)
+        into = self._to_observable_coordinates(
+            np.einsum("ij...,j...->i...", A, self.late) + early
+        )
         through = 1 + np.einsum("i...,i...->...", C, self.late)
         self.step = np.ascontiguousarray([through, into[0], trace, into[1], -det])
 
     def displacement_velocity(self, state, g) -> np.ndarray:
-        """Return displacement and velocity (2, m) in a state (2, m) before a sample of the force g
-        (m,)."""
+        """Return displacement and velocity (2, m) for a state (2, m) before a force
+        sample g (m,)."""
         return np.einsum("ij...,j...->i...", self.back, state) + self.late * g
 
-    def state_from(self, x, g) -> np.ndarray:
-        """Return the state (2, m) of displacement and velocity x (2, m) before a sample of the
-        force g (m,)."""
-        return self._observed(x - self.late * g)
+    def state_from_displacement_velocity(self, x, g) -> np.ndarray:
+        """Return the state (2, m) for displacement and velocity x (2, m) before a force
+        sample g (m,)."""
+        return self._to_observable_coordinates(x - self.late * g)
 
-    def _observed(self, x):
+    def _to_observable_coordinates(self, x):
         """Return x (2, ...) in observable coordinates."""
         return np.einsum("wi...,i...->w...", self.rows, x)
 
     def knot_impulses(self, knots):
-        """Return the change of the state at the next sample by each knot, relative to a straight
-        line, (2, j, m).
+        """Return the state change (2, j, m) at the next sample that each knot causes.
 
-        In a bank (j, m) each knot has a row of its own.
+        The reference is a straight line between samples. In a bank of shape (j, m) each
+        knot uses its own row.
         """
         modes = self.omega.shape[-1]
         if not (len(knots.interval) and modes):
@@ -193,21 +217,26 @@ class OscillatorBank:
         until = np.maximum(knots.until[:, None], shortest)
         step, ramp = step_and_ramp_responses(self.omega, self.decay, until)
         rate = free_response(self.omega, self.decay, until)[1]
-        early_step, early_ramp = step_and_ramp_responses(self.omega, self.decay, since + until)
+        early_step, early_ramp = step_and_ramp_responses(
+            self.omega, self.decay, since + until
+        )
         rise = knots.bend / since
         turn = knots.bend / since + knots.bend / until
         q = step * knots.jump + early_ramp * rise - ramp * turn
         v = rate * knots.jump + early_step * rise - step * turn
-        return self._observed(np.stack([q, v]) - self.late.reshape(2, -1, modes) * knots.jump)
+        return self._to_observable_coordinates(
+            np.stack([q, v]) - self.late.reshape(2, -1, modes) * knots.jump
+        )
 
 
 @njit(cache=True, nogil=True)
 def _step_bank(g, one_per_mode, state, step, stops, impulses, out):
-    """Step the bank through samples g; `impulses` (2, j, m) act before the samples `stops`.
+    """Step the bank through samples g; `impulses` (2, j, m) act before the samples
+    `stops`.
 
-    Each mode has its own force if `one_per_mode` is 1, and the same force if it is 0. The
-    operations at a sample do not depend on the start of a block, so the results are bit-identical
-    for all block sizes."""
+    Each mode has its own force if `one_per_mode` is 1; all modes share one force if it
+    is 0. The operations at a sample do not depend on where a block starts, so the
+    results are bit-identical for all block sizes."""
     start = 0
     for j in range(len(stops)):
         for n in range(start, stops[j]):

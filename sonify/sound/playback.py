@@ -1,4 +1,5 @@
-"""SOUND -> PLAYBACK COPIES: the scaled pressure, and an A-weighted copy for small loudspeakers."""
+"""Make playback copies of a sound: the scaled pressure, and an A-weighted copy for
+small loudspeakers."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -9,26 +10,26 @@ from typing import Protocol
 import numpy as np
 from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
 
-from sonify.hearing.audio_source import pieces
+from sonify.hearing.audio_source import BLOCK, pieces
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
 from sonify.hearing.spectrogram import spectrogram
 
-A_WEIGHTING_POLES = (20.598997, 20.598997, 107.65265, 737.86223, 12194.217, 12194.217)  # Hz
-"""Poles of the A-weighting, IEC 61672-1, annex E; its four zeros are at 0."""
 LOUDNESS_LUFS = -23.0
 """Loudness of audible.wav with natural dynamics, EBU R 128."""
 TRUE_PEAK_DB = -1.0
-"""Highest true peak [dBTP] of this copy; it takes precedence over the loudness."""
+"""Highest true peak [dBTP] of audible.wav with natural dynamics; it takes precedence
+over the loudness."""
 TRUE_PEAK_OVERSAMPLING = 4
 """Oversampling in the search for the true peak, BS.1770-4, annex 2."""
 MAX_OVERSHOOT = 2.5
-"""Upper bound of the true peak over the greatest sample; it exceeds the sum of the absolute filter
-weights."""
+"""Upper bound of the ratio of the true peak to the greatest sample: it exceeds the sum
+of the absolute weights of the resampling filter."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class DerivedTrack:
-    """A track computed from another `track`, with the same length, sample rate and channels."""
+    """A track computed from another `track`, with the same length, sample rate and
+    channels."""
 
     track: object
 
@@ -50,16 +51,22 @@ class DerivedTrack:
 
 @dataclass(frozen=True, kw_only=True)
 class WeightedTrack(DerivedTrack):
-    """A-weighted copy of a track [Pa], filtered once and cached up to `max_cached` samples."""
+    """A-weighted copy of a track [Pa]; it is cached if it has at most `max_cached`
+    samples."""
 
     max_cached: int = 1 << 23
 
     @cached_property
     def _cached_blocks(self):
-        return list(self._filtered()) if self.frames * self.channels <= self.max_cached else None
+        return (
+            list(self._filtered())
+            if self.frames * self.channels <= self.max_cached
+            else None
+        )
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, channels) of samples from number `start` on; each call starts again."""
+        """Yield blocks (k, channels) from sample `start` on; each call starts
+        afresh."""
         done = 0
         for block in self._cached_blocks or self._filtered():
             yield block[max(start - done, 0) :]
@@ -75,22 +82,26 @@ class WeightedTrack(DerivedTrack):
 
 @dataclass(frozen=True, kw_only=True)
 class ScaledTrack(DerivedTrack):
-    """A track divided by `full_scale` [Pa], the pressure that 1.0 represents."""
+    """A track divided by `full_scale` [Pa], the pressure represented by 1.0."""
 
     full_scale: float = 1.0
 
     @cached_property
     def loudness(self) -> float:
-        """Loudness by BS.1770 [LUFS]; raises ValueError if the track is too short for it."""
+        """Loudness [LUFS] by BS.1770; raises ValueError if the track is too short."""
         return loudness_lufs(self)
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, channels) of samples from number `start` on; each call starts again."""
-        yield from (block.astype(float) / self.full_scale for block in self.track.blocks(start))
+        """Yield blocks (k, channels) from sample `start` on; each call starts
+        afresh."""
+        yield from (
+            block.astype(float) / self.full_scale for block in self.track.blocks(start)
+        )
 
 
 def audible_copy(track) -> ScaledTrack:
-    """Return the A-weighted copy of a track [Pa] at LOUDNESS_LUFS, but at most TRUE_PEAK_DB."""
+    """Return an A-weighted copy of a track [Pa] at LOUDNESS_LUFS, or quieter if its
+    true peak would exceed TRUE_PEAK_DB."""
     weighted = WeightedTrack(track=track)
     full_scale_at_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
     at_peak = ScaledTrack(
@@ -108,7 +119,7 @@ def audible_copy(track) -> ScaledTrack:
 
 
 class LoudTrack(Protocol):
-    """A track with a loudness."""
+    """Protocol of a track that has a loudness."""
 
     @property
     def loudness(self) -> float:
@@ -130,32 +141,47 @@ def true_peak(source) -> float:
     peak = 0.0
     for part, top in zip(_overlapping_parts(source), tops, strict=True):
         if top * MAX_OVERSHOOT >= loudest:
-            peak = max(peak, np.abs(resample_poly(part, TRUE_PEAK_OVERSAMPLING, 1, axis=0)).max())
+            peak = max(
+                peak,
+                np.abs(resample_poly(part, TRUE_PEAK_OVERSAMPLING, 1, axis=0)).max(),
+            )
     return float(peak)
 
 
 def _overlapping_parts(source, filter_reach=32):
-    """Return parts of a source, extended on both sides by the reach of the resampling filter
-    [samples]."""
-    return pieces(source, 1 << 16, 2 * filter_reach)
+    """Return parts of a source, extended on both sides by the reach of the resampling
+    filter [samples]."""
+    return pieces(source, BLOCK, 2 * filter_reach)
 
 
 def energy_below(track, *limits) -> tuple[float, ...]:
-    """Return the shares of the energy of a track below frequencies [Hz]."""
+    """Return the fractions of the energy of a track below each frequency limit [Hz]."""
     spectrum = spectrogram(track, 0.2)
     total = spectrum.power.sum(axis=1, dtype=float)
     return tuple(
-        float(total[spectrum.frequency < limit].sum() / (total.sum() or inf)) for limit in limits
+        float(total[spectrum.frequency < limit].sum() / (total.sum() or inf))
+        for limit in limits
     )
 
 
 def a_weighting(rate: float) -> np.ndarray:
-    """Return a causal A-weighting filter at a sample rate [Hz], as second-order sections (3, 6).
+    """Return a causal A-weighting filter at a sample rate [Hz], as second-order
+    sections (3, 6).
 
-    Poles and zeros of the standard are mapped by z = exp(s / rate). Two more zeros correct the gain
-    at a quarter of the sample rate. See tests/sound/test_audible_copy.py."""
+    The poles and zeros of the standard are mapped by z = exp(s / rate). Two additional
+    zeros correct the gain at a quarter of the sample rate. See
+    tests/sound/test_audible_copy.py."""
     zeros = np.ones(4)
-    poles = np.exp(-2 * np.pi * np.array(A_WEIGHTING_POLES) / rate)
+    # IEC 61672-1, annex E; the four zeros are at 0
+    standard_poles = (
+        20.598997,
+        20.598997,
+        107.65265,
+        737.86223,
+        12194.217,
+        12194.217,
+    )  # Hz
+    poles = np.exp(-2 * np.pi * np.array(standard_poles) / rate)
     at = np.array([1.0, rate / 4])
     gain = np.abs(freqz_zpk(zeros, poles, 1.0, worN=at, fs=rate)[1])
     wanted = 10 ** ((a_weighting_db(at[1]) - a_weighting_db(at[0])) / 20)
@@ -165,5 +191,7 @@ def a_weighting(rate: float) -> np.ndarray:
     )  # solves (1 + zero^2) / (1 - zero)^2 = share
     zeros = np.append(zeros, [zero, zero])
     return zpk2sos(
-        zeros, poles, 1 / np.abs(freqz_zpk(zeros, poles, 1.0, worN=[1000.0], fs=rate)[1][0])
+        zeros,
+        poles,
+        1 / np.abs(freqz_zpk(zeros, poles, 1.0, worN=[1000.0], fs=rate)[1][0]),
     )

@@ -1,4 +1,4 @@
-"""SOUND -> FIGURE: pressure over time, and its spectrogram."""
+"""Plot the pressure of a sound over time and its spectrogram."""
 
 from typing import TYPE_CHECKING
 
@@ -15,9 +15,11 @@ if TYPE_CHECKING:
 def plot_sound(
     sound: "Sound", window: float = 0.02, range_db: float = 65.0, columns: int = 2000
 ) -> "Figure":
-    """Return a figure of a sound: the range of the pressure per column, and the spectrogram.
+    """Return a figure with the range of the pressure in each time interval and the
+    spectrogram.
 
-    The spectrogram uses Hann windows of `window` [s] and shows `range_db` below its maximum.
+    The spectrogram uses Hann windows of length `window` [s] and shows levels down to
+    `range_db` below its maximum.
     """
     from matplotlib.figure import Figure  # slow to import
 
@@ -34,7 +36,11 @@ def plot_sound(
     wave.fill_between(time, lowest, highest, color="black", linewidth=0)
     wave.set(ylabel="pressure [Pa]", xlim=(0.0, sound.duration))
     mesh = image.pcolormesh(
-        seen.time, seen.frequency / 1e3, level, cmap="magma", vmin=level.max() - range_db
+        seen.time,
+        seen.frequency / 1e3,
+        level,
+        cmap="magma",
+        vmin=level.max() - range_db,
     )
     image.set(xlabel="time at the listener [s]", ylabel="frequency [kHz]")
     figure.colorbar(mesh, ax=image, label="level of a sine [dB re 20 µPa]")

@@ -1,4 +1,4 @@
-"""SOUND: the pressure at the listener and its causes, readable repeatedly from any sample on."""
+"""Store the sound pressure at the listener and its stems."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -11,6 +11,7 @@ from weakref import finalize
 import numpy as np
 
 from dynamics import Outcome
+from sonify.hearing.audio_source import BLOCK
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import MasteredTrack, master_copy
 from sonify.sound.playback import ScaledTrack, audible_copy, energy_below, loudness
@@ -20,23 +21,19 @@ if TYPE_CHECKING:
 
 Dynamics = Literal["compressed", "natural"]
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
-"""Causes of sound in every scene: heave and tilt of the rigid disk, and its modes under the smooth
-force and under jumps. A scene may have more."""
+"""Stems of every scene: heave and tilt of the rigid disk, and ringing of its modes due
+to the smooth force and to its jumps. A scene may have more stems."""
 COLUMNS = ("pressure", *STEMS)
-LISTENING_PEAK_DB = -1.0
-"""Peak of sound.wav relative to full scale [dB]."""
 MAX_BYTES_IN_MEMORY = 1 << 27
 """Size [bytes] above which a sound is kept in an unnamed temporary file."""
-BLOCK = 1 << 16
-"""Number of samples read at once."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Track:
-    """One column of a sound [Pa], an audio source for everything in sonify.hearing.
+    """One column of a sound [Pa], which sonify.hearing can analyse as an audio source.
 
-    It has `frames` samples at `sample_rate` [Hz]. `others` are the same column at further
-    listeners; they are the further channels."""
+    It has `frames` samples at `sample_rate` [Hz]. `others` are the same column at
+    further listeners, which form the additional channels."""
 
     sample_rate: int
     columns: object
@@ -58,14 +55,17 @@ class Track:
         return 1 + len(self.others)
 
     def read(self, first: int = 0, last: int | None = None) -> np.ndarray:
-        """Return samples (k,) of the first listener from `first` to `last`, by default to the
-        end."""
+        """Return the samples (k,) `first` to `last` (default: the end) of the first
+        listener."""
         return self.columns[first:last][:, self.column]
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield float32 blocks (k, channels) from sample `start` on; each call starts again."""
+        """Yield float32 blocks (k, channels) from sample `start` on; each call starts
+        afresh."""
         for first in range(start, self.frames, BLOCK):
-            block = np.zeros((min(BLOCK, self.frames - first), self.channels), np.float32)
+            block = np.zeros(
+                (min(BLOCK, self.frames - first), self.channels), np.float32
+            )
             for channel, track in enumerate((self, *self.others)):
                 part = track.read(first, first + len(block))
                 block[: len(part), channel] = part
@@ -83,11 +83,12 @@ class Sound:
     sample_rate : int
         [Hz]
     columns : ndarray or ScratchFile, shape (n, 1 + s)
-        Pressure and its causes [Pa], float32, read by slices of rows.
-    modes_heard : int
+        Pressure and its stems [Pa], float32, read by slices of rows.
+    rendered_mode_count : int
         Number of modes rendered.
     source_end : float
-        Time [s] at which the end of the motion reaches the listener; then the modes ring down.
+        Time [s] at which the sound of the end of the motion reaches the listener; then
+        the modes ring down.
     outcome : Outcome
         Outcome of the motion.
     ringing : RingDown
@@ -99,12 +100,12 @@ class Sound:
     table_energy : ndarray, shape (e,), or None
         Energy [J] of the modes of an elastic table.
     names : tuple of str, length s
-        Names of the causes.
+        Names of the stems.
     others : tuple of Sound
         Sounds at further listeners.
-    turned : bool
-        True if one more column contains the pressure at an ear a quarter turn round the disk, for
-        audible.wav.
+    has_second_ear : bool
+        True if one more column contains the pressure at a second ear, a quarter turn
+        around the disk, for audible.wav.
     dynamics : str
         Dynamics of audible.wav, "compressed" or "natural".
     """
@@ -112,7 +113,7 @@ class Sound:
     name: str
     sample_rate: int
     columns: "np.ndarray | ScratchFile"
-    modes_heard: int
+    rendered_mode_count: int
     source_end: float
     outcome: Outcome
     ringing: RingDown
@@ -121,7 +122,7 @@ class Sound:
     table_energy: np.ndarray | None = None
     names: tuple[str, ...] = STEMS
     others: "tuple[Sound, ...]" = ()
-    turned: bool = False
+    has_second_ear: bool = False
     dynamics: Dynamics = "compressed"
 
     @property
@@ -131,7 +132,7 @@ class Sound:
 
     @property
     def stems(self) -> dict[str, Track]:
-        """The causes of the pressure [Pa], by name; they add up to it."""
+        """Stems [Pa] by name; their sum is the pressure."""
         return {name: self.track(name) for name in self.names}
 
     def plot(self) -> "Figure":
@@ -141,9 +142,11 @@ class Sound:
         return plot_sound(self)
 
     def track(self, name: str) -> Track:
-        """Return the pressure or one of its causes by name; raise ValueError for other names."""
+        """Return the pressure or a stem by name; raises ValueError for other names."""
         if name not in (tracks := ("pressure", *self.names)):
-            raise ValueError(f"there is no track {name!r}: it is one of {', '.join(tracks)}")
+            raise ValueError(
+                f"there is no track {name!r}; choose one of {', '.join(tracks)}"
+            )
         return self._track(
             name, tracks.index(name), tuple(other.track(name) for other in self.others)
         )
@@ -168,30 +171,42 @@ class Sound:
         return self.samples / self.sample_rate
 
     @cached_property
-    def _peaks(self):
+    def _column_peaks(self):
         starts = range(0, self.samples, BLOCK)
-        own = [[np.abs(column).max() for column in self.columns[n : n + BLOCK].T] for n in starts]
-        return np.max([*own, *(other._peaks for other in self.others)], axis=0).astype(float)
+        own = [
+            [np.abs(column).max() for column in self.columns[n : n + BLOCK].T]
+            for n in starts
+        ]
+        return np.max(
+            [*own, *(other._column_peaks for other in self.others)], axis=0
+        ).astype(float)
 
     @property
     def peak(self) -> float:
         """Greatest magnitude of the pressure [Pa]."""
-        return float(self._peaks[0])
+        return float(self._column_peaks[0])
 
     @property
-    def stem_peak(self) -> dict[str, float]:
-        """Greatest magnitude of each cause [Pa], by name."""
-        return dict(zip(self.names, self._peaks[1 : 1 + len(self.names)].tolist(), strict=True))
+    def stem_peaks(self) -> dict[str, float]:
+        """Greatest magnitude of each stem [Pa] by name."""
+        return dict(
+            zip(
+                self.names,
+                self._column_peaks[1 : 1 + len(self.names)].tolist(),
+                strict=True,
+            )
+        )
 
     @property
-    def finite(self) -> bool:
+    def is_finite(self) -> bool:
         """True if every sample is a finite number."""
-        return bool(np.isfinite(self._peaks).all())
+        return bool(np.isfinite(self._column_peaks).all())
 
     @property
     def full_scale(self) -> float:
-        """Pressure [Pa] that 1.0 in sound.wav represents."""
-        return self.peak / 10 ** (LISTENING_PEAK_DB / 20) or 1.0
+        """Pressure [Pa] represented by 1.0 in sound.wav."""
+        listening_peak_db = -1.0  # relative to full scale
+        return self.peak / 10 ** (listening_peak_db / 20) or 1.0
 
     @property
     def gain_db(self) -> float:
@@ -199,43 +214,54 @@ class Sound:
         return float(-20 * np.log10(self.full_scale))
 
     @property
-    def copy(self) -> ScaledTrack:
+    def playback_copy(self) -> ScaledTrack:
         """Content of sound.wav: the pressure divided by `full_scale`."""
         return ScaledTrack(track=self.pressure, full_scale=self.full_scale)
 
     @cached_property
-    def natural(self) -> ScaledTrack:
-        """The A-weighted, amplified pressure with its own dynamics; two ears if `turned`."""
-        return audible_copy(self._ears)
+    def audible_uncompressed(self) -> ScaledTrack:
+        """A-weighted, amplified pressure without compression of its dynamics; for two
+        ears if `has_second_ear`."""
+        return audible_copy(self._audible_source)
 
     @cached_property
     def audible(self) -> MasteredTrack | ScaledTrack:
-        """Content of audible.wav: `natural`, or its master with compressed dynamics."""
-        return self.natural if self.dynamics == "natural" else master_copy(self._ears)
+        """Content of audible.wav: `audible_uncompressed`, or a master with compressed
+        dynamics."""
+        return (
+            self.audible_uncompressed
+            if self.dynamics == "natural"
+            else master_copy(self._audible_source)
+        )
 
     @property
-    def _ears(self):
-        second_ear = (self._track("second_ear", 1 + len(self.names)),) if self.turned else ()
+    def _audible_source(self):
+        second_ear = (
+            (self._track("second_ear", 1 + len(self.names)),)
+            if self.has_second_ear
+            else ()
+        )
         return replace(self.pressure, others=second_ear or self.pressure.others)
 
     @cached_property
     def loudness(self) -> tuple[float | str, float | str]:
-        """Loudness of sound.wav and audible.wav by BS.1770 [LUFS], or why it is undefined."""
-        return loudness(self.copy), loudness(self.audible)
+        """Loudness [LUFS] of sound.wav and audible.wav by BS.1770, or the reason why it
+        is undefined."""
+        return loudness(self.playback_copy), loudness(self.audible)
 
     @cached_property
-    def low_share(self) -> tuple[float, ...]:
-        """Shares of energy below 100 Hz and 300 Hz, where small loudspeakers are weak."""
+    def low_frequency_shares(self) -> tuple[float, ...]:
+        """Fractions of the energy below 100 Hz and below 300 Hz, where small
+        loudspeakers are weak."""
         return energy_below(self.pressure, 100.0, 300.0)
 
     def __repr__(self):
         recorded = f"{self.duration:.3f} s at {self.sample_rate} Hz"
-        return f"Sound({recorded}, peak {self.peak:.3g} Pa, {self.modes_heard} modes)"
+        return f"Sound({recorded}, peak {self.peak:.3g} Pa, {self.rendered_mode_count} modes)"
 
 
 class ScratchFile:
-    """Rows (n, width) in an unnamed temporary file, read by scratch[first:last]; it is deleted with
-    the object."""
+    """Rows (n, width) in an unnamed temporary file that is deleted with the object."""
 
     def __init__(self, width: int):
         self._file = TemporaryFile()  # noqa: SIM115, closed below
@@ -264,7 +290,8 @@ class ScratchFile:
 
 
 def collect_rows(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | ScratchFile":
-    """Return `count` rows from float32 blocks (k, width): an array, or a ScratchFile if large."""
+    """Return `count` rows from float32 blocks (k, width) as an array, or as a
+    ScratchFile if large."""
     first = next(rows)
     if first.itemsize * first.shape[1] * count <= MAX_BYTES_IN_MEMORY:
         return np.concatenate(
@@ -276,9 +303,11 @@ def collect_rows(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratc
     return scratch
 
 
-def with_sum(stems) -> np.ndarray:
-    """Return pressure and stems (k, 1 + s), float32, from stems (k, s) [Pa].
+def pressure_and_stems(stems) -> np.ndarray:
+    """Return pressure and stems (k, 1 + s) as float32 from stems (k, s) [Pa].
 
-    The pressure is the sum of the rounded stems in double precision, rounded."""
+    The rounded stems are summed in double precision and then rounded."""
     stems = stems.astype(np.float32)
-    return np.column_stack([sum(stem.astype(float) for stem in stems.T).astype(np.float32), stems])
+    return np.column_stack(
+        [sum(stem.astype(float) for stem in stems.T).astype(np.float32), stems]
+    )

@@ -1,11 +1,11 @@
-"""ACCELERATION -> PRESSURE: a face of the disk as a baffled radiator; the table is the baffle.
+"""Compute the radiation of a face of the disk; the table acts as a baffle.
 
-Rayleigh's integral: p(t) = rho/(2 pi) * integral of w(t - R/c)/R over the face, with w its normal
-acceleration. It holds while the face is nearly in the plane of the table and the air film below it
-is closed. Early in a motion the film is open, air flows round the rim, and the true pressure is
-lower."""
+Rayleigh's integral is p(t) = rho/(2 pi) * integral of w(t - R/c)/R over the face, with
+its normal acceleration w. It is valid if the face lies nearly in the plane of the table
+and the air film below it is closed. Early in a motion the film is open, air flows
+around the rim, and the true pressure is lower."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import lcm
 from typing import Any
 
@@ -14,25 +14,38 @@ import numpy as np
 from modal import Modes
 from modal.radiation import AIR_DENSITY, STANDARD_AIR, Air
 from modal.radiation import SOUND_SPEED as SOUND_SPEED
-from sonify.scene import Ear
+from sonify.scene import ListenerPosition
+from sonify.sound.head import Ear
 
+NEAR_FIELD_DISTANCE_RATIO = 4.0
+"""Distance, divided by the radius of the disk, below which the near field is
+computed."""
 AZIMUTH_COUNT = 512
-"""Number of azimuths at which the radiation of a mode is tabulated; it is interpolated linearly
-between them."""
+"""Number of azimuths at which the radiation of a mode is tabulated for linear
+interpolation."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Listener:
-    """Position of a listener: distance [m] from the disk's centre, elevation [rad] above the table,
-    azimuth [rad].
+    """Position of a listener and properties of the air.
 
-    Azimuth 0 is the table's x axis.
+    The distance [m] is measured from the centre of the disk, the elevation [rad] from
+    the table, and the azimuth [rad] from the table's x axis. The upper face of the disk
+    is `face_height` [m] above its centre; 0 for a distant listener, who hears no
+    difference. An `ear` is on a head that scatters the sound.
     """
 
     distance: float
     elevation: float
     azimuth: float = 0.0
     air: Air = STANDARD_AIR
+    face_height: float = 0.0
+    ear: Ear | None = None
+
+    @property
+    def is_in_near_field(self) -> bool:
+        """True if the listener is in the near field of the disk."""
+        return self.face_height > 0
 
     @property
     def delay(self) -> float:
@@ -44,24 +57,54 @@ class Listener:
         """Cartesian coordinates (3,) [m]; the centre of the disk is the origin."""
         return listener_position(self, self.azimuth)
 
-    def transit(self, radius: float) -> float:
-        """Return half the time [s] of a plane wave to the listener across a disk of `radius`
-        [m]."""
+    def half_crossing_time(self, radius: float) -> float:
+        """Return half the time [s] a plane wave to the listener takes to cross a disk
+        of `radius` [m]."""
         return radius * np.cos(self.elevation) / self.air.sound_speed
 
 
 def listeners_of(scene: Any) -> list[Listener]:
-    """Return the listeners of a scene: `audio.listeners`, or the one of its audio section."""
-    alone = Ear(distance=scene.audio.distance, elevation_deg=scene.audio.elevation_deg)
-    return [
-        Listener(
-            distance=ear.distance,
-            elevation=np.radians(ear.elevation_deg),
-            azimuth=np.radians(ear.azimuth_deg),
-            air=scene.air,
+    """Return `audio.listeners` of a scene, or the single listener of its audio
+    section; a head is two listeners, its left and its right ear."""
+    positions = scene.audio.listeners or [scene.audio.single_listener]
+    return [ear for position in positions for ear in _ears_of(position, scene)]
+
+
+def _ears_of(position: ListenerPosition, scene) -> list[Listener]:
+    """Return the listener at a position, or the two ears of a head there."""
+    is_in_near_field = position.distance < NEAR_FIELD_DISTANCE_RATIO * scene.disk.radius
+    listener = Listener(
+        distance=position.distance,
+        elevation=np.radians(position.elevation_deg),
+        azimuth=np.radians(position.azimuth_deg),
+        air=scene.air,
+        face_height=scene.disk.thickness / 2 if is_in_near_field else 0.0,
+    )
+    if position.kind == "point":
+        return [listener]
+    centre = listener.position
+    nose = listener.azimuth + np.pi + np.radians(position.facing_deg)
+    ears = []
+    for side in (1, -1):
+        angle = nose + side * np.radians(position.ear_angle_deg)
+        out = np.array([np.cos(angle), np.sin(angle), 0.0])
+        place = centre + position.head_radius * out
+        distance = float(np.linalg.norm(place))
+        ear = Ear(
+            head_radius=position.head_radius,
+            source_distance=position.distance,
+            cosine=float(-centre @ out / position.distance),
         )
-        for ear in scene.audio.listeners or [alone]
-    ]
+        ears.append(
+            replace(
+                listener,
+                distance=distance,
+                elevation=np.arcsin(place[2] / distance),
+                azimuth=np.arctan2(place[1], place[0]),
+                ear=ear,
+            )
+        )
+    return ears
 
 
 def listener_of(scene: Any) -> Listener:
@@ -69,8 +112,10 @@ def listener_of(scene: Any) -> Listener:
     return listeners_of(scene)[0]
 
 
-def rayleigh(face, points, weights, wavenumber, listener_at, density=AIR_DENSITY) -> np.ndarray:
-    """Evaluate Rayleigh's integral over a plane face; exact for a plane baffle.
+def rayleigh(
+    face, points, weights, wavenumber, listener_at, density=AIR_DENSITY
+) -> np.ndarray:
+    """Evaluate Rayleigh's integral over a plane face, which is exact in a plane baffle.
 
     Parameters
     ----------
@@ -88,45 +133,65 @@ def rayleigh(face, points, weights, wavenumber, listener_at, density=AIR_DENSITY
     Returns
     -------
     ndarray, shape (m,), complex
-        Pressure [Pa] per unit modal acceleration, without the factor exp(-i k distance).
+        Pressure [Pa] per unit modal acceleration, without the factor exp(-i k
+        distance).
     """
-    path = np.linalg.norm(listener_at - np.column_stack([points, np.zeros(len(points))]), axis=1)
+    path = np.linalg.norm(
+        listener_at - np.column_stack([points, np.zeros(len(points))]), axis=1
+    )
     wave = np.exp(-1j * np.outer(wavenumber, path - np.linalg.norm(listener_at))) / path
     return density / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
 
 
 def directivity_table(
-    modes: Modes, listener: Listener, still: bool = False, count: int = AZIMUTH_COUNT
+    modes: Modes,
+    listener: Listener,
+    at_zero_frequency: bool = False,
+    count: int = AZIMUTH_COUNT,
 ) -> np.ndarray:
-    """Return `rayleigh` of the top face of each mode at `count` equidistant azimuths of the
-    listener, (count, m).
+    """Return `rayleigh` (count, m) of each mode's top face at `count` equally spaced
+    azimuths.
 
-    Each mode is evaluated at its own frequency, or at frequency 0 if `still`. Azimuths are in the
-    frame of the modes. The path from a point depends only on its angle to the listener, so the sums
-    over each ring are a convolution."""
-    k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / listener.air.sound_speed
+    The azimuths of the listener are in the frame of the modes. Each mode is evaluated
+    at its own frequency, unless `at_zero_frequency` is True. The path from a point
+    depends only on its angle to the listener, so the sum over each ring is a
+    convolution."""
+    k = (
+        0 * modes.frequency
+        if at_zero_frequency
+        else 2 * np.pi * modes.frequency / listener.air.sound_speed
+    )
     face_angles = len(modes.face_angle)
     place = listener_position(listener, 0.0)
+    place[2] -= listener.face_height
     fine = lcm(face_angles, count)
     radius = modes.face_radius[:, None]
     angle = 2 * np.pi * np.arange(fine) / fine
-    path = np.hypot(np.hypot(place[0] - radius * np.cos(angle), radius * np.sin(angle)), place[2])
-    wave = np.exp(-1j * np.multiply.outer(k, path - np.linalg.norm(place))) / path
+    path = np.hypot(
+        np.hypot(place[0] - radius * np.cos(angle), radius * np.sin(angle)), place[2]
+    )
+    wave = np.exp(-1j * np.multiply.outer(k, path - listener.distance)) / path
     face = modes.face_shape[:, 1] * modes.face_weight[:, None] / face_angles
-    # Tiling the spectrum puts zeros between the angles of the face.
+    # Tiling the spectrum inserts zeros between the angles of the face.
     spectrum = np.tile(np.fft.fft(face), fine // face_angles) * np.fft.fft(wave)
-    return listener.air.density * np.fft.ifft(spectrum.sum(axis=1))[:, :: fine // count].T
+    return (
+        listener.air.density * np.fft.ifft(spectrum.sum(axis=1))[:, :: fine // count].T
+    )
 
 
 def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarray:
-    """Return three-tap filters (AZIMUTH_COUNT, m, 3) on samples n + 1, n, n - 1 that radiate the modes.
+    """Return three-tap filters (AZIMUTH_COUNT, m, 3) from modal accelerations to
+    pressure.
 
-    Their response equals Rayleigh's integral at the frequency of the mode and at 0. In the last 2 %
-    below half the sample rate three taps cannot turn the phase, and the phase is approximate."""
-    min_sine = 0.06  # reached 2 % below half the sample rate, where the taps would be infinite
+    The taps apply to samples n + 1, n, n - 1. The response equals Rayleigh's integral
+    at the frequency of the mode and at 0. Within 2 % below the Nyquist frequency the
+    phase is only approximate."""
+    min_sine = (
+        0.06  # reached 2 % below half the sample rate, where the taps would be infinite
+    )
     turn = 2 * np.pi * modes.frequency / sample_rate
     at_mode = directivity_table(modes, listener)
-    at_rest = directivity_table(modes, listener, still=True).real
+    at_rest = directivity_table(modes, listener, at_zero_frequency=True).real
     even = (at_rest - at_mode.real) / (1 - np.cos(turn))
     square = np.sin(turn) ** 2
     bounded_square = np.where(turn > np.pi / 2, np.maximum(square, min_sine**2), square)
@@ -135,14 +200,17 @@ def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarra
 
 
 def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
-    """Return (step, taps): the pressure of a disk that heaves, in units of `piston_strength`.
+    """Return step response and taps for the pressure of a heaving disk.
 
-    step(t) is the response at t [s] to a unit step of the acceleration; `taps` (2 w + 1,) filter
-    samples h [s] apart, joined by straight lines. The finite `radius` [m] of the disk acts as a
-    low-pass filter. The kernel is accurate to first order in radius/distance. The radiation of a
-    hole of radius `hole` [m] is subtracted."""
+    The unit of pressure is `piston_strength`. The function step(t) is the response at t
+    [s] to a unit step of the acceleration; the taps (2 w + 1,) apply to samples h [s]
+    apart, joined by straight lines. The finite `radius` [m] of the disk acts as a
+    low-pass filter. The kernel is accurate to first order in radius/distance. The
+    radiation of a hole of radius `hole` [m] is subtracted."""
     return _subtract_hole(
-        lambda r: _kernel(listener.transit(r), h, heave_impulse_integral),
+        lambda r: pulse_kernel(
+            listener.half_crossing_time(r), h, heave_pulse_integrals
+        ),
         radius,
         hole,
         (hole / radius) ** 2,
@@ -150,38 +218,48 @@ def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0)
 
 
 def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
-    """Return (step, taps) as `heave_kernel` does, for a disk that tilts.
+    """Return step response and taps for a tilting disk, in the form of `heave_kernel`.
 
-    The rim towards the listener has unit acceleration, the opposite rim the reverse. In the far
-    field the two halves differ only in their travel time; in the near field also in their distance.
-    The rim of the hole has (hole / radius) of the acceleration."""
+    The rim has unit acceleration at the point nearest to the listener and the opposite
+    one on the far side. In the far field the two halves differ only in travel time, in
+    the near field also in distance. The acceleration at the rim of the hole is smaller
+    by the factor hole / radius."""
 
     def solid_kernel(r):
-        transit = listener.transit(r)
-        far_step, far_taps = _kernel(transit, h, tilt_far_integral)
-        near_step, near_taps = _kernel(transit, h, tilt_near_integral)
+        transit = listener.half_crossing_time(r)
+        far_step, far_taps = pulse_kernel(transit, h, tilt_far_field_integrals)
+        near_step, near_taps = pulse_kernel(transit, h, tilt_near_field_integrals)
         far = transit / max(transit, h)
         near = transit * listener.air.sound_speed / listener.distance
-        return lambda t: far * far_step(t) + near * near_step(t), far * far_taps + near * near_taps
+        return (
+            lambda t: far * far_step(t) + near * near_step(t),
+            far * far_taps + near * near_taps,
+        )
 
     return _subtract_hole(solid_kernel, radius, hole, (hole / radius) ** 3)
 
 
 def _subtract_hole(kernel, radius, hole, share):
-    """Return step response and taps of kernel(radius) minus `share` times those of kernel(hole)."""
+    """Return step response and taps of kernel(radius) minus `share` times those of
+    kernel(hole)."""
     step, taps = kernel(radius)
     if not hole:
         return step, taps
     inner_step, inner_taps = kernel(hole)
     margin = (len(taps) - len(inner_taps)) // 2
-    return lambda t: step(t) - share * inner_step(t), taps - share * np.pad(inner_taps, margin)
+    return lambda t: step(t) - share * inner_step(t), taps - share * np.pad(
+        inner_taps, margin
+    )
 
 
-def _kernel(transit, h, shape):
+def pulse_kernel(transit, h, shape):
     """Return step response and taps of a pulse of half width `transit` [s].
 
-    shape(s) returns the step response of the pulse and its integral at s = time / transit."""
-    width = max(transit, h)  # at least one sample, so that a step spreads over more than one
+    The function shape(s) returns the step response of the pulse and its integral at s =
+    time / transit."""
+    width = max(
+        transit, h
+    )  # at least one sample, so that a step spreads over several samples
     reach = int(np.ceil(width / h)) + 1
     t = np.arange(-reach - 1, reach + 2) * h / width
     inside = np.clip(t, -1, 1)
@@ -189,23 +267,28 @@ def _kernel(transit, h, shape):
     return (lambda t: shape(np.clip(t / width, -1, 1))[0]), np.diff(width * ramp, 2) / h
 
 
-def heave_impulse_integral(s):
-    """Integrate (2/pi) sqrt(1 - s^2), the chords of a disk of unit area, once and twice."""
+def heave_pulse_integrals(s):
+    """Return the first and second integrals of (2/pi) sqrt(1 - s^2), the chord lengths
+    of a disk of unit area."""
     root = np.sqrt(1 - s * s)
     arc = np.arcsin(s)
-    return 0.5 + (s * root + arc) / np.pi, s / 2 + (s * arc + root - root**3 / 3) / np.pi
+    return 0.5 + (s * root + arc) / np.pi, s / 2 + (
+        s * arc + root - root**3 / 3
+    ) / np.pi
 
 
-def tilt_far_integral(s):
-    """Integrate (2/pi) s sqrt(1 - s^2), the far field of a tilting disk, once and twice."""
+def tilt_far_field_integrals(s):
+    """Return the first and second integrals of (2/pi) s sqrt(1 - s^2), the far field of
+    a tilting disk."""
     root = np.sqrt(1 - s * s)
     arc = np.arcsin(s)
     twice = s * (5 - 2 * s * s) * root / 8 + 3 / 8 * (arc + np.pi / 2)
     return 2 / (3 * np.pi) * root**3, 2 / (3 * np.pi) * twice
 
 
-def tilt_near_integral(s):
-    """Integrate (2/pi) s^2 sqrt(1 - s^2), the near field of a tilting disk, once and twice."""
+def tilt_near_field_integrals(s):
+    """Return the first and second integrals of (2/pi) s^2 sqrt(1 - s^2), the near field
+    of a tilting disk."""
     root = np.sqrt(1 - s * s)
     arc = np.arcsin(s)
     once = (s * (2 * s * s - 1) * root + arc) / 8 + np.pi / 16
@@ -213,13 +296,16 @@ def tilt_near_integral(s):
     return 2 / np.pi * once, 2 / np.pi * twice
 
 
-def piston_strength(radius: float, distance: float, density: float = AIR_DENSITY) -> float:
-    """Return rho R^2/(2 r), the pressure of a small baffled disk per acceleration [kg/m^2]."""
+def piston_strength(
+    radius: float, distance: float, density: float = AIR_DENSITY
+) -> float:
+    """Return rho R^2/(2 r) [kg/m^2], the pressure of a small baffled disk per unit
+    acceleration."""
     return density * radius**2 / (2 * distance)
 
 
 def listener_position(listener: Listener, azimuth: float) -> np.ndarray:
-    """Return the coordinates (3,) [m] of the listener, moved to an azimuth [rad]."""
+    """Return the coordinates (3,) [m] of the listener rotated to an azimuth [rad]."""
     across = listener.distance * np.cos(listener.elevation)
     return np.array(
         [

@@ -1,4 +1,4 @@
-"""ACCELERATION -> PRESSURE, block by block: sound still in flight is kept for the next block."""
+"""Convert accelerations to radiated pressure block by block."""
 
 from functools import cached_property
 
@@ -16,24 +16,37 @@ from sonify.sound.radiation import (
 
 
 class RigidFace:
-    """Radiates heave and tilt of a disk; `reach` is the half width of its kernels [samples]."""
+    """Radiator of heave and tilt of a disk; `reach` is the half width of its kernels
+    [samples]."""
+
+    columns: tuple[slice, ...] = (slice(1), slice(1, None))
+    """Columns of the accelerations with the same kernel."""
 
     def __init__(self, disk, listener: Listener, h: float):
-        kernels = [
+        self._steps, self._taps = zip(*self._kernels(disk, listener, h), strict=True)
+        self.h = h
+        self.reach = len(self._taps[0]) // 2
+        self._strength = piston_strength(
+            disk.radius, listener.distance, listener.air.density
+        )
+
+    def _kernels(self, disk, listener, h):
+        if listener.is_in_near_field:
+            from sonify.sound.near_field import near_face_kernels
+
+            return near_face_kernels(listener, disk, h)
+        return [
             kernel(listener, disk.radius, h, disk.inner_radius)
             for kernel in (heave_kernel, tilt_kernel)
         ]
-        self._steps, self._taps = zip(*kernels, strict=True)
-        self.h = h
-        self.reach = len(self._taps[0]) // 2
-        self._strength = piston_strength(disk.radius, listener.distance, listener.air.density)
 
-    def start_radiating(self, first):
-        """Return advance(accelerations (k + 1, c), knots, jump (j, c)) -> pressure (k, c) [Pa],
-        called once per block.
+    def make_block_radiator(self, first):
+        """Return a function that converts successive blocks of accelerations to
+        pressure.
 
-        The first column is the heave, the others are tilts; before the first block they are `first`
-        (c,)."""
+        The function is advance(accelerations (k + 1, c), knots, jump (j, c)) ->
+        pressure (k, c) [Pa]. The first column is the heave, the others are tilts;
+        before the first block their values are `first` (c,)."""
         past = np.tile(first, (2 * self.reach, 1))
         in_flight = np.zeros((0, len(first)))
 
@@ -50,25 +63,42 @@ class RigidFace:
         return advance
 
     def _convolved(self, source, knots, jump):
-        """Return the samples through the kernels plus corrections for jumps between samples, (k + 2
-        reach + 1, c)."""
+        """Return the convolution (k + 2 reach + 1, c) with the kernels, corrected for
+        jumps between samples."""
         count = len(source) - 2 * self.reach
         after = np.arange(2 * self.reach + 1)
         out = np.zeros((count + len(after), source.shape[1]))
         interval, _, until = knots
-        for kind, columns in enumerate((slice(1), slice(1, None))):
+        for kind, columns in enumerate(self.columns):
             since = until[:, None] + (after - self.reach) * self.h
             correction = self._steps[kind](since) - np.cumsum(self._taps[kind])
             for samples, sizes, column in zip(
                 source.T[columns], jump.T[columns], out.T[columns], strict=True
             ):
                 column[:count] = np.convolve(samples, self._taps[kind], "valid")
-                np.add.at(column, interval[:, None] + 1 + after, sizes[:, None] * correction)
+                np.add.at(
+                    column, interval[:, None] + 1 + after, sizes[:, None] * correction
+                )
         return out
 
 
+class NearRim(RigidFace):
+    """Radiator of the flow out of the rim, for a listener near the disk.
+
+    The first column is the harmonic 0, the next two are harmonics 1, the last one is
+    the harmonic 2."""
+
+    columns = (slice(0, 1), slice(1, 3), slice(3, 4))
+
+    def _kernels(self, disk, listener, h):
+        from sonify.sound.near_field import near_rim_kernels
+
+        return near_rim_kernels(listener, disk, h)
+
+
 class ElasticFace:
-    """Radiates elastic modes towards a moving azimuth; the output is `latency` samples late."""
+    """Radiator of elastic modes towards a moving azimuth; the output is delayed by
+    `latency` samples."""
 
     def __init__(self, modes, listener: Listener, sample_rate: float, latency: int):
         self._modes = modes
@@ -80,13 +110,15 @@ class ElasticFace:
     def _taps(self):
         return mode_taps(self._modes, self._listener, self._rate)
 
-    def start_radiating(self, direction, second_ear: float | None = None):
-        """Return advance(accelerations (s, k, m), directions (k, 2)) -> pressure (k, s) [Pa],
-        called once per block.
+    def make_block_radiator(self, direction, second_ear: float | None = None):
+        """Return a function that converts successive blocks of modal accelerations to
+        pressure.
 
-        `direction` is cosine and sine of the listener's azimuth before the first block. With a
-        `second_ear` [rad], one more column is the sum of the stems at an ear turned by this angle
-        from the listener."""
+        The function is advance(accelerations (s, k, m), directions (k, 2)) -> pressure
+        (k, s) [Pa]. `direction` contains cosine and sine of the listener's azimuth
+        before the first block. If `second_ear` [rad] is given, an additional column
+        contains the sum of the stems at an ear rotated by this angle from the
+        listener."""
         past = None
         past_direction = np.tile(direction, (self._latency, 1))
 
@@ -94,7 +126,9 @@ class ElasticFace:
             nonlocal past, past_direction
             count = len(direction)
             if past is None:
-                past = np.zeros((len(acceleration), self._latency + 1, acceleration.shape[2]))
+                past = np.zeros(
+                    (len(acceleration), self._latency + 1, acceleration.shape[2])
+                )
             acceleration = np.concatenate([past, acceleration], axis=1)
             direction = np.concatenate([past_direction, direction])
             past = acceleration[:, count:]
@@ -114,12 +148,14 @@ class ElasticFace:
 
 
 def _radiate_modes(ringing, turns, sharpness, taps):
-    """Return the pressure (k, s): three taps on samples n + 2, n + 1, n of `ringing` (s, k + 2, m),
-    summed over modes.
+    """Return the pressure (k, s), summed over modes, of modal accelerations (s, k + 2,
+    m).
 
-    `taps` (AZIMUTHS, m, 3) are interpolated linearly at azimuths `turns` (k,) [turns]. `sharpness`
-    (k,) is 1 where the azimuth is well defined. It falls to 0 where the azimuth turns too fast; the
-    taps are then the mean over all azimuths."""
+    The taps apply to samples n + 2, n + 1, n.
+
+    `taps` (AZIMUTHS, m, 3) are interpolated linearly at azimuths `turns` (k,) [turns].
+    `sharpness` (k,) is 1 where the azimuth is well defined and falls to 0 where it
+    rotates too fast; the taps are then averaged over all azimuths."""
     rows = (
         taps[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTH_COUNT, -1)
     )  # (a, 3 m), ordered n, n + 1, n + 2 as in memory
@@ -128,21 +164,27 @@ def _radiate_modes(ringing, turns, sharpness, taps):
     slopes = np.roll(rows, -1, axis=0) - rows
     where = (turns - np.floor(turns)) * AZIMUTH_COUNT
     samples = ringing.reshape(len(ringing), -1)
-    _apply_taps(samples, ringing.shape[2], where, sharpness, mean, rows - mean, slopes, out)
+    _apply_taps(
+        samples, ringing.shape[2], where, sharpness, mean, rows - mean, slopes, out
+    )
     return out
 
 
 def compile_radiators() -> None:
-    """Compile the kernels of ElasticFace; call it in a background thread."""
-    _radiate_modes(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTH_COUNT, 1, 3)))
+    """Compile the kernels of ElasticFace; intended for a background thread."""
+    _radiate_modes(
+        np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTH_COUNT, 1, 3))
+    )
 
 
 @njit(cache=True, nogil=True)
 def _apply_taps(samples, modes, where, sharpness, mean, deviation, slopes, out):
-    """Write into `out` (k, s) the products of interpolated taps with samples (s, ...), stored
-    `modes` per instant.
+    """Write the products of interpolated taps with samples into `out` (k, s).
 
-    The taps at a fractional row of the table are mean + sharpness (deviation + part slope).
+    The samples (s, ...) contain `modes` values per instant.
+
+    The taps at a fractional row of the table are mean + sharpness (deviation + part
+    slope).
     """
     tap = np.empty(len(mean))
     for n in range(len(where)):

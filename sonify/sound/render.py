@@ -1,4 +1,4 @@
-"""FORCE + MODES -> SOUND: the pressure at the listener, as separate causes that add up to it."""
+"""Render the sound pressure at the listener as stems, which add up to it."""
 
 from collections import defaultdict, deque
 from collections.abc import Callable, Sequence
@@ -12,31 +12,33 @@ import numpy as np
 
 from dynamics import Motion
 from modal import Modes, SurfaceModes
+from sonify.hearing.audio_source import BLOCK
 from sonify.scene import Scene
-from sonify.sound.absorption import absorption_filter, absorption_latency
-from sonify.sound.audible_modes import sounding_modes
+from sonify.sound.absorption import propagation_filter, propagation_latency
+from sonify.sound.audible_modes import modes_below_nyquist
 from sonify.sound.force import ForceSampler
-from sonify.sound.pressure import Sound, collect_rows, with_sum
+from sonify.sound.pressure import Sound, collect_rows, pressure_and_stems
 from sonify.sound.radiation import Listener, listener_of, listeners_of
 from sonify.sound.radiators import RigidFace
 from sonify.sound.sources.contact import contact_sources
 from sonify.sound.sources.film import disk_sources
 from sonify.sound.sources.infinite_plate import table_sources
-from sonify.sound.sources.protocol import FADE_IN, FADE_OUT, ElasticDisk, Source, delay_output
-
-BLOCK = 1 << 16  # samples
-"""Samples rendered at once; the result depends on it only by rounding."""
-BLOCKS_AHEAD = 3
-"""Blocks of the force that a background thread evaluates in advance."""
+from sonify.sound.sources.protocol import (
+    FADE_IN,
+    FADE_OUT,
+    ElasticDisk,
+    Source,
+    delay_output,
+)
 
 
 class Renderer:
-    """Turns a motion and the modes of its disk into blocks of pressure at a listener [Pa], one
-    column per stem.
+    """Renders blocks of pressure [Pa] at a listener from a motion and modes, one column
+    per stem.
 
-    The clock of the samples is that of the listener, who hears the source distance / c later. After
-    the motion the modes ring out, whatever its outcome. Rendering changes nothing but the sampler's
-    count of evaluations.
+    Sample times are those of the listener, who hears the source after a delay of
+    distance / c. After the motion the modes ring down, whatever its outcome. Rendering
+    changes only the sampler's count of evaluations.
 
     Parameters
     ----------
@@ -45,8 +47,8 @@ class Renderer:
     modes : Modes
         Elastic modes of the disk.
     wanted : sequence of int, optional
-        Indices of the modes to render, all by default. Modes at or above half the sample rate are
-        left out.
+        Indices of the modes to render (default: all). Modes at or above the Nyquist
+        frequency are omitted.
     calm : float
         Argument of the ForceSampler [rad].
     table : SurfaceModes, optional
@@ -54,9 +56,11 @@ class Renderer:
     listener : Listener, optional
         By default the first listener of the scene.
     turn : float, optional
-        Azimuth [rad] from the listener to a second ear, whose pressure is one more column.
+        Azimuth [rad] from the listener to a second ear; its pressure is an additional
+        column.
     sharing : Renderer, optional
-        Renderer of the same modes for another listener; it shares its modes and their film.
+        Renderer of the same modes for another listener, from which modes and film are
+        reused.
 
     Attributes
     ----------
@@ -64,9 +68,9 @@ class Renderer:
     names : tuple of str
         Names of the stems.
     samples : int
-        Length of the sound.
+        Length of the sound [samples].
     source_end : float
-        Time [s] at which the end of the motion reaches the listener.
+        Time [s] at which the sound of the end of the motion reaches the listener.
     ringing : RingDown
         Frequencies and decay rates of the modes after the motion.
     """
@@ -87,21 +91,23 @@ class Renderer:
         self.motion = motion
         self.sample_rate = scene.audio.sample_rate
         self.listener = listener or listener_of(scene)
-        self.chosen = sounding_modes(modes, self.sample_rate, wanted)
+        self.chosen = modes_below_nyquist(modes, self.sample_rate, wanted)
         self.modes = sharing.modes if sharing else modes.select(self.chosen)
         self.table = table
-        self._turned = turn is not None
+        self._has_second_ear = turn is not None
         elastic, self.sources = self._sources_at(self.listener)
         if turn is not None:
             second = replace(self.listener, azimuth=self.listener.azimuth + turn)
             _, others = self._sources_at(second)
             pairs = zip(self.sources, others, strict=True)
-            self.sources = [source.with_second_ear(other, turn) for source, other in pairs]
+            self.sources = [
+                source.with_second_ear(other, turn) for source, other in pairs
+            ]
         self.latency = max(source.latency for source in self.sources)
         self.names = tuple(name for source in self.sources for name in source.names)
         bounds = np.cumsum([0, *(len(source.channel_ends) for source in self.sources)])
         self._parts = [slice(*pair) for pair in pairwise(bounds)]
-        latency = self.latency + absorption_latency(scene.air, self.listener.distance)
+        latency = self.latency + propagation_latency(self.listener)
         start = latency / self.sample_rate - self.listener.delay
         self._lead = max(
             ceil(start * self.sample_rate), 0
@@ -117,8 +123,7 @@ class Renderer:
         self.samples = ceil((self.source_end + tail) * self.sample_rate)
 
     def _sources_at(self, listener) -> tuple[ElasticDisk, list[Source]]:
-        """Return the elastic disk and all sources for one listener; add new causes of sound
-        here."""
+        """Return the elastic disk and the list of all sources for one listener."""
         face = RigidFace(self.scene.disk, listener, 1 / self.sample_rate)
         rigid, elastic = disk_sources(
             self.scene, self.motion, self.modes, self.chosen, listener, face
@@ -129,45 +134,53 @@ class Renderer:
         ) + tables
 
     def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
-        """Yield the stems (k, s) [Pa] in blocks of k <= size samples; each call starts at the first
-        sample.
+        """Yield the stems (k, s) [Pa] in blocks of k <= size samples, from the first
+        sample on.
 
-        `note(name, t (e,) [s], energy (e,) [J])` receives the energy of the modes of the source
-        whose first stem has that name, in the time of the motion."""
+        `note(name, t (e,) [s], energy (e,) [J])` receives the modal energy of the
+        source with this name of its first stem, at times of the motion."""
         first = self.sampler.block(0, 1).samples[0]
         rendering = [
             (
                 delay_output(
-                    source.start_rendering(first[part], partial(note, source.names[0])),
+                    source.make_block_renderer(
+                        first[part], partial(note, source.names[0])
+                    ),
                     self.latency - source.latency,
                 ),
                 part,
             )
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
-        absorb = absorption_filter(self.scene.air, self.listener.distance, self.sample_rate)
+        propagate = propagation_filter(self.listener, self.sample_rate)
         lead = self._lead
         total = self.samples + lead
         counts = {n: min(size, total - n) for n in range(0, total, size)}
         with ThreadPoolExecutor(
             1
         ) as reader:  # evaluates the next blocks of the force during rendering
-            requests = (reader.submit(self.sampler.block, *block) for block in counts.items())
-            pending = deque(islice(requests, BLOCKS_AHEAD))
+            requests = (
+                reader.submit(self.sampler.block, *block) for block in counts.items()
+            )
+            pending = deque(islice(requests, 3))
             for n in counts:
                 force = pending.popleft().result()
                 pending.extend(islice(requests, 1))
-                stems = absorb(
-                    self._joined([advance(force.channels(part)) for advance, part in rendering])
+                stems = propagate(
+                    self._join_stems(
+                        [advance(force.channels(part)) for advance, part in rendering]
+                    )
                 )
-                yield self._enveloped(stems[max(lead - n, 0) :], max(n - lead, 0))
+                yield self._apply_end_fades(stems[max(lead - n, 0) :], max(n - lead, 0))
 
     def sound(
         self, watch=lambda share: None, listen=lambda block, sample_rate, samples: None
     ) -> Sound:
-        """Render and return the whole sound; `watch(share)` is called with the share done.
+        """Render and return the whole sound; `watch(fraction)` is called with the
+        completed fraction.
 
-        `listen(block, sample_rate, samples)` receives each block (k,) of the pressure [Pa]."""
+        `listen(block, sample_rate, samples)` receives each block (k,) of the pressure
+        [Pa]."""
         noted = defaultdict(list)
         own = len(self.names)
 
@@ -176,12 +189,14 @@ class Renderer:
                 self.blocks(note=lambda name, *energy: noted[name].append(energy))
             ):
                 watch(min((i + 1) * BLOCK / self.samples, 1.0))
-                summed = with_sum(stems[:, :own])
+                summed = pressure_and_stems(stems[:, :own])
                 listen(summed[:, 0], self.sample_rate, self.samples)
                 yield np.hstack([summed, stems[:, own:].astype(np.float32)])
 
         columns = collect_rows(rows(), self.samples)
-        energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
+        energies = {
+            name: np.concatenate(parts, axis=1) for name, parts in noted.items()
+        }
         table_energy = energies.pop("table", (None, None))[1]
         ((time, energy),) = energies.values()  # of the disk
         return Sound(
@@ -189,8 +204,8 @@ class Renderer:
             sample_rate=self.sample_rate,
             columns=columns,
             names=self.names,
-            turned=self._turned,
-            modes_heard=len(self.modes),
+            has_second_ear=self._has_second_ear,
+            rendered_mode_count=len(self.modes),
             source_end=self.source_end,
             outcome=self.motion.outcome,
             ringing=self.ringing,
@@ -200,16 +215,22 @@ class Renderer:
         )
 
     def _channels(self, force, state):
-        return np.column_stack([source.channels(force, state) for source in self.sources])
+        return np.column_stack(
+            [source.input_channels(force, state) for source in self.sources]
+        )
 
-    def _joined(self, parts):
-        """Return the stems (k, s) of all sources, and their sum at a second ear as a column."""
-        if not self._turned:
+    def _join_stems(self, parts):
+        """Return the stems (k, s) of all sources, with their sum at a second ear as the
+        last column."""
+        if not self._has_second_ear:
             return np.hstack(parts)
-        return np.hstack([part[:, :-1] for part in parts] + [sum(part[:, -1:] for part in parts)])
+        return np.hstack(
+            [part[:, :-1] for part in parts] + [sum(part[:, -1:] for part in parts)]
+        )
 
-    def _enveloped(self, stems, first):
-        """Return the stems (k, s) from sample `first` on, multiplied by the fades at both ends."""
+    def _apply_end_fades(self, stems, first):
+        """Return the stems (k, s), which start at sample `first`, multiplied by the
+        fades at both ends."""
         fade_in_end = FADE_IN * self.sample_rate
         fade_out_start = self.samples - FADE_OUT * self.sample_rate
         if fade_in_end < first and first + len(stems) < fade_out_start:
@@ -217,10 +238,13 @@ class Renderer:
         n = first + np.arange(len(stems)) + 0.5
         rise = np.clip(n / fade_in_end, 0, 1)
         fall = np.clip((self.samples - n) / (self.samples - fade_out_start), 0, 1)
-        return stems * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
+        return (
+            stems
+            * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
+        )
 
 
-def sound_of(
+def render_sound(
     scene: Scene,
     motion: Motion,
     modes: Modes,
@@ -230,23 +254,27 @@ def sound_of(
     watch: Callable[[float], None] = lambda share: None,
     listen: Callable = lambda block, sample_rate, samples: None,
 ) -> Sound:
-    """Render the sound at every listener of the scene; arguments as in Renderer.
+    """Render the sound at every listener of the scene with the arguments of Renderer.
 
-    `watch(share)` is called with the share done, and `listen(block, sample_rate, samples)` with
-    each block of the pressure at the first listener. A single listener gets a second ear for
-    audible.wav."""
+    `watch(fraction)` is called with the completed fraction, and `listen(block,
+    sample_rate, samples)` with each block of the pressure at the first listener. A
+    single listener has a second ear for audible.wav."""
     listeners = listeners_of(scene)
     turn = np.pi / 2 if len(listeners) == 1 else None
 
     renderer = None
     sounds = []
     for i, listener in enumerate(listeners):
-        renderer = Renderer(scene, motion, modes, wanted, calm, table, listener, turn, renderer)
-        share_done = partial(_watch_listener, watch, i, len(listeners))
-        sounds.append(renderer.sound(share_done, listen) if i == 0 else renderer.sound(share_done))
+        renderer = Renderer(
+            scene, motion, modes, wanted, calm, table, listener, turn, renderer
+        )
+        share_done = partial(_report_listener_progress, watch, i, len(listeners))
+        sounds.append(
+            renderer.sound(share_done, listen) if i == 0 else renderer.sound(share_done)
+        )
     return replace(sounds[0], others=tuple(sounds[1:]))
 
 
-def _watch_listener(watch, listener, listeners, share):
-    """Report the share done of one of several listeners as a share of all."""
+def _report_listener_progress(watch, listener, listeners, share):
+    """Report the completed fraction of one listener as a fraction of all listeners."""
     watch((listener + share) / listeners)

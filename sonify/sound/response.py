@@ -1,4 +1,5 @@
-"""FORCE or MOTION -> MODAL RESPONSE: accelerations of the modes, block by block."""
+"""Compute modal accelerations block by block, from the contact force or from a solved
+motion."""
 
 from typing import Protocol, runtime_checkable
 
@@ -10,17 +11,18 @@ from sonify.sound.oscillators import Knots, OscillatorBank, free_response
 
 @runtime_checkable
 class VibrationPart(Protocol):
-    """A motion that solves the elastic modes of the disk together with it."""
+    """Protocol of a motion that was solved together with the elastic modes of the
+    disk."""
 
     def vibration(self, t: np.ndarray) -> np.ndarray:
-        """Return displacement, velocity and acceleration (k, 3, m) of each mode of modal mass 1 at
-        times t (k,) [s]."""
+        """Return displacement, velocity and acceleration (k, 3, m) of the modes of unit
+        modal mass at t (k,) [s]."""
         ...
 
 
 class DrivenModes:
-    """m modes as oscillators driven by the contact force: one bank for its smooth part, one for its
-    jumps.
+    """Oscillators of m modes driven by the contact force, with separate banks for its
+    smooth part and its jumps.
 
     `settled` (m,) is the force on each mode, constant until the first block begins.
     """
@@ -28,23 +30,26 @@ class DrivenModes:
     def __init__(self, modes, sample_rate: float, settled):
         self._smooth = OscillatorBank(modes.frequency, modes.decay_rate, sample_rate)
         self._jumps = OscillatorBank(modes.frequency, modes.decay_rate, sample_rate)
-        self._smooth.settle(settled)
+        self._smooth.set_steady_state(settled)
 
     def advance(self, force) -> np.ndarray:
-        """Return the accelerations (2, k, m) in the block of a ContactForce of modal forces."""
+        """Return the accelerations (2, k, m) due to smooth force and jumps in one block
+        of modal forces."""
         none = 0 * force.bend
         out = np.empty((2, len(force.t) - 1, force.smooth.shape[1]))
-        self._smooth.advance(force.smooth, Knots(*force.knots, none, force.bend), out[0])
+        self._smooth.advance(
+            force.smooth, Knots(*force.knots, none, force.bend), out[0]
+        )
         self._jumps.advance(force.steps, Knots(*force.knots, force.jump, none), out[1])
         return out
 
 
-class CarriedModes:
-    """The modes of indices `chosen` (m,) as solved by a Vibrating motion: at rest before it,
-    `ringing` after it.
+class SolvedModes:
+    """Response of the modes `chosen` (m,) taken from a VibrationPart; they ring down
+    after the motion.
 
-    The solution does not separate smooth force and jumps: the whole response counts as the response
-    to the smooth force."""
+    The solution does not distinguish smooth force and jumps; the whole response is
+    assigned to the smooth force."""
 
     def __init__(self, motion, chosen, ringing: RingDown):
         self._ringing = ringing
@@ -54,7 +59,8 @@ class CarriedModes:
         self._final_state = motion.vibration(motion.t[-1:])[0][:2, chosen]
 
     def advance(self, force) -> np.ndarray:
-        """Return the accelerations (2, k, m) at the times of a ContactForce, without its values."""
+        """Return the accelerations (2, k, m) at the times of a ContactForce; the force
+        values are unused."""
         t = force.t[:-1]
         out = np.zeros((2, len(t), len(self._chosen)))
         during = (t >= 0) & (t <= self._end)
@@ -63,7 +69,8 @@ class CarriedModes:
         return out
 
     def _ring_down(self, elapsed):
-        """Return the free accelerations (k, m) at times `elapsed` (k, 1) [s] after the motion."""
+        """Return the free accelerations (k, m) at times `elapsed` (k, 1) [s] after the
+        motion."""
         omega = 2 * np.pi * self._ringing.frequency
         decay = self._ringing.decay_rate
         q0, v0 = self._final_state

@@ -1,4 +1,5 @@
-"""SOUND -> FILES: pressure and stems in pascal as 32-bit float, and copies for listening."""
+"""Write pressure and stems in pascal as 32-bit float WAV files, and copies for
+listening."""
 
 import errno
 from collections.abc import Callable
@@ -24,23 +25,28 @@ MASTER_SCALE_TEXT = (
 )
 
 MAX_RIFF_BYTES = 2**32 - 2**12
-"""Largest size of the samples [bytes] in a WAV file. A larger file is RF64 (EBU Tech 3306), with
-64-bit lengths."""
+"""Largest size of the samples [bytes] in a WAV file; larger files use RF64 (EBU Tech
+3306) with 64-bit lengths."""
 BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3}
 
 
 def write_sound(
-    sound: Sound, folder: str | Path, watch: Callable[[float], None] = lambda share: None
+    sound: Sound,
+    folder: str | Path,
+    watch: Callable[[float], None] = lambda share: None,
 ) -> None:
     """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`.
 
-    The comment of each file states the value of 1.0, and whether the end of the sound is missing
-    because the motion did not come to rest. The memory required does not grow with the length.
-    `watch(share)` is called with the share done. Raises OSError if the disk is full."""
+    The comment of each file states the pressure represented by 1.0, and that the end is
+    missing if the motion did not come to rest. The memory required does not depend on
+    the length. `watch(fraction)` is called with the completed fraction. Raises OSError
+    if the disk is full."""
     folder = Path(folder)
     pascal = "1.0 = 1 pascal at the listener"
     unfinished = (
-        "" if sound.outcome is Outcome.SETTLED else MISSING_END_TEXT.format(sound.outcome.sentence)
+        ""
+        if sound.outcome is Outcome.SETTLED
+        else MISSING_END_TEXT.format(sound.outcome.sentence)
     )
     files = [(folder / "pressure.wav", sound.pressure, "FLOAT", pascal)]
     files += [
@@ -50,7 +56,7 @@ def write_sound(
     files += [
         (
             folder / "sound.wav",
-            sound.copy,
+            sound.playback_copy,
             "PCM_24",
             f"1.0 = {sound.full_scale:.6g} pascal, {sound.gain_db:.2f} dB",
         ),
@@ -58,16 +64,17 @@ def write_sound(
             folder / "audible.wav",
             sound.audible,
             "PCM_24",
-            (AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT).format(
-                sound.audible.full_scale
-            ),
+            (
+                AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT
+            ).format(sound.audible.full_scale),
         ),
     ]
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
             form = (
                 "RF64"
-                if source.frames * source.channels * BYTES_PER_SAMPLE[subtype] > MAX_RIFF_BYTES
+                if source.frames * source.channels * BYTES_PER_SAMPLE[subtype]
+                > MAX_RIFF_BYTES
                 else "WAV"
             )
             file = stack.enter_context(
@@ -83,25 +90,31 @@ def write_sound(
 
 @contextmanager
 def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
-    """Open a WAV file that is written completely or not at all; equal samples give equal bytes.
+    """Open a WAV file for writing; it appears only when complete, and equal samples
+    give equal bytes.
 
     `chunk` is appended as the last chunk of the file, which must not be RF64."""
     with atomic_write(path) as temporary:
         try:
-            with soundfile.SoundFile(temporary, "w", rate, channels, subtype, format=form) as file:
+            with soundfile.SoundFile(
+                temporary, "w", rate, channels, subtype, format=form
+            ) as file:
                 yield file
         except (
             AssertionError,
             soundfile.LibsndfileError,
         ) as error:  # libsndfile reports only a short write
-            raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
+            raise OSError(
+                errno.ENOSPC, "could not be written in full", str(path)
+            ) from error
         _clear_timestamp(temporary)
         if chunk:
             _append_chunk(temporary, chunk)
 
 
 def _clear_timestamp(path):
-    """Zero the time stamp that libsndfile puts into the PEAK chunk of a file of floats."""
+    """Set the time stamp to zero that libsndfile writes into the PEAK chunk of float
+    files."""
     with open(path, "r+b") as file:
         stamp = file.read(4096).find(b"PEAK")
         if stamp >= 0:
@@ -110,7 +123,8 @@ def _clear_timestamp(path):
 
 
 def _append_chunk(path, chunk):
-    """Append a chunk of even length to a RIFF file and correct the length in its header."""
+    """Append a chunk of even length to a RIFF file and correct the length in its
+    header."""
     with open(path, "r+b") as file:
         end = file.seek(0, SEEK_END)
         file.write(b"\0" * (end % 2) + chunk)

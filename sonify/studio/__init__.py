@@ -1,1 +1,2 @@
-"""Interactive page: change a scene, run it, hear it, and compare it with a recording."""
+"""Interactive page to change a scene, run it, hear it and compare it with a
+recording."""

@@ -1,4 +1,4 @@
-"""SCENE <-> BROWSER: the page of the studio, its runs and its recordings."""
+"""Serve the page of the studio, its runs and its recordings to a browser."""
 
 import asyncio
 import json
@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from functools import cache
 from importlib import resources
 from itertools import count
-from mimetypes import guess_type
+from math import inf
 from pathlib import Path
 from secrets import token_urlsafe
 from shutil import rmtree
@@ -24,33 +24,38 @@ from starlette.middleware import Middleware
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 from starlette.requests import Request
 from starlette.responses import (
-    FileResponse,
     HTMLResponse,
     JSONResponse,
-    RedirectResponse,
     Response,
     StreamingResponse,
 )
 from starlette.routing import Mount, Route
 
 from sonify.report.page import page_assets
-from sonify.runtime.files import create_folder, first_numbered
+from sonify.runtime.files import create_folder, first_matching_folder
 from sonify.runtime.workers import WorkerDiedError
 from sonify.scene import load_scene, shipped_scenes
 from sonify.scene_errors import InputError
-from sonify.serve import CONTENT_SECURITY_POLICY, HEADERS, LAST_PORT, LOOPBACK, path_inside
-from sonify.studio.controls import changed_scene, control_of, controls
+from sonify.serve import (
+    CONTENT_SECURITY_POLICY,
+    HEADERS,
+    LAST_PORT,
+    LOOPBACK,
+    file_response,
+    routes_of_runs,
+)
+from sonify.studio.controls import changed_scene, control_key_of_error, controls
 from sonify.studio.job_queue import Job, JobQueue
 from sonify.studio.worker import PREVIEW_FILE, STREAM_FILE, analyse_recording, run_scene
 
-MAX_UPLOAD = 100_000_000
-"""Largest recording that is accepted [bytes]; about 17 minutes of one channel."""
-MAX_REQUEST = 100_000
-"""Largest description of a run [bytes]."""
+MAX_UPLOAD_BYTES = 100_000_000
+"""Largest accepted recording [bytes]; about 17 minutes of mono sound."""
+MAX_REQUEST_BYTES = 100_000
+"""Largest accepted request for a run [bytes]."""
 STUDIO_POLICY = CONTENT_SECURITY_POLICY | {
     "connect-src": "'self' data:",
     "media-src": "'self' data: blob:",
-    "frame-src": "'self'",  # result page of a run
+    "frame-src": "'self'",  # for the page of a run
     "frame-ancestors": "'self'",
 }
 STUDIO_HEADERS = HEADERS | {
@@ -59,10 +64,11 @@ STUDIO_HEADERS = HEADERS | {
 
 
 def studio(folder: str | Path, port: int = 8001, note: Callable = print):
-    """Serve the studio on this machine until interrupted; pass the address to `note`.
+    """Serve the studio on this machine until interrupted, and pass its address to
+    `note`.
 
-    Runs are written into `folder`. Port 0 selects any free port. Raises InputError if the port is
-    invalid or in use, and OutputError if the folder cannot be written.
+    Runs are written to `folder`. Port 0 selects any free port. Raises InputError if the
+    port is invalid or in use, and OutputError if the folder cannot be written.
     """
     if not 0 <= port <= LAST_PORT:
         raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
@@ -70,7 +76,9 @@ def studio(folder: str | Path, port: int = 8001, note: Callable = print):
     try:
         listening = socket.create_server((host, port))
     except OSError as error:
-        raise InputError(f"--port = {port}: cannot be had on {host}: {error.strerror}") from None
+        raise InputError(
+            f"--port = {port}: unavailable on {host}: {error.strerror}"
+        ) from None
     with listening:
         root = create_folder(folder)
         token = token_urlsafe(16)
@@ -84,10 +92,12 @@ def studio(folder: str | Path, port: int = 8001, note: Callable = print):
         uvicorn.Server(config).run(sockets=[listening])
 
 
-def application(folder: str | Path, token: str, queue: JobQueue | None = None) -> Starlette:
-    """Return the web application; every address begins with the token.
+def application(
+    folder: str | Path, token: str, queue: JobQueue | None = None
+) -> Starlette:
+    """Return the web application; all its paths start with the token.
 
-    `queue` does the jobs; by default a new one with its own worker process.
+    `queue` executes the jobs (default: a new queue with its own worker process).
     """
     studio_session = Session(Path(folder).resolve(), queue)
     routes = [
@@ -95,9 +105,9 @@ def application(folder: str | Path, token: str, queue: JobQueue | None = None) -
         Route("/controls/{scene}", studio_session.controls_of_scene),
         Route("/runs", studio_session.run, methods=["POST"]),
         Route("/recordings", studio_session.recording, methods=["POST"]),
-        Route("/runs/{path:path}", studio_session.run_file),
         Route("/stream/{number:int}", studio_session.stream),
         Route("/session/{path:path}", studio_session.session_file),
+        *routes_of_runs(studio_session.root, "/list"),
     ]
 
     @asynccontextmanager
@@ -113,7 +123,8 @@ def application(folder: str | Path, token: str, queue: JobQueue | None = None) -
 
 
 class Session:
-    """One studio: its folder, its jobs and its temporary files, which are deleted at the end."""
+    """Session of the studio with its folder, its jobs, and temporary files that are
+    deleted at the end."""
 
     def __init__(self, root: Path, queue: JobQueue | None):
         self.root = root
@@ -123,7 +134,9 @@ class Session:
 
     def __enter__(self):
         self._queue = self._given_queue or JobQueue()
-        self._temporary = TemporaryDirectory(prefix="sonify-studio-", ignore_cleanup_errors=True)
+        self._temporary = TemporaryDirectory(
+            prefix="sonify-studio-", ignore_cleanup_errors=True
+        )
         self._session_folder = Path(self._temporary.name).resolve()
         return self
 
@@ -132,7 +145,7 @@ class Session:
         self._temporary.cleanup()
 
     def page(self, request: Request) -> Response:
-        """Return the page."""
+        """Return the page of the studio."""
         style = page_assets()["style"]
         page = _templates().get_template("studio.html")
         text = page.render(scenes=shipped_scenes(), style=style, **_studio_assets())
@@ -146,45 +159,57 @@ class Session:
         return JSONResponse(controls(load_scene(name)))
 
     async def run(self, request: Request) -> Response:
-        """Run a scene; the response streams its progress and ends the run when it is closed."""
+        """Run a scene and stream its progress; closing the response cancels the run."""
         try:
-            asked = json.loads(await _body(request, MAX_REQUEST))
+            asked = json.loads(await _body(request, MAX_REQUEST_BYTES))
             name, values = str(asked["scene"]), dict(asked["values"])
         except (ValueError, LookupError, TypeError):
-            return JSONResponse({"error": "not a run: expected scene and values"}, 400)
+            return JSONResponse(
+                {"error": "invalid run: expected scene and values"}, 400
+            )
         try:
             scene = changed_scene(name, values)
         except InputError as error:
-            return JSONResponse(_fault(error), 422)
-        out = first_numbered(self.root / f"studio-{scene.name}", lambda folder: not folder.exists())
+            return JSONResponse(_error_record(error), 422)
+        out = first_matching_folder(
+            self.root / f"studio-{scene.name}", lambda folder: not folder.exists()
+        )
         out.mkdir(parents=True)
         number, folder = self._new_folder()
         job = Job(number, folder, run_scene, scene.document, out, folder)
         self._runs[number] = job
-        places = {"page": f"runs/{out.name}/", "sound": f"session/{number}/{PREVIEW_FILE}"}
+        places = {
+            "page": f"runs/{out.name}/",
+            "sound": f"session/{number}/{PREVIEW_FILE}",
+        }
         places["stream"] = f"stream/{number}"
         return self._stream(request, job, places)
 
     async def recording(self, request: Request) -> Response:
-        """Analyse the WAV file in the body and fit it with the scene of the query."""
+        """Analyse the WAV file in the body and compare it with the scene of the
+        query."""
+        query = request.query_params
         try:
-            scene = changed_scene(request.query_params.get("scene", ""), {})
+            values = dict(json.loads(query.get("values", "{}")))
+            span = (float(query.get("from", 0.0)), float(query.get("to", inf)))
+        except (ValueError, TypeError):
+            return JSONResponse(
+                {"error": "invalid recording: expected scene, values, from and to"}, 400
+            )
+        try:
+            scene = changed_scene(query.get("scene", ""), values)
         except InputError as error:
-            return JSONResponse(_fault(error), 422)
-        content = await _body(request, MAX_UPLOAD)
+            return JSONResponse(_error_record(error), 422)
+        content = await _body(request, MAX_UPLOAD_BYTES)
         number, folder = self._new_folder()
         path = folder / "recording.wav"
         path.write_bytes(content)
-        job = Job(number, folder, analyse_recording, path, scene.document, folder)
+        job = Job(number, folder, analyse_recording, path, scene.document, folder, span)
         return self._stream(request, job, {"folder": f"session/{number}/"})
-
-    def run_file(self, request: Request) -> Response:
-        """Return a file of a run."""
-        return _file(request, self.root)
 
     def session_file(self, request: Request) -> Response:
         """Return a sound or picture of this session."""
-        return _file(request, self._session_folder)
+        return file_response(request, self._session_folder)
 
     def stream(self, request: Request) -> Response:
         """Return the sound of a run while it is rendered."""
@@ -204,16 +229,19 @@ class Session:
         return StreamingResponse(lines, media_type="application/x-ndjson")
 
     async def _lines(self, request, job, places) -> AsyncIterator[str]:
-        """Yield the progress of a job in lines of JSON; cancel it when the reader leaves."""
+        """Yield the progress of a job as lines of JSON; cancel the job if the client
+        disconnects."""
         interval = 0.1  # s
         try:
             while not job.ended.is_set():
                 if await request.is_disconnected():
                     return
-                progress = places | job.progress() | {"before": self._queue.jobs_before(job)}
+                progress = (
+                    places | job.progress() | {"before": self._queue.jobs_before(job)}
+                )
                 yield json.dumps(progress) + "\n"
                 await asyncio.sleep(interval)
-            yield json.dumps(places | _answer(job)) + "\n"
+            yield json.dumps(places | _final_record(job)) + "\n"
         finally:
             self._queue.cancel(job)
             (job.folder / "recording.wav").unlink(missing_ok=True)
@@ -234,37 +262,28 @@ async def _growing_file(job) -> AsyncIterator[bytes]:
             await asyncio.sleep(interval)
 
 
-def _answer(job) -> dict[str, Any]:
+def _final_record(job) -> dict[str, Any]:
     if job.error is None:
         return {"done": True, "heard": True} | {"result": job.result}
     if isinstance(job.error, WorkerDiedError):
-        return {"error": "the run was ended", "key": ""}
-    return _fault(job.error)
+        return {"error": "the run was cancelled or its process died", "key": ""}
+    return _error_record(job.error)
 
 
-def _fault(error):
+def _error_record(error):
     sentence = " ".join(str(error).split()) or type(error).__name__
-    return {"error": sentence, "key": control_of(sentence)}
+    return {"error": sentence, "key": control_key_of_error(sentence)}
 
 
 async def _body(request: Request, most: int) -> bytes:
-    """Return the body of a request. Raises HTTPException if it is longer than `most` bytes."""
+    """Return the body of a request; raises HTTPException if it is longer than `most`
+    bytes."""
     content = bytearray()
     async for piece in request.stream():
         content += piece
         if len(content) > most:
-            raise HTTPException(413, f"the file is larger than {most // 1_000_000} MB")
+            raise HTTPException(413, f"the request is larger than {most / 1e6:g} MB")
     return bytes(content)
-
-
-def _file(request, root):
-    path = path_inside(root, request.path_params["path"])
-    if path.is_dir() and not request.url.path.endswith("/"):
-        return RedirectResponse(f"{request.url.path}/")
-    path = path / "report.html" if path.is_dir() else path
-    if not path.is_file():
-        raise HTTPException(404, "no such file")
-    return FileResponse(path, media_type=guess_type(path.name)[0] or "application/octet-stream")
 
 
 @cache
@@ -273,7 +292,9 @@ def _templates() -> Environment:
 
 
 def _studio_assets() -> dict[str, Markup]:
-    """Return script and style of the page."""
+    """Return script and style of the studio page."""
     folder = resources.files("sonify.studio") / "templates"
     files = {"studio_script": "studio.js", "studio_style": "studio.css"}
-    return {name: Markup((folder / file).read_text("utf-8")) for name, file in files.items()}
+    return {
+        name: Markup((folder / file).read_text("utf-8")) for name, file in files.items()
+    }

@@ -1,4 +1,5 @@
-"""SCENE TYPES + SCENE -> CONTROLS: the sliders and lists of the page, and the scene they select."""
+"""Derive the sliders and lists of the page from a scene, and the scene from their
+values."""
 
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -16,18 +17,16 @@ NUMBER_KEYS = (
     "audio.elevation_deg",
 )
 CHOICE_KEYS = ("material.name", "surface", "air.film")
-OWN_VALUE = ""
-"""Choice that keeps the section of the scene."""
-TYPICAL_ROUGHNESS = 1e-7
-"""Middle of the slider of a scene without roughness [m]."""
+KEEP_SCENE_VALUE = ""
+"""Choice that keeps the value of the scene."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Control:
     """One slider or list of the page.
 
-    `low` and `high` are the ends of the slider, inside the range that the scene allows; the number
-    next to it may be any value. The slider is logarithmic if `logarithmic`.
+    `low` and `high` are the ends of the slider, within the range allowed in a scene;
+    any number can be typed next to it.
     """
 
     key: str
@@ -49,26 +48,28 @@ def controls(scene: Scene) -> list[dict[str, Any]]:
 
 
 def changed_scene(name: str, values: dict[str, Any]) -> Scene:
-    """Return the draft of a shipped scene with the values of the controls that were changed.
+    """Return a shipped scene at draft accuracy with the values of the changed controls.
 
-    Raises SceneError, with the sentence of the command line, for an invalid name or value.
+    Raises SceneError with the same message as the command line if a name or value is
+    invalid.
     """
     document = _shipped_scene(name, "scene").document
     for key, value in values.items():
-        _apply(document, key, value)
+        _apply_control_value(document, key, value)
     return from_document(document).replace("numerics.accuracy=draft")
 
 
 def _shipped_scene(name, key):
-    """Return a shipped scene; other files are not read. Raises SceneError if there is none."""
+    """Return a shipped scene; raises SceneError for any other name."""
     names = shipped_scenes()
     if name not in names:
         raise SceneError(f"{key} = {name!r}: must be one of {', '.join(names)}")
     return load_scene(name)
 
 
-def control_of(sentence: str) -> str:
-    """Return the key of the control that a sentence on a fault names first; empty if none."""
+def control_key_of_error(sentence: str) -> str:
+    """Return the key of the control named at the start of an error message, or "" if
+    there is none."""
     named = sentence.split(maxsplit=1)[0].rstrip(":") if sentence else ""
     for key in (*NUMBER_KEYS, *CHOICE_KEYS):
         if named == key or named.startswith(f"{key}."):
@@ -76,17 +77,17 @@ def control_of(sentence: str) -> str:
     return ""
 
 
-def _apply(document, key, value):
+def _apply_control_value(document, key, value):
     """Set the value of one control in the document of a scene."""
-    if key == "surface" and value != OWN_VALUE:
+    if key == "surface" and value != KEEP_SCENE_VALUE:
         document["surface"] = _shipped_scene(value, "surface").document["surface"]
-    elif key == "material.name" and value != OWN_VALUE:
+    elif key == "material.name" and value != KEEP_SCENE_VALUE:
         document["material"] = {"name": value}
-        document["disk"].pop("mass", None)  # the density is that of the material
+        document["disk"].pop("mass", None)  # the density of the material applies
         document["disk"].pop("density", None)
     elif key == "roughness.rms" and value is None:
         document.pop("roughness", None)
-    elif value != OWN_VALUE:
+    elif value != KEEP_SCENE_VALUE:
         section, _, name = key.rpartition(".")
         inner = document.setdefault(section, {}) if section else document
         inner[name] = value
@@ -99,7 +100,8 @@ def _number_control(scene, key):
     described = _schema_of(key)
     smallest = described.get("minimum", described.get("exclusiveMinimum", 0.0))
     largest = described.get("maximum", described.get("exclusiveMaximum"))
-    middle = TYPICAL_ROUGHNESS if value is None else value
+    typical_roughness = 1e-7  # m
+    middle = typical_roughness if value is None else value
     logarithmic = largest > 100.0 * middle or section == "roughness"
     low, high = (middle / 4.0, middle * 4.0) if logarithmic else (smallest, largest)
     meaning, unit = _meaning_and_unit(described)
@@ -117,20 +119,34 @@ def _number_control(scene, key):
 
 def _choice_control(scene, key):
     if key == "surface":
-        tables = [name for name in shipped_scenes() if load_scene(name).surface.kind != "rigid"]
-        meaning = "Table under the disk; that of another scene can be used."
-        choices = (OWN_VALUE, "published", *tables)
-        return Control(key=key, meaning=meaning, unit="", value=OWN_VALUE, choices=choices)
+        tables = [
+            name
+            for name in shipped_scenes()
+            if load_scene(name).surface.kind != "rigid"
+        ]
+        meaning = "Table under the disk, optionally that of another scene."
+        choices = (KEEP_SCENE_VALUE, "published", *tables)
+        return Control(
+            key=key, meaning=meaning, unit="", value=KEEP_SCENE_VALUE, choices=choices
+        )
     described = _schema_of(key)
     meaning, _ = _meaning_and_unit(described)
     names = tuple(described["enum"])
     if key == "air.film":
-        return Control(key=key, meaning=meaning, unit="", value=scene.air.film, choices=names)
-    return Control(key=key, meaning=meaning, unit="", value=OWN_VALUE, choices=(OWN_VALUE, *names))
+        return Control(
+            key=key, meaning=meaning, unit="", value=scene.air.film, choices=names
+        )
+    return Control(
+        key=key,
+        meaning=meaning,
+        unit="",
+        value=KEEP_SCENE_VALUE,
+        choices=(KEEP_SCENE_VALUE, *names),
+    )
 
 
 def _schema_of(key):
-    """Return the JSON schema of a key, without the option null."""
+    """Return the JSON schema of a key without the option null."""
     whole = schema()
     described = whole
     for step in key.split("."):
@@ -138,12 +154,14 @@ def _schema_of(key):
         options = [o for o in entry.get("anyOf", [entry]) if o.get("type") != "null"]
         option = options[0]
         inner = option.get("$ref")
-        described = whole["$defs"][inner.rpartition("/")[2]] if inner else entry | option
+        described = (
+            whole["$defs"][inner.rpartition("/")[2]] if inner else entry | option
+        )
     return described
 
 
 def _meaning_and_unit(described):
-    """Return the description of a key without the unit in brackets, and the unit."""
+    """Return the description of a key, without the unit in brackets, and the unit."""
     text = " ".join(described["description"].split())
     head, bracket, rest = text.partition(" [")
     if not bracket:

@@ -1,4 +1,4 @@
-"""Queue of the studio: one worker process does one job after the other."""
+"""Execute the jobs of the studio one after another in a worker process."""
 
 import json
 from collections.abc import Callable
@@ -14,7 +14,8 @@ WORKER_MODULE = "sonify.studio.worker"
 
 
 class Job:
-    """One call of the worker; `folder` receives its progress."""
+    """One function call in the worker process, which writes its progress to
+    `folder`."""
 
     def __init__(self, number: int, folder: Path, function: Callable, *arguments: Any):
         self.number = number
@@ -28,18 +29,22 @@ class Job:
         self.error: Exception | None = None
 
     def progress(self) -> dict[str, Any]:
-        """Return the progress that the worker wrote last."""
+        """Return the latest progress written by the worker."""
         try:
-            content = json.loads((self.folder / PROGRESS_FILE).read_text(encoding="utf-8"))
+            content = json.loads(
+                (self.folder / PROGRESS_FILE).read_text(encoding="utf-8")
+            )
         except (OSError, ValueError):
             content = {"line": "", "share": None, "heard": False, "streams": False}
         return content
 
 
 class JobQueue:
-    """Jobs in the order of their arrival, for one worker process that is kept warm."""
+    """First-in, first-out queue of jobs for one worker process that is kept ready."""
 
-    def __init__(self, start_worker: Callable[[], WorkerProcess] | None = None, warm: bool = True):
+    def __init__(
+        self, start_worker: Callable[[], WorkerProcess] | None = None, warm: bool = True
+    ):
         self._start_worker = start_worker or _start_worker
         self._warm = warm
         self._jobs: SimpleQueue[Job | None] = SimpleQueue()
@@ -59,13 +64,13 @@ class JobQueue:
         return job
 
     def jobs_before(self, job: Job) -> int:
-        """Return the number of jobs that are done before this one."""
+        """Return the number of jobs ahead of this one."""
         with self._lock:
             ahead = self._waiting.index(job) if job in self._waiting else 0
             return ahead + (self._current is not None and self._current is not job)
 
     def cancel(self, job: Job):
-        """End a job; if it is being done, kill the worker."""
+        """Cancel a job; kill the worker if the job is running."""
         with self._lock:
             if job.ended.is_set():
                 return
@@ -77,7 +82,7 @@ class JobQueue:
                 self._worker = None
 
     def close(self):
-        """End all jobs and the worker."""
+        """Cancel all jobs and end the worker."""
         with self._lock:
             self._closed = True
             if self._worker:
@@ -87,14 +92,14 @@ class JobQueue:
         self._thread.join(timeout=10.0)
 
     def _work(self):
-        self._ready_worker()
+        self._ensure_worker()
         while (job := self._jobs.get()) is not None:
-            self._do(job)
+            self._execute(job)
             if not self._closed and self._worker is None:
-                self._ready_worker()
+                self._ensure_worker()
 
-    def _ready_worker(self) -> WorkerProcess | None:
-        """Return the worker; start and warm up a new one if none runs."""
+    def _ensure_worker(self) -> WorkerProcess | None:
+        """Return the worker; start and warm up a new one if none is running."""
         with self._lock:
             if self._closed or self._worker is not None:
                 return self._worker
@@ -103,12 +108,12 @@ class JobQueue:
             try:
                 worker.call(warm_up)
             except WorkerDiedError:
-                self._drop(worker)
+                self._discard_worker(worker)
                 return None
         return worker
 
-    def _do(self, job):
-        worker = self._ready_worker()
+    def _execute(self, job):
+        worker = self._ensure_worker()
         with self._lock:
             if job in self._waiting:
                 self._waiting.remove(job)
@@ -122,7 +127,7 @@ class JobQueue:
         except WorkerDiedError as error:
             job.error = error
             if not job.cancelled:
-                self._drop(worker)
+                self._discard_worker(worker)
         except Exception as error:
             job.error = error
         finally:
@@ -130,8 +135,8 @@ class JobQueue:
                 self._current = None
             job.ended.set()
 
-    def _drop(self, worker: WorkerProcess | None):
-        """Forget a dead worker."""
+    def _discard_worker(self, worker: WorkerProcess | None):
+        """Remove a dead worker."""
         with self._lock:
             if worker is not None and self._worker is worker:
                 worker.kill()

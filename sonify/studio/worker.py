@@ -1,4 +1,4 @@
-"""Worker process of the studio: solve scenes and analyse recordings, one after the other."""
+"""Solve scenes and analyse recordings in the worker process of the studio."""
 
 import json
 import os
@@ -17,11 +17,12 @@ from sonify.runtime.workers import serve_calls
 PROGRESS_FILE = "progress.json"
 PREVIEW_FILE = "preview.wav"
 STREAM_FILE = "stream.wav"
-"""Sound while it is rendered: the header states the final length."""
+"""File with the sound while it is being rendered; its header states the final
+length."""
 
 
 class ProgressFile(Stages):
-    """Stages that write one line of progress, and whether the sound exists, into a file."""
+    """Stages that write a line of progress and the state of the sound to a file."""
 
     def __init__(self, folder: Path):
         super().__init__()
@@ -56,8 +57,8 @@ class ProgressFile(Stages):
     def pressure(self, block, sample_rate: int, samples: int):
         """Append a block of the pressure [Pa] to the stream.
 
-        The peak of the whole sound is not yet known: the gain falls whenever a block is louder than
-        all before.
+        The peak of the whole sound is not yet known, so the gain is lowered whenever a
+        block is louder than all previous blocks.
         """
         import numpy as np
 
@@ -74,15 +75,23 @@ class ProgressFile(Stages):
         self.write(interval=0.0)
 
     def write(self, interval: float = 0.1):
-        """Write the progress, at most once in `interval` [s]."""
+        """Write the progress, at most once per `interval` [s]."""
         with self._lock:
             now = perf_counter()
             if now - self._written < interval:
                 return
             self._written = now
             line = "; ".join(stage.line(now) for stage in self._running.values())
-            shares = [stage.share for stage in self._running.values() if stage.share is not None]
-            content = {"line": line, "share": min(shares, default=None), "heard": self.heard}
+            shares = [
+                stage.share
+                for stage in self._running.values()
+                if stage.share is not None
+            ]
+            content = {
+                "line": line,
+                "share": min(shares, default=None),
+                "heard": self.heard,
+            }
             content["streams"] = self.streams
             temporary = self._folder / "progress.tmp"
             temporary.write_text(json.dumps(content), encoding="utf-8")
@@ -90,14 +99,16 @@ class ProgressFile(Stages):
 
 
 def _wav_header(sample_rate, samples):
-    """Return the header of a WAV file with one channel of 16 bits."""
+    """Return the header of a 16-bit mono WAV file."""
     size = 2 * samples
     form = (16, 1, 1, sample_rate, 2 * sample_rate, 2, 16)
-    return pack("<4sI8sIHHIIHH4sI", b"RIFF", 36 + size, b"WAVEfmt ", *form, b"data", size)
+    return pack(
+        "<4sI8sIHHIIHH4sI", b"RIFF", 36 + size, b"WAVEfmt ", *form, b"data", size
+    )
 
 
 def warm_up() -> None:
-    """Load the program and compile the flows by solving the default scene."""
+    """Import all modules and compile the integrators by solving the default scene."""
     from sonify.report.render_worker import painter
 
     painter()
@@ -107,9 +118,9 @@ def warm_up() -> None:
 
 
 def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
-    """Solve a scene and write its files into `out`; the sound is in `session` before they are.
+    """Solve a scene and write the files of `sonify run` to `out`.
 
-    The files are those that `sonify run` writes.
+    The sound is written to `session` before the other files.
     """
     from sonify import pipeline
     from sonify.report.pictures import Pictures
@@ -120,8 +131,10 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     scene = pipeline.check_solvable_scene(from_document(document), None)
     with claimed_folder(out) as folder:
         pictures = Pictures()
-        begin = _write_preview_first(pictures.begin, stages, session)
-        result = pipeline.solve(scene, stages=stages, eigenmodes=pipeline.cached_modes, begin=begin)
+        begin = _callback_with_preview(pictures.begin, stages, session)
+        result = pipeline.solve(
+            scene, stages=stages, eigenmodes=pipeline.cached_modes, begin=begin
+        )
         pipeline.write(result, folder, stages, pictures)
     return {
         "outcome": result.motion.outcome.sentence,
@@ -130,30 +143,41 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     }
 
 
-def analyse_recording(path: Path, document: dict, folder: Path) -> dict[str, Any]:
-    """Return what is heard in a recording and how the scene explains it, as sentences.
+def analyse_recording(
+    path: Path, document: dict, folder: Path, span: tuple[float, float] = (0.0, inf)
+) -> dict[str, Any]:
+    """Return sentences on the analysis of a recording within a span [s] and its
+    comparison with a scene.
 
-    The pictures are written into `folder`, and the recording is deleted.
+    Pictures are written to `folder`, and the recording is deleted.
     """
-    from sonify.fitting.report import sentences, write_fits
+    from sonify.fitting.comparison import simulated_numbers
+    from sonify.fitting.report import comparison_sentences, sentences, write_fits
     from sonify.fitting.result import fit
     from sonify.hearing.recording import RecordingError
     from sonify.report.recording import write_recording_report
     from sonify.scene import from_document
+    from sonify.scene_errors import InputError
 
     stages = ProgressFile(folder)
     fitted: list[str] = []
     try:
         with stages.stage("spectral lines"):
-            heard = write_recording_report(path, folder)[:-1]  # the last line is the folder
+            lines = write_recording_report(path, folder, span=span)
+            heard = lines[:-1]  # without the last line, the folder
         try:
             with stages.stage("fit") as watch:
-                fits = fit(path, from_document(document), None, watch)
-            fitted = sentences(fits)
-            write_fits(fits, folder)
+                fits = fit(path, from_document(document), None, watch, span)
+            measured = fits.files[0].measured
+            simulated = None
+            if measured:
+                with stages.stage("simulation"):
+                    simulated = simulated_numbers(fits.scene, measured["seconds"])
+            fitted = sentences(fits) + comparison_sentences(fits, simulated)
+            write_fits(fits, folder, simulated)
         except RecordingError as error:
             fitted = [str(error)]
-    except RecordingError as error:
+    except InputError as error:
         heard = [str(error)]
     finally:
         path.unlink(missing_ok=True)
@@ -164,13 +188,16 @@ def analyse_recording(path: Path, document: dict, folder: Path) -> dict[str, Any
     }
 
 
-def _write_preview_first(begin: Callable, stages: ProgressFile, session: Path) -> Callable:
-    """Return a callback that also writes the listening copy as soon as the sound exists."""
+def _callback_with_preview(
+    begin: Callable, stages: ProgressFile, session: Path
+) -> Callable:
+    """Return a callback that writes a listening copy of the sound as soon as it is
+    rendered, and then calls `begin`."""
     import soundfile
 
     def begin_with_preview(solved):
         if solved.sound is not None:
-            copy = solved.sound.copy
+            copy = solved.sound.playback_copy
             temporary = session / "preview.tmp"
             with soundfile.SoundFile(
                 temporary, "w", copy.sample_rate, copy.channels, "PCM_16", format="WAV"

@@ -1,1 +1,1 @@
-"""SCENE x AXES -> TABLE: run many scenes, here or on a cluster, and evaluate their table."""
+"""Sweeps: run many scenes locally or on a cluster, and evaluate the results."""

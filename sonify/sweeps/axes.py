@@ -1,24 +1,35 @@
-"""AXES -> POINTS: compute the values of the scene keys from the run number, without a list."""
+"""Axes of a sweep, which give the values of the scene keys for each run number."""
 
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
-from math import isfinite, log2, prod
+from math import isfinite, log2, nan, prod
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from annotated_types import Ge, Le
+from annotated_types import Ge, Gt, Le
 
 from sonify.scene_errors import InputError
 
 RANGE_KEYS = {"from", "to", "n", "scale"}
 MODE_SECTIONS = ("disk", "material", "support", "surface", "numerics", "audio")
-"""Sections that the modes depend on; their axes come first, so that successive runs share modes."""
+"""Sections on which the modes depend; their axes come first, so that successive runs
+share modes."""
+
+
+def salib_problem(names: list[str]) -> dict[str, Any]:
+    """Return the problem of SALib for axes whose shares are between 0 and 1."""
+    return {
+        "num_vars": len(names),
+        "names": names,
+        "bounds": [[0.0, 1.0]] * len(names),
+    }
 
 
 @dataclass(frozen=True, kw_only=True)
 class Samples:
-    """Settings for points sampled in the box that the axes span, instead of a grid."""
+    """Settings for points sampled in the box of the axes, as an alternative to a
+    grid."""
 
     method: Literal["latin", "sobol"]
     """Sampling method: Latin hypercube or scrambled Sobol sequence."""
@@ -26,30 +37,70 @@ class Samples:
     """Number of points; a power of two for a Sobol sequence."""
     seed: Annotated[int, Ge(0)] = 0
     """Seed of the random number generator; equal seeds give equal points."""
+    widths: tuple[Annotated[float, Gt(0), Le(10)], ...] = ()
+    """Factors on the widths of all ranges; the first quarter of the points is repeated
+    for each factor."""
+    total: Annotated[int, Ge(0), Le(2**20)] = 0
+    """Number N of base points of a second design of N (axes + 2) points, which gives
+    total sensitivity indices; a power of two, or 0 for none."""
 
     def __post_init__(self):
+        if self.total and not log2(self.total).is_integer():
+            raise ValueError(f"total = {self.total}: must be 0 or a power of two")
         if self.method == "sobol" and not log2(self.n).is_integer():
             below = 2 ** int(log2(self.n))
             raise ValueError(
-                f"n = {self.n}: Sobol's points are even for powers of two, as {below} or "
-                f"{2 * below}"
+                f"n = {self.n}: must be a power of two for Sobol points, such as {below} or {2 * below}"
             )
 
     def shares(self, dimensions: int) -> np.ndarray:
-        """Return the sampled points (n, dimensions); each coordinate is in [0, 1)."""
+        """Return the sampled points (n, dimensions) with coordinates in [0, 1)."""
         from scipy.stats import qmc
 
         draw = qmc.Sobol if self.method == "sobol" else qmc.LatinHypercube
         return draw(dimensions, seed=np.random.default_rng(self.seed)).random(self.n)
+
+    def total_shares(self, dimensions: int) -> np.ndarray:
+        """Return the points (total (dimensions + 2), dimensions) for total indices."""
+        from SALib.sample import sobol
+
+        names = [str(axis) for axis in range(dimensions)]
+        drawn = sobol.sample(
+            salib_problem(names), self.total, calc_second_order=False, seed=self.seed
+        )
+        return np.asarray(drawn)
+
+    @property
+    def count(self) -> int:
+        """Number of points, including those for other widths but not for total
+        indices."""
+        return self.n + len(self.widths) * self.points_per_width
+
+    @property
+    def points_per_width(self) -> int:
+        """Number of points for each of `widths`."""
+        return max(self.n // 4, 1)
+
+    def width(self, run: int) -> float:
+        """Return the factor by which the widths of the ranges are multiplied in a run;
+        NaN for total indices."""
+        if run < self.n:
+            return 1.0
+        if run >= self.count:
+            return nan
+        return self.widths[(run - self.n) // self.points_per_width]
+
+    def point(self, run: int) -> int:
+        """Return the index of the sampled point of a run."""
+        return run if run < self.n else (run - self.n) % self.points_per_width
 
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
     """Axis of a sweep: scene keys that vary together.
 
-    The keys take either the n entries of `values`, or n points from `ends[0]` to `ends[1]`. Each
-    entry is a tuple with one value per key.
-    """
+    The keys take either the n entries of `values`, or n points from `ends[0]` to
+    `ends[1]`. Each entry is a tuple with one value per key."""
 
     keys: tuple[str, ...]
     n: int
@@ -57,8 +108,13 @@ class Axis:
     ends: tuple[tuple, ...] = ()
     log: bool = False
 
-    def at(self, share: float) -> tuple:
-        """Return the values of the keys at the fraction `share` of the axis, in [0, 1]."""
+    def at(self, share: float, width: float = 1.0) -> tuple:
+        """Return the values of the keys at the fraction `share` of the axis, in [0, 1].
+
+        A range is widened about its centre by the factor `width`; a list of values is
+        not."""
+        if not self.values and width != 1.0:
+            share = 0.5 + (share - 0.5) * width
         if self.values:
             return self.values[min(int(share * self.n), self.n - 1)]
         if share in (0.0, 1.0):
@@ -71,7 +127,7 @@ class Axis:
     def step(self, k: int) -> tuple:
         """Return the values of the keys at step k < n.
 
-        If all ends are integers, integral values are returned as integers.
+        Whole values are returned as integers if all ends are integers.
         """
         if self.values:
             return self.values[k]
@@ -86,10 +142,10 @@ class Axis:
 
 @dataclass(frozen=True, kw_only=True)
 class Points:
-    """Sequence of the points of all runs; each point maps scene keys to values.
+    """Points of all runs; each point maps scene keys to values.
 
-    The points form a grid in which the last axis varies fastest, or are drawn as `samples`.
-    """
+    The points form a grid whose last axis varies fastest, or are drawn according to
+    `samples`."""
 
     axes: tuple[Axis, ...]
     samples: Samples | None = None
@@ -98,19 +154,34 @@ class Points:
     def _shares(self):
         return self.samples.shares(len(self.axes)) if self.samples else None
 
+    @cached_property
+    def _total_shares(self):
+        return self.samples.total_shares(len(self.axes)) if self.samples else None
+
     @property
     def count(self) -> int:
         """Number of runs."""
-        return self.samples.n if self.samples else prod(axis.n for axis in self.axes)
+        if self.samples is None:
+            return prod(axis.n for axis in self.axes)
+        return self.samples.count + self.samples.total * (len(self.axes) + 2)
 
     def __getitem__(self, run: int) -> dict[str, Any]:
         if self.samples:
+            if run < self.samples.count:
+                shares = self._shares[self.samples.point(run)]
+                width = self.samples.width(run)
+            else:
+                shares = self._total_shares[run - self.samples.count]
+                width = 1.0
             found = [
-                axis.at(share) for axis, share in zip(self.axes, self._shares[run], strict=True)
+                axis.at(share, width)
+                for axis, share in zip(self.axes, shares, strict=True)
             ]
         else:
             steps = np.unravel_index(run, [axis.n for axis in self.axes])
-            found = [axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)]
+            found = [
+                axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)
+            ]
         keys = [key for axis in self.axes for key in axis.keys]
         return dict(zip(keys, chain.from_iterable(found), strict=True))
 
@@ -122,8 +193,7 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
     """
     if not axes:
         raise InputError(
-            'axes: none is given; name what differs between runs, as "friction.mu_static" = [0.3, '
-            "0.4]"
+            'axes: missing; give the keys that vary, such as "friction.mu_static" = [0.3, 0.4]'
         )
     least = {"n": 2} if samples else {}
     found = [
@@ -138,7 +208,8 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
 
 
 def axis_of(name: str, given: Any) -> Axis:
-    """Parse one axis of a sweep file: `"key" = [...]` or `"key, key" = {from, to, n, scale}`."""
+    """Parse one axis of a sweep file: `"key" = [...]` or `"key, key" = {from, to, n,
+    scale}`."""
     keys = tuple(key.strip() for key in name.split(","))
     if isinstance(given, list):
         if not given:
@@ -156,8 +227,11 @@ def axis_of(name: str, given: Any) -> Axis:
 
 
 def range_axis(name, keys, given):
+    """Parse an axis of a sweep file given as a range."""
     if unknown := set(given) - RANGE_KEYS:
-        raise InputError(f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale")
+        raise InputError(
+            f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale"
+        )
     if missing := [key for key in ("from", "to", "n") if key not in given]:
         raise InputError(f"axes.{name}.{missing[0]}: missing")
     n = given["n"]
@@ -170,11 +244,13 @@ def range_axis(name, keys, given):
     for low, high in zip(*ends, strict=True):
         if not (_number(low) and _number(high)):
             raise InputError(
-                f"axes.{name}: from = {low!r}, to = {high!r}: must be finite numbers; list other "
-                f"values"
+                f"axes.{name}: from = {low!r}, to = {high!r}: must be finite numbers; give other "
+                f"values as a list"
             )
         if not (low < high or (n == 1 and low == high)):
-            raise InputError(f"axes.{name}: from = {low:g} must be less than to = {high:g}")
+            raise InputError(
+                f"axes.{name}: from = {low:g} must be less than to = {high:g}"
+            )
         if scale == "log" and low <= 0:
             raise InputError(
                 f"axes.{name}: from = {low:g} must be greater than 0 on a logarithmic scale"
@@ -183,16 +259,22 @@ def range_axis(name, keys, given):
 
 
 def one_value_per_key(name, keys, value):
-    """Return one value per key, from a list of that length or from a single shared value."""
+    """Return one value per key, from a list of values or from a single shared value."""
     if len(keys) == 1 or not isinstance(value, list):
         return (value,) * len(keys)
     if len(value) != len(keys):
-        raise InputError(f"axes.{name} = {value!r}: must have {len(keys)} values, one for each key")
+        raise InputError(
+            f"axes.{name} = {value!r}: must have {len(keys)} values, one for each key"
+        )
     return tuple(value)
 
 
 def _number(value):
-    return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
+    return (
+        isinstance(value, int | float)
+        and not isinstance(value, bool)
+        and isfinite(value)
+    )
 
 
 def _changes_modes(axis):

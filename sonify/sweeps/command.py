@@ -1,4 +1,5 @@
-"""`python -m sonify sweep`: run a sweep file; write its table, pictures and conclusions."""
+"""Run a sweep file and write its table, pictures and conclusions (`python -m sonify
+sweep`)."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -15,30 +16,37 @@ from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import AbortedError
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
+from sonify.sweeps.axes import Samples
 from sonify.sweeps.conclusions import CONCLUSIONS
-from sonify.sweeps.executors import Submit, cores, local_executor, open_executor, solve_tasks
+from sonify.sweeps.executors import (
+    Submit,
+    core_count,
+    local_executor,
+    open_executor,
+    solve_tasks,
+)
 from sonify.sweeps.row_processes import RowProcess
 from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
-
-MAX_UNCONFIRMED_RUNS = 1_000_000
-"""Largest number of runs that start without `yes`."""
+from sonify.sweeps.verdict import require_index_library, verdict_conclusion
 
 
 class RunTime(NamedTuple):
-    """Run times of a sweep, measured under the same conditions as in the sweep."""
+    """Times of single runs, measured under the conditions of the sweep."""
 
-    first: float
-    """Time from process start to the first result [s]: loading, compilation and one run."""
-    later: float
+    first_run: float
+    """Time [s] from the start of a process to its first result, including imports and
+    compilation."""
+    later_run: float
     """Time of each further run in the same process [s]."""
     measured: int
-    """Number of runs measured."""
+    """Number of measured runs."""
 
     def total(self, runs: int, processes: int) -> float:
-        """Return the total time [s] for `runs` runs on `processes` processes that start once."""
+        """Return the total time [s] of `runs` runs on `processes` processes that each
+        start once."""
         rounds = ceil(runs / processes)
-        return self.first + self.later * (rounds - 1)
+        return self.first_run + self.later_run * (rounds - 1)
 
 
 def sweep(
@@ -52,14 +60,15 @@ def sweep(
 ) -> Path:
     """Solve the runs that the table of a sweep does not contain yet.
 
-    No row that was added to the table is ever lost.
+    Rows of the table are never lost, even if the process is killed.
 
     Parameters
     ----------
     source : str, Path or dict
         Name of a shipped sweep, TOML file, or parsed sweep document.
     scheduler : str, optional
-        Address of a Dask scheduler, or "local"; without it, processes of this machine are used.
+        Address of a Dask scheduler, or "local"; without it, processes of this machine
+        are used.
     out : str or Path, optional
         Folder for the table (default: outputs/sweeps/<name>).
     processes : int, optional
@@ -69,7 +78,7 @@ def sweep(
     retry : bool
         Solve runs again that ended with an error.
     stages : Stages, optional
-        Receiver of progress and stage times.
+        Receives progress and stage times.
 
     Returns
     -------
@@ -79,7 +88,7 @@ def sweep(
     Raises
     ------
     InputError
-        If the sweep, the scheduler or the workers are invalid; checked before any work.
+        If the sweep, the scheduler or the workers are invalid, before any computation.
     OutputError
         If the table cannot be written.
     OSError
@@ -87,44 +96,79 @@ def sweep(
     AbortedError
         If the scheduler or the worker processes die.
     """
-    sweep_spec = load_sweep(source)
+    sweep_spec = load_with_libraries(source)
     stages = stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / sweep_spec.name)
-    if sweep_spec.points.count > MAX_UNCONFIRMED_RUNS and not yes:
+    max_unconfirmed_runs = 1_000_000
+    if sweep_spec.points.count > max_unconfirmed_runs and not yes:
         count = sweep_spec.points.count
-        processes = processes or cores()
-        time = duration_in_words(run_time(sweep_spec, processes, stages).total(count, processes))
-        raise InputError(f"{count} runs, about {time} on this machine: add --yes to begin them")
+        processes = processes or core_count()
+        time = duration_in_words(
+            run_time(sweep_spec, processes, stages).total(count, processes)
+        )
+        raise InputError(
+            f"{count} runs, about {time} on this machine: add --yes to start them"
+        )
     axes = [key for axis in sweep_spec.points.axes for key in axis.keys]
     with (
         open_executor(scheduler, processes) as (submit, capacity),
-        RunStore(folder, sweep_spec.identity, axes, sweep_spec.points.count, retry) as table,
+        RunStore(
+            folder, sweep_spec.identity, axes, sweep_spec.points.count, retry
+        ) as table,
         stages.stage("runs") as watch,
     ):
         for rows in solved_rows(
-            sweep_spec, pending_tasks(sweep_spec, table, folder.absolute()), submit, capacity
+            sweep_spec,
+            pending_tasks(sweep_spec, table, folder.absolute()),
+            submit,
+            capacity,
         ):
             table.add(rows)
-            note = f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
-            watch(table.done.mean(), note if capacity() else f"{note}, waiting for workers")
+            note = (
+                f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
+            )
+            watch(
+                table.done.mean(),
+                note if capacity() else f"{note}, waiting for workers",
+            )
     held = read_table(folder / RUNS_FILE)[0].num_rows
     if held < sweep_spec.points.count:
         raise OutputError(
-            f"{folder}: holds {held} of {sweep_spec.points.count} rows: its files were changed meanwhile"
+            f"{folder}: contains {held} of {sweep_spec.points.count} rows: its files were changed "
+            "during the sweep"
         )
     with stages.stage("pictures"):
-        from sonify.sweeps.maps import draw_maps  # deferred: the drawing libraries load slowly
+        from sonify.sweeps.maps import (
+            draw_maps,
+        )  # deferred: the drawing libraries load slowly
 
         draw_maps(folder, sweep_spec.find)
-    if sweep_spec.name in CONCLUSIONS:
-        sentences = CONCLUSIONS[sweep_spec.name](read_table(folder / RUNS_FILE)[0])
+    if sentences := conclusion(sweep_spec, folder):
         with atomic_write(folder / "conclusion.md") as temporary:
             temporary.write_text("\n".join(sentences) + "\n", "utf-8")
     return folder / RUNS_FILE
 
 
+def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
+    """Load a sweep; raise InputError if a library that it needs is not installed."""
+    sweep_spec = load_sweep(source)
+    if "verdict" in sweep_spec.stages:
+        require_index_library()
+    return sweep_spec
+
+
+def conclusion(sweep_spec: Sweep, folder: Path) -> list[str]:
+    """Return the lines of the conclusions from the table of a sweep, possibly none."""
+    if "verdict" in sweep_spec.stages:
+        return verdict_conclusion(read_table(folder / RUNS_FILE)[0], sweep_spec)
+    if sweep_spec.name in CONCLUSIONS:
+        return CONCLUSIONS[sweep_spec.name](read_table(folder / RUNS_FILE)[0])
+    return []
+
+
 def summarize(path: str | Path) -> tuple[list[str], bool]:
-    """Return a one-line summary of a table, and True if no self-check failed."""
+    """Return a summary of a table, in a list of one line, and True if no self-check
+    failed."""
     table = read_table(path)[0].to_pydict()
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
     errors = sum(error is not None for error in table["error"])
@@ -140,63 +184,95 @@ def summarize(path: str | Path) -> tuple[list[str], bool]:
 
 
 def plan(
-    source: str | Path | dict[str, Any], processes: int | None = None, stages: Stages | None = None
+    source: str | Path | dict[str, Any],
+    processes: int | None = None,
+    stages: Stages | None = None,
 ) -> list[str]:
-    """Return the lines that describe a sweep; the run time is measured on a few runs."""
-    sweep_spec = load_sweep(source)
+    """Return lines that describe a sweep, with a run time measured on a few runs."""
+    sweep_spec = load_with_libraries(source)
     points = sweep_spec.points
-    processes = processes or cores()
+    processes = processes or core_count()
     time = run_time(sweep_spec, processes, stages or Stages())
     drawn = (
         f"{points.samples.method}, seed {points.samples.seed}, over"
         if points.samples
         else "a grid over"
     )
-    first = duration_in_words(time.first)
-    later = duration_in_words(time.later)
+    first = duration_in_words(time.first_run)
+    later = duration_in_words(time.later_run)
     total = duration_in_words(time.total(points.count, processes))
-    start = f"the first of each process {first}, with loading and compiling"
-    return [
+    start = f"the first one of each process {first}, including imports and compilation"
+    lines = [
         f"runs     {points.count}, {drawn} "
         f"{', '.join(f'{a.n} of {a.keys[0]}' for a in points.axes)}",
         f"stages   {', '.join(sweep_spec.stages)}",
         f"a run    {later}; {start} ({time.measured} measured)",
         f"time     {total} with {processes} process{'es' * (processes > 1)}",
     ]
+    if "verdict" in sweep_spec.stages and points.samples:
+        lines.append(
+            total_indices_line(points.samples, len(points.axes), time, processes)
+        )
+    return lines
+
+
+def total_indices_line(
+    samples: Samples, axes: int, time: RunTime, processes: int
+) -> str:
+    """Return the line of a plan on the runs that total sensitivity indices need."""
+    time_limit = 7200.0  # s
+    base = samples.total or 256  # the fewest with a useful interval
+    more = base * (axes + 2)
+    seconds = time.total(samples.count + more, processes)
+    fits = "fit" if seconds <= time_limit else "do not fit"
+    state = "included" if samples.total else f"not included; samples.total = {base}"
+    return (
+        f"total    indices with interactions need {more} further runs, in all "
+        f"{duration_in_words(seconds)}: they {fits} 2 h ({state})"
+    )
 
 
 def run_time(sweep_spec: Sweep, processes: int, stages: Stages) -> RunTime:
-    """Measure a first and a later run in each process that the sweep would use.
+    """Measure the first and the second run in each process that the sweep would use.
 
-    The processes run concurrently and compete for cores and caches as in the sweep. They start at
-    points spread over the whole sweep. Each continues with the run that it would receive next, so
-    modes are reused as often as in the sweep. Contradictory scenes take no time and are skipped.
-    """
+    The processes run concurrently and compete for cores and caches as in the sweep.
+    They start at points spread over the whole sweep, and each continues with the run
+    that it would receive next, so that modes are reused as often as in the sweep. Runs
+    with contradictory scenes are skipped."""
     count = min(processes, sweep_spec.points.count)
-    starts = [(2 * k + 1) * sweep_spec.points.count // (2 * count) for k in range(count)]
+    starts = [
+        (2 * k + 1) * sweep_spec.points.count // (2 * count) for k in range(count)
+    ]
     first = []
     later = []
     with stages.stage("estimate") as watch, local_executor(count) as (submit, _):
-        futures = [submit(_measure_two_runs, sweep_spec, start, count) for start in starts]
+        futures = [
+            submit(_measure_two_runs, sweep_spec, start, count) for start in starts
+        ]
         for done, found in enumerate(futures, 1):
             seconds = found.result()
             first += seconds[:1]
             later += seconds[1:]
             watch(done / count, f"{len(first) + len(later)} runs measured")
     if not first:
-        raise InputError("axes: none of the runs that were tried has a possible scene")
-    return RunTime(float(np.mean(first)), float(np.mean(later or first)), len(first) + len(later))
+        raise InputError("axes: none of the tested runs has a valid scene")
+    return RunTime(
+        float(np.mean(first)), float(np.mean(later or first)), len(first) + len(later)
+    )
 
 
 def _measure_two_runs(sweep_spec, start, stride):
-    """Return the times [s] of two runs in a new process; the first includes the process start."""
+    """Return the times [s] of two runs in a new process; the first includes the process
+    start."""
     seconds = []
     began = perf_counter()
     process = RowProcess()
     if process.version is None:
         raise AbortedError("python -m sonify.sweeps.worker_loop does not start")
     for run in islice(_valid_runs(sweep_spec, start, stride), 2):
-        row = process.solve(task_of_run(sweep_spec, run, Path()) | {"keep": ()}, sweep_spec.limit)
+        row = process.solve(
+            task_of_run(sweep_spec, run, Path()) | {"keep": ()}, sweep_spec.limit
+        )
         seconds.append(perf_counter() - began)
         if row is None:  # the process died
             break
@@ -205,9 +281,11 @@ def _measure_two_runs(sweep_spec, start, stride):
 
 
 def _valid_runs(sweep_spec, start, stride, tries=1000):
-    """Yield runs with a valid scene: every `stride`-th one from `start`, then those before it."""
+    """Yield the runs with valid scenes among every `stride`-th run, from `start` and
+    then before it."""
     runs = chain(
-        range(start, sweep_spec.points.count, stride), range(start % stride, start, stride)
+        range(start, sweep_spec.points.count, stride),
+        range(start % stride, start, stride),
     )
     for run in islice(runs, tries):
         try:
@@ -218,12 +296,15 @@ def _valid_runs(sweep_spec, start, stride, tries=1000):
 
 
 def pending_tasks(sweep_spec, table, folder) -> Iterator[tuple[int, dict]]:
+    """Yield the run number and the task of each run that is not in the table."""
     return (
-        (int(run), task_of_run(sweep_spec, int(run), folder)) for run in np.flatnonzero(~table.done)
+        (int(run), task_of_run(sweep_spec, int(run), folder))
+        for run in np.flatnonzero(~table.done)
     )
 
 
 def task_of_run(sweep_spec, run, folder):
+    """Return the arguments of `row_of` for a run."""
     own = str(folder / "runs" / str(run)) if sweep_spec.keep else ""
     return {
         "document": sweep_spec.scene_of(run),
@@ -236,4 +317,7 @@ def task_of_run(sweep_spec, run, folder):
 def solved_rows(sweep_spec, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
     """Yield lists of finished rows, including the values of the axes."""
     for found in solve_tasks(tasks, sweep_spec.limit, submit, capacity):
-        yield [{"run": run} | sweep_spec.columns(run) | {"error": None} | row for run, row in found]
+        yield [
+            {"run": run} | sweep_spec.columns(run) | {"error": None} | row
+            for run, row in found
+        ]

@@ -1,10 +1,16 @@
-"""TASKS -> ROWS: distribute runs to local processes or to the workers of a Dask cluster."""
+"""Distribution of runs to local processes or to the workers of a Dask cluster."""
 
 import logging
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    CancelledError,
+    Future,
+    ThreadPoolExecutor,
+    wait,
+)
 from contextlib import contextmanager
 from itertools import islice
 from time import monotonic
@@ -12,16 +18,20 @@ from typing import Any
 
 from sonify.runtime.signals import AbortedError
 from sonify.scene_errors import InputError
-from sonify.sweeps.row_processes import ProcessesEndedError, end_all_processes, solve_isolated
+from sonify.sweeps.row_processes import (
+    ProcessesEndedError,
+    end_all_processes,
+    solve_isolated,
+)
 from sonify.sweeps.version import version
 
 LOCAL_SCHEDULER = "local"
-"""Replaces an address: a Dask scheduler for this sweep, with one multithreaded worker."""
-WORKERS_LOST_MESSAGE = "the finished runs are saved, but the worker processes are lost"
+"""Value that replaces the address and starts a local Dask scheduler with one worker."""
+WORKERS_LOST_MESSAGE = "the worker processes are lost; the finished runs are saved"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
 
-def cores() -> int:
+def core_count() -> int:
     """Return the number of CPU cores available to this process."""
     if sys.platform == "linux":
         return len(os.sched_getaffinity(0))
@@ -32,13 +42,14 @@ def cores() -> int:
 def open_executor(
     scheduler: str | None, processes: int | None
 ) -> Iterator[tuple[Submit, Callable[[], int]]]:
-    """Yield a function that submits a call, and one that returns the number of processes.
+    """Yield a function that submits a call, and one that returns the number of
+    processes.
 
-    If `scheduler` is LOCAL_SCHEDULER, a scheduler is started on this machine. Raises InputError if the
-    scheduler does not answer, has no workers, or has workers with another version of this program.
-    """
+    If `scheduler` is LOCAL_SCHEDULER, a scheduler is started on this machine. Raises
+    InputError if the scheduler does not answer, has no workers, or has workers with
+    another version of this program."""
     if scheduler == LOCAL_SCHEDULER:
-        count = processes or cores()
+        count = processes or core_count()
         local = import_dask().LocalCluster(
             n_workers=1, threads_per_worker=count, dashboard_address=None
         )
@@ -46,14 +57,17 @@ def open_executor(
             yield made
     else:
         with (
-            dask_executor(scheduler) if scheduler else local_executor(processes or cores()) as made
+            dask_executor(scheduler)
+            if scheduler
+            else local_executor(processes or core_count()) as made
         ):
             yield made
 
 
 @contextmanager
 def local_executor(processes: int):
-    """Yield an executor with `processes` processes of this machine; exit kills them."""
+    """Yield an executor with `processes` local processes, which are killed at the
+    end."""
     threads = ThreadPoolExecutor(processes)
     try:
         yield threads.submit, lambda: processes
@@ -69,7 +83,9 @@ def import_dask():
     try:
         import distributed
     except ModuleNotFoundError:
-        raise InputError('--scheduler needs Dask: python -m pip install -e ".[cluster]"') from None
+        raise InputError(
+            '--scheduler requires Dask; install it with: python -m pip install -e ".[cluster]"'
+        ) from None
     return distributed
 
 
@@ -80,8 +96,10 @@ def dask_executor(address: str):
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
         client = distributed.Client(address, timeout=4.0)
-    except Exception as error:  # another kind of server may answer
-        raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
+    except Exception as error:  # the address may belong to another kind of server
+        raise InputError(
+            f"--scheduler {address}: no scheduler answers: {error}"
+        ) from None
     try:
         wait_for_first_worker(client, address)
         _require_same_version(client)
@@ -102,9 +120,10 @@ def wait_for_first_worker(client, address):
 
 
 def _worker_counter(client):
-    """Return a function that counts the worker threads, with at most one query per second.
+    """Return a function that counts the worker threads with at most one query per
+    second.
 
-    The size of a cluster may change during the sweep.
+    The count may change during the sweep.
     """
     last_query = -1.0
     found = 0
@@ -125,24 +144,27 @@ def _worker_counter(client):
 def _require_same_version(client):
     """Raise InputError unless all workers have this version of the program.
 
-    The workers import its functions by name.
+    Workers import functions of the program by name.
     """
     for worker, found in client.run(version, on_error="return").items():
         if found != version():
             raise InputError(
-                f"--scheduler: worker {worker} has another version of the program, {found}: "
+                f"--scheduler: worker {worker} has another version of the program, {found} instead of "
                 f"{version()}"
             )
 
 
 def solve_tasks(
-    tasks: Iterable[tuple[int, dict]], limit: float, submit: Submit, processes: Callable[[], int]
+    tasks: Iterable[tuple[int, dict]],
+    limit: float,
+    submit: Submit,
+    processes: Callable[[], int],
 ):
-    """Solve `tasks`, pairs (run number, task); yield lists of (run number, row) in any order.
+    """Solve `tasks`, pairs (run number, task); yield lists of (run number, row) in any
+    order.
 
-    After one second without a result, the list is empty. Each task has `limit` [s]. Raises
-    AbortedError if the processes or the scheduler are lost.
-    """
+    The list is empty after one second without a result. The time limit of a task is
+    `limit` [s]. Raises AbortedError if the processes or the scheduler are lost."""
     tasks = iter(tasks)
     running = dict[Future, int]()
     tasks_per_process = 3  # running or waiting; enough to keep each process busy
@@ -158,21 +180,26 @@ def solve_tasks(
 
 
 def row_of_future(future):
+    """Return the row of a finished task, or a row with the error of a failed one.
+
+    Raises AbortedError, InputError or OSError if the sweep cannot continue.
+    """
     try:
         row = future.result()
     except (CancelledError, ProcessesEndedError) as error:
         raise AbortedError(
             f"{WORKERS_LOST_MESSAGE}: {error or 'the scheduler does not answer'}"
         ) from None
-    except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
+    except (
+        Exception
+    ) as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {
             "error": f"{type(error).__name__}: {' '.join(str(error).split())}",
             "version": version(),
         }
     if row["version"] != version():
         raise InputError(
-            f"a process has another version of the program, {row['version']}: here it is "
-            f"{version()}"
+            f"a process has another version of the program, {row['version']} instead of {version()}"
         )
     if "stop" in row:
         raise OSError(*row["stop"])

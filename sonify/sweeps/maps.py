@@ -1,4 +1,4 @@
-"""TABLE -> PICTURES: draw columns of a table by name, without the sweep file."""
+"""Maps of table columns over the axes of a sweep."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from sonify.sweeps.store import RUNS_FILE, read_table
 RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
 """Units of the result columns."""
 DEFAULT_COLUMNS = ("outcome", "t_end")
-"""Columns that are drawn by default."""
+"""Columns drawn by default."""
 
 
 def make_map(
@@ -23,7 +23,7 @@ def make_map(
     y: str | None = None,
     out: str | Path | None = None,
 ) -> Path:
-    """Draw one column of a table over one or two other columns.
+    """Draw a column of a table over one or two other columns.
 
     Parameters
     ----------
@@ -32,8 +32,8 @@ def make_map(
     of : str
         Name of the column to draw.
     x, y : str, optional
-        Names of the columns for the axes of the map (default: the first two axes of the sweep). If
-        only `x` is given, the map has one axis.
+        Names of the columns for the axes of the map (default: the first two axes of the
+        sweep). If only `x` is given, the map has one axis.
     out : str or Path, optional
         Path of the picture (default: <of>.png in the folder of the table).
 
@@ -48,7 +48,9 @@ def make_map(
         If a column is missing or empty.
     """
     table, about = read_table(path)
-    axes = points_of(about["axes"], about["samples"] and Samples(**about["samples"])).axes
+    axes = points_of(
+        about["axes"], about["samples"] and Samples(**about["samples"])
+    ).axes
     keys = [axis.keys[0] for axis in axes]
     x, y = (x, y) if x else (keys[0], y or (keys[1] if len(keys) > 1 else None))
     for name in (x, y, of):
@@ -57,28 +59,37 @@ def make_map(
             hint = did_you_mean(name, table.column_names)
             raise InputError(f"{path}: no column {name!r}; known: {known}{hint}")
     if table[of].null_count == len(table):
-        raise InputError(f"{path}: column {of!r} holds nothing")
+        raise InputError(f"{path}: column {of!r} is empty")
     logs = {key for axis in axes if axis.log for key in axis.keys}
     out = Path(out or Path(path).with_name(f"{of}.png"))
     columns = {name: table[name].to_pylist() for name in (x, y, of) if name}
     if of.endswith("_holds"):
         values = table[of.removesuffix("_holds")].to_pylist()
-        columns[of] = [verdict_text(*row) for row in zip(columns[of], values, strict=True)]
-    units = RESULT_UNITS | {key.name: key.unit for key in scene_keys() if key.unit != "-"}
+        columns[of] = [
+            verdict_text(*row) for row in zip(columns[of], values, strict=True)
+        ]
+    units = RESULT_UNITS | {
+        key.name: key.unit for key in scene_keys() if key.unit != "-"
+    }
     with atomic_write(out) as temporary:
-        draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), temporary)
+        draw_map(
+            Map(x=x, y=y, drawn_column=of, columns=columns, logs=logs, units=units),
+            temporary,
+        )
     return out
 
 
 def verdict_text(holds: bool | None, value: float | None) -> str | None:
-    """Return the verdict of a finding as text; None if the run does not have this finding."""
+    """Return the verdict of a finding as text, or None if the run has no such
+    finding."""
     if value is None:
         return None
     return "undecided" if holds is None else "yes" if holds else "no"
 
 
 def draw_maps(folder: Path, find=()):
-    """Draw the columns named in `find`, or DEFAULT_COLUMNS, of the table in `folder`."""
+    """Draw the columns named in `find`, or DEFAULT_COLUMNS, of the table in
+    `folder`."""
     table, _ = read_table(folder / RUNS_FILE)
     for of in [name for name in find if name in table.column_names] or DEFAULT_COLUMNS:
         if of in table.column_names and table[of].null_count < len(table):

@@ -1,8 +1,7 @@
-"""TASK -> ROW: solve each run in a separate process.
+"""Solution of each run in a separate process.
 
-A run that crashes or exceeds its time limit ends only that process. Each thread has one such
-process, on a single machine and on each worker of a cluster.
-"""
+A run that crashes or exceeds its time limit ends only its process. Each thread has one
+such process, both locally and on the workers of a cluster."""
 
 import threading
 from collections.abc import Callable
@@ -13,17 +12,18 @@ from sonify.sweeps.version import version
 from sonify.sweeps.worker_loop import solve_task
 
 THREAD_PROCESS = threading.local()
-"""`process` is the RowProcess of the current thread."""
+"""Storage for the RowProcess of each thread, in its attribute `process`."""
 LIVE_PROCESSES: set["RowProcess"] = set()
-"""Processes of all threads; `end_all_processes` removes a process before killing it."""
+"""Processes of all threads; a process is removed before it is killed."""
 
 
 class ProcessesEndedError(Exception):
-    """The processes were ended during a run, or a process cannot be started."""
+    """Raised if the processes were killed during a run or cannot be started."""
 
 
 class RowProcess:
-    """Worker process that solves runs; `timed_out` is True if a run exceeded its time limit."""
+    """Worker process that solves runs; `timed_out` is True if a run exceeded its time
+    limit."""
 
     def __init__(self):
         self.worker = WorkerProcess("sonify.sweeps.worker_loop")
@@ -32,7 +32,8 @@ class RowProcess:
         self.version = self._call(version)
 
     def solve(self, task: dict, limit: float) -> dict[str, Any] | None:
-        """Return the row of a task, or None if the process died or exceeded `limit` [s]."""
+        """Return the row of a task, or None if the process died or exceeded `limit`
+        [s]."""
         timer = threading.Timer(limit, self._time_out)
         timer.start()
         try:
@@ -41,7 +42,7 @@ class RowProcess:
             timer.cancel()
 
     def kill(self):
-        """Kill the process, even during a task."""
+        """Kill the process, possibly during a task."""
         LIVE_PROCESSES.discard(self)
         self.worker.kill()
 
@@ -57,11 +58,11 @@ class RowProcess:
 
 
 def solve_isolated(task: dict, limit: float) -> dict[str, Any]:
-    """Solve a task in the process of this thread within `limit` [s], and return its row.
+    """Solve a task in the process of this thread within `limit` [s], and return its
+    row.
 
-    If the process dies, a new one repeats the task once. If that also dies, or if the task exceeds
-    the limit, the row contains the error.
-    """
+    If the process dies, the task is repeated once in a new process. If it dies again or
+    the task exceeds the limit, the row contains the error."""
     max_attempts = 2
     for _ in range(max_attempts):
         process = _process_of_thread()
@@ -78,12 +79,12 @@ def solve_isolated(task: dict, limit: float) -> dict[str, Any]:
     if process.version is None:
         raise ProcessesEndedError("python -m sonify.sweeps.worker_loop does not start")
     status = process.worker.process.returncode
-    error = f"its process ended with status {status}, {max_attempts} times"
+    error = f"the process ended with status {status} in {max_attempts} attempts"
     return {"error": error, "seconds": None, "version": process.version}
 
 
 def _process_of_thread() -> RowProcess:
-    """Return the process of this thread; start one if none runs, e.g. after an idle timeout."""
+    """Return the running process of this thread, or start one."""
     process: RowProcess | None = getattr(THREAD_PROCESS, "process", None)
     if process and process.worker.process.poll() is not None:
         process.kill()

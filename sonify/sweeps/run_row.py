@@ -1,36 +1,50 @@
-"""DOCUMENT -> ROW: solve one run of a sweep, limited to the stages that it needs."""
+"""Solution of one run of a sweep, limited to the required stages."""
 
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from dynamics.compliant.two_way_onset import needs_table_modes
+from dynamics.compliant.two_way_onset import must_compute_table_modes
 from modal import as_json
-from sonify.claims.air import air_scalars
+from sonify.claims.air import end_cause_scalars
 from sonify.claims.checks import mode_checks, motion_checks
+from sonify.claims.rigid_motion import mode_findings
+from sonify.claims.verdict import simplest_scene, verdict_findings
 from sonify.pipeline import cached_modes, solve, write
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
-from sonify.plan.table import with_table
-from sonify.report.write import duration_columns, summary, verdict_columns, write_json, write_motion
+from sonify.plan.table import modes_of_table, with_table
+from sonify.report.write import (
+    duration_columns,
+    summary,
+    verdict_columns,
+    write_json,
+    write_motion,
+)
 from sonify.runtime.progress import Stages
 from sonify.scene import from_document
 from sonify.sound.wav import write_sound
-from sonify.sweeps.required_stages import findings_of_stage
+from sonify.sweeps.required_stages import motion_findings
 
 
 def row_of(
-    document: dict, stages: tuple[str, ...], keep: tuple[str, ...] = (), folder: str = ""
+    document: dict,
+    stages: tuple[str, ...],
+    keep: tuple[str, ...] = (),
+    folder: str = "",
 ) -> dict[str, Any]:
-    """Run the `stages` of the scene in `document`, and return the results as scalars.
+    """Solve the `stages` of the scene in `document` and return the results as scalars.
 
-    The files in `keep` are written to `folder` first. If the run fails, the row contains a one-line
-    `error`. Raises OSError if a file cannot be written.
-    """
+    The files in `keep` are written to `folder`. If the run fails, the row contains a
+    one-line `error`. Raises OSError if a file cannot be written."""
     watch = Stages()
     try:
         row = _row(
-            check_solvable_scene(from_document(document), None), stages, keep, Path(folder), watch
+            check_solvable_scene(from_document(document), None),
+            stages,
+            keep,
+            Path(folder),
+            watch,
         )
     except OSError:
         raise  # a full disk is not an error of the run
@@ -45,47 +59,78 @@ def _row(scene, stages, keep, folder, watch):
         for kind in keep:
             FILE_WRITERS[kind](result, folder, watch)
         return {
-            key: value for key, value in summary(result).items() if not key.startswith("seconds_")
+            key: value
+            for key, value in summary(result).items()
+            if not key.startswith("seconds_")
         }
     row: dict[str, Any] = {}
     for stage in stages:
         with watch.stage(stage):
             row |= STAGE_FUNCTIONS[stage](scene, folder if "arrays" in keep else None)
-    return row | {"passed": all(value for key, value in row.items() if key.endswith("_passed"))}
+    return row | {
+        "passed": all(value for key, value in row.items() if key.endswith("_passed"))
+    }
 
 
 def solve_motion_only(scene, folder):
-    table = with_table(plan_of(scene), scene)[1] if needs_table_modes(scene) else None
+    """Return the scalars, findings and checks of the motion; write it to `folder`
+    unless None."""
+    table = (
+        with_table(plan_of(scene), scene)[1]
+        if must_compute_table_modes(scene)
+        else None
+    )
     motion = solve_motion(scene, table=table)
     if folder:
         write_motion(motion, folder / "motion.npz")
-    row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])} | air_scalars(
-        scene, motion
-    )
+    row = {
+        "outcome": motion.outcome.name,
+        "t_end": float(motion.t[-1]),
+    } | end_cause_scalars(scene, motion)
     return row | verdict_columns(
-        findings_of_stage("motion_findings", scene, motion), motion_checks(scene, motion)
+        motion_findings(scene, motion), motion_checks(scene, motion)
     )
 
 
 def solve_modes_only(scene, folder):
+    """Return the findings and checks of the modes; write them to `folder` unless
+    None."""
     _, modes = plan_with_modes(scene, cached_modes)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
-    return verdict_columns(
-        findings_of_stage("mode_findings", scene, modes), mode_checks(scene, modes)
+    return verdict_columns(mode_findings(modes), mode_checks(scene, modes))
+
+
+def solve_verdict(scene, folder):
+    """Return the verdicts on the motion of the simplest model; write it to `folder`
+    unless None."""
+    simple = simplest_scene(scene)
+    motion = solve_motion(simple, table=modes_of_table(simple, plan_of(simple)))
+    if folder:
+        write_motion(motion, folder / "motion.npz")
+    row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
+    return row | verdict_columns(
+        verdict_findings(scene, motion), motion_checks(simple, motion)
     )
 
 
 def write_arrays(result, folder, _):
+    """Write the arrays of motion and modes to `folder`."""
     write_motion(result.motion, folder / "motion.npz")
     write_json(as_json(result.modes), folder / "modes.json")
 
 
-STAGE_FUNCTIONS: dict[str, Callable] = {"motion": solve_motion_only, "modes": solve_modes_only}
-"""Stage -> function that solves it without the sound."""
+STAGE_FUNCTIONS: dict[str, Callable] = {
+    "motion": solve_motion_only,
+    "modes": solve_modes_only,
+    "verdict": solve_verdict,
+}
+"""Functions that solve each stage without sound."""
 FILE_WRITERS: dict[str, Callable] = {
     "arrays": write_arrays,
-    "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
+    "wav": lambda result, folder, watch: write_sound(
+        result.sound, folder, lambda share: None
+    ),
     "page": write,
 }
-"""Kind of output file -> function that writes it."""
+"""Functions that write each kind of output file."""

@@ -1,8 +1,9 @@
-"""ROWS -> runs.parquet: a table that keeps every added row if the process or the machine fails.
+"""Table of a sweep, runs.parquet, which loses no added row if the process or the
+machine fails.
 
-Rows are first committed to an SQLite database. Periodically, at the end, and when an interrupted
-sweep resumes, they are exported to the table, and the file is replaced atomically.
-"""
+Rows are first committed to an SQLite database. They are exported to the table
+periodically, at the end, and when an interrupted sweep resumes; the file is then
+replaced atomically."""
 
 import errno
 import json
@@ -26,21 +27,26 @@ from sonify.scene_errors import InputError
 RUNS_FILE = "runs.parquet"
 DATABASE_FILE = "runs.sqlite"
 IDENTITY_KEY = b"sonify.sweep"
-"""Key of the metadata of the Parquet file that holds the identity of the sweep."""
+"""Metadata key in the Parquet file for the identity of the sweep."""
 LEADING_COLUMNS = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
-"""Leading columns of every table; the axes follow the run number."""
+"""Leading columns of every table; the columns of the axes follow the run number."""
 
 
 class RunStore:
-    """Context manager for the table of a sweep in `folder`, with exclusive write access.
+    """Context manager for the table of a sweep in `folder`, with exclusive write
+    access.
 
-    `done` (count,) is True for the runs that the table contains; with `retry`, runs with an error
-    do not count. On entry, raises OutputError if another process writes the table, and InputError
-    if the table belongs to another sweep.
-    """
+    The mask `done` (count,) marks the runs in the table, without those that ended with
+    an error if `retry` is True. Entering raises OutputError if another process writes
+    the table, and InputError if the table belongs to another sweep."""
 
     def __init__(
-        self, folder: str | Path, identity: dict, axes: list[str], count: int, retry: bool = False
+        self,
+        folder: str | Path,
+        identity: dict,
+        axes: list[str],
+        count: int,
+        retry: bool = False,
     ):
         self.folder = Path(folder)
         self.identity = identity
@@ -60,7 +66,9 @@ class RunStore:
             try:
                 stack.enter_context(lock)
             except Timeout:
-                raise OutputError(f"{self.folder}: another sweep is writing this table") from None
+                raise OutputError(
+                    f"{self.folder}: another sweep is writing this table"
+                ) from None
             if not self.path.exists():
                 self._write(pa.table({"run": pa.array([], pa.int64())}))
             metadata = pq.read_schema(self.path).metadata
@@ -83,15 +91,20 @@ class RunStore:
             self.database_path.unlink(missing_ok=True)
 
     def add(self, rows: list[dict[str, Any]]):
-        """Commit rows to the database, synchronized to disk. Raises OSError if the disk is full."""
+        """Commit rows to the database and to disk. Raises OSError if the disk is
+        full."""
         if not rows:
             return
         records = [(row["run"], json.dumps(row)) for row in rows]
         with self._database_errors(), self._database as transaction:
-            transaction.executemany("INSERT OR REPLACE INTO runs VALUES (?, ?)", records)
+            transaction.executemany(
+                "INSERT OR REPLACE INTO runs VALUES (?, ?)", records
+            )
         self.done[[row["run"] for row in rows]] = True
         self.failed += sum(row.get("error") is not None for row in rows)
-        interval = max(30.0, 20 * self._export_seconds)  # s; exports take at most 5 % of the time
+        interval = max(
+            30.0, 20 * self._export_seconds
+        )  # s; exports take at most 5 % of the time
         if monotonic() - self._export_end > interval:
             self.export()
 
@@ -99,13 +112,17 @@ class RunStore:
         """Move the rows of the database into the Parquet file."""
         start = monotonic()
         with self._database_errors():
-            records = self._database.execute("SELECT content FROM runs ORDER BY run").fetchall()
+            records = self._database.execute(
+                "SELECT content FROM runs ORDER BY run"
+            ).fetchall()
         if records:
             rows = [json.loads(content) for (content,) in records]
             new = _as_table(rows, pq.read_schema(self.path), self.axes)
             old = pq.read_table(self.path)
             old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
-            self._write(pa.concat_tables([old, new], promote_options="default").sort_by("run"))
+            self._write(
+                pa.concat_tables([old, new], promote_options="default").sort_by("run")
+            )
             with self._database_errors(), self._database as transaction:
                 transaction.execute("DELETE FROM runs")
         self._export_end = monotonic()
@@ -117,7 +134,7 @@ class RunStore:
             database = sqlite3.connect(self.database_path)
             with ExitStack() as stack:
                 stack.enter_context(closing(database))
-                # An exclusive database needs no shared memory, which network drives do not have.
+                # An exclusive database needs no shared memory, which network drives lack.
                 database.execute("PRAGMA locking_mode = EXCLUSIVE")
                 database.execute("PRAGMA journal_mode = WAL")
                 database.execute("PRAGMA synchronous = FULL")
@@ -140,19 +157,22 @@ class RunStore:
         """Raise InputError unless a file belongs to this sweep."""
         if json.loads(identity) != self.identity:
             raise InputError(
-                f"{path}: the table of another sweep: give this one another name, or remove it"
+                f"{path}: the table of another sweep; rename this sweep or remove the file"
             )
 
     @contextmanager
     def _database_errors(self) -> Iterator[None]:
-        """Turn errors of the database into OutputError, or into OSError if the disk is full."""
+        """Convert errors of the database to OutputError, or to OSError if the disk is
+        full."""
         try:
             yield
         except sqlite3.Error as error:
             primary_code = error.sqlite_errorcode & 0xFF
             # SQLite reports an exceeded quota or file size limit as an I/O error.
             if primary_code in (sqlite3.SQLITE_FULL, sqlite3.SQLITE_IOERR):
-                raise OSError(errno.ENOSPC, str(error), str(self.database_path)) from None
+                raise OSError(
+                    errno.ENOSPC, str(error), str(self.database_path)
+                ) from None
             raise OutputError(f"{self.database_path}: {error}") from None
 
     def _write(self, table):
@@ -161,7 +181,9 @@ class RunStore:
             set(table.column_names) - set(names),
             key=lambda name: (name.startswith("seconds_"), name),
         )
-        table = table.select([name for name in [*names, *rest] if name in table.column_names])
+        table = table.select(
+            [name for name in [*names, *rest] if name in table.column_names]
+        )
         table = table.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
         with atomic_write(self.path) as temporary:
             pq.write_table(table, temporary, compression="zstd")
@@ -181,7 +203,9 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
         table = pq.read_table(path)
         return table, json.loads(table.schema.metadata[IDENTITY_KEY])
     except (OSError, pa.ArrowInvalid) as error:
-        raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
+        raise InputError(
+            f"{path}: cannot be read: {' '.join(str(error).split())}"
+        ) from None
     except (KeyError, TypeError):
         raise InputError(f"{path}: not the table of a sweep") from None
 
@@ -190,34 +214,41 @@ def _as_table(rows, known, axes):
     names = dict.fromkeys(name for row in rows for name in row)
     return pa.table(
         {
-            name: column_array(name, [row.get(name) for row in rows], known, name in axes)
+            name: column_array(
+                name, [row.get(name) for row in rows], known, name in axes
+            )
             for name in names
         }
     )
 
 
 def column_array(name, values, known, axis):
-    """Return one column; numbers that are not finite become null, except in an axis."""
+    """Return a column, in which nonfinite numbers are null unless it is an axis."""
     given = {type(value) for value in values if value is not None}
     if name == "run":
         return pa.array(values, pa.int64())
     if given <= {bool}:
-        boolean = given or name.endswith("_holds")  # null if a finding is undecided or absent
+        boolean = given or name.endswith(
+            "_holds"
+        )  # null if a finding is undecided or absent
         return pa.array(values, pa.bool_() if boolean else known_type(known, name))
     if given <= {int, float}:
         numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
         return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
     return pa.array(
-        [v if v is None or isinstance(v, str) else json.dumps(v) for v in values], pa.string()
+        [v if v is None or isinstance(v, str) else json.dumps(v) for v in values],
+        pa.string(),
     )
 
 
 def known_type(schema, name):
+    """Return the type of a column in a schema, or the null type if it is absent."""
     return schema.field(name).type if name in schema.names else pa.null()
 
 
 def _sync_folder(folder):
-    """Synchronize a folder to disk; Windows cannot open folders and does not need this step."""
+    """Synchronize a folder to disk; Windows can neither open folders nor needs this
+    step."""
     if os.name == "posix":
         handle = os.open(folder, os.O_RDONLY)
         try:

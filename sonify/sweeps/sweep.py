@@ -1,8 +1,8 @@
-"""FILE -> SWEEP: read and validate the definition of a sweep from TOML."""
+"""Definition of a sweep, read from TOML and validated."""
 
 import json
 from copy import deepcopy
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -10,15 +10,22 @@ from typing import Annotated, Any, Literal
 from annotated_types import Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from sonify.plan.unused import unused_keys
 from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene import from_document, load_scene
-from sonify.scene_errors import ContradictionError, InputError, SceneError, error_sentence
+from sonify.scene_errors import (
+    ContradictionError,
+    InputError,
+    SceneError,
+    error_sentence,
+)
 from sonify.sweeps.axes import Points, Samples, points_of
 from sonify.sweeps.required_stages import stages_for
 
 SHIPPED_SWEEPS_FOLDER = Path(__file__).parent / "shipped"
 MAX_RUNS = 1_000_000_000
-"""Largest number of runs of a sweep; the completion flags of more runs would fill the memory."""
+"""Largest number of runs of a sweep, limited by the memory for their completion
+flags."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,19 +37,23 @@ class Sweep:
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
     """Name of the sweep and of its output folder."""
     scene: str = "published"
-    """Scene common to all runs: a shipped name, or a path relative to the sweep file."""
+    """Scene common to all runs, as a shipped name or a path relative to the sweep
+    file."""
     accuracy: Literal["draft", "standard", "reference"] | None = None
     """Accuracy level; overrides the level of the scene."""
     set: tuple[str, ...] = ()
-    """Assignments that replace values of the scene, as `--set` of `run`."""
+    """Assignments that replace values of the scene, as with `run --set`."""
     axes: dict[str, Any]
-    """Scene keys that vary, each with a list of values or {from, to, n, scale}."""
+    """Varied scene keys, each with a list of values or {from, to, n, scale}."""
     samples: Samples | None = None
-    """Settings for sampled points; without them, the points form a grid."""
+    """Settings for sampled points; None for a grid."""
     find: tuple[str, ...] = ()
-    """Names of the requested stages, scalars, findings and checks; everything if empty."""
+    """Names of the requested stages, scalars, findings and checks; all quantities if
+    empty."""
     keep: tuple[Literal["arrays", "wav", "page"], ...] = ()
-    """Kinds of output files that each run keeps."""
+    """Kinds of output files that are kept for each run."""
+    sources: dict[str, str] = field(default_factory=dict)
+    """Source of the range of each axis, or "assumed"."""
     limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
     """Time limit of a run [s]."""
     folder = Path()
@@ -53,7 +64,9 @@ class Sweep:
         near = self.folder / self.scene
         scene = load_scene(near if near.is_file() else self.scene).replace(*self.set)
         return (
-            scene.replace(f"numerics.accuracy={self.accuracy}") if self.accuracy else scene
+            scene.replace(f"numerics.accuracy={self.accuracy}")
+            if self.accuracy
+            else scene
         ).document
 
     @cached_property
@@ -68,11 +81,16 @@ class Sweep:
 
     @property
     def identity(self) -> dict[str, Any]:
-        """Plain values that identify the sweep; equal sweeps can share a table."""
+        """Plain values that identify the sweep; sweeps with equal identity can share a
+        table."""
         drawn = asdict(self.samples) if self.samples else None
+        if drawn and not drawn["total"]:
+            del drawn["total"]  # tables of earlier versions lack it
         same = {"scene": self.document, "axes": self.axes, "samples": drawn}
         return json.loads(
-            json.dumps(same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str)
+            json.dumps(
+                same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str
+            )
         )
 
     def scene_of(self, run: int) -> dict:
@@ -80,47 +98,95 @@ class Sweep:
         return with_values(self.document, self.points[run])
 
     def columns(self, run: int) -> dict[str, Any]:
-        """Return the values of the axes in a run in the form stored in the table.
+        """Return the values of the axes in a run in the form in which the table stores
+        them.
 
-        A column has one type. Mixed types, lists and tables are stored as JSON.
+        Each column has one type; mixed types, lists and tables are stored as JSON.
         """
-        return {k: json.dumps(v) if k in self._texts else v for k, v in self.points[run].items()}
+        samples = self.points.samples
+        width = (
+            {"width": samples.width(run)}
+            if samples and (samples.widths or samples.total)
+            else {}
+        )
+        values = self.points[run].items()
+        return {
+            k: json.dumps(v) if k in self._json_columns else v for k, v in values
+        } | width
 
     @cached_property
-    def _texts(self):
-        kinds: dict[str, list[type]] = {key: [] for axis in self.points.axes for key in axis.keys}
+    def _json_columns(self):
+        kinds: dict[str, list[type]] = {
+            key: [] for axis in self.points.axes for key in axis.keys
+        }
         for axis in self.points.axes:
             for values in axis.values or axis.ends:
                 for key, value in zip(axis.keys, values, strict=True):
                     kinds[key].append(float if type(value) is int else type(value))
-        return {key for key, found in kinds.items() if {*found} not in ({float}, {bool}, {str})}
+        return {
+            key
+            for key, found in kinds.items()
+            if {*found} not in ({float}, {bool}, {str})
+        }
 
     def check(self):
         """Check all listed values and both ends of every range.
 
-        Each value is tested with the other axes at their first values, at their last values, and
-        absent. Raises SceneError if a value is forbidden in every scene, or if an axis has no valid
-        value. A value that only contradicts other keys becomes an error of its runs.
-        """
+        Each value is tested with the first and with the last values of the other axes,
+        and without them. Raises SceneError if a value is invalid in each of these
+        scenes or if an axis has no valid value. A value that only contradicts other
+        keys becomes an error of its runs."""
         axes = self.points.axes
         ends = [
-            {key: v for a in axes for key, v in zip(a.keys, a.step(k % a.n), strict=True)}
+            {
+                key: v
+                for a in axes
+                for key, v in zip(a.keys, a.step(k % a.n), strict=True)
+            }
             for k in (0, -1)
         ]
         for axis in axes:
             faults = []
             for value in axis.values or axis.ends:
                 own = dict(zip(axis.keys, value, strict=True))
-                documents = [with_values(self.document, others | own) for others in (*ends, {})]
+                documents = [
+                    with_values(self.document, others | own) for others in (*ends, {})
+                ]
                 faults.append(_contradiction(documents))
             if all(faults):
                 raise faults[0]
+            if all(
+                self._is_unused(axis, value, ends) for value in axis.values or axis.ends
+            ):
+                raise InputError(
+                    f"axes.{axis.keys[0]}: no effect on the runs of this sweep"
+                )
+        if self.samples and self.samples.total and "verdict" not in self.stages:
+            raise InputError(
+                f"samples.total = {self.samples.total}: requires find = 'verdict'"
+            )
+        for key in self.sources.keys() - {*self.axes}:
+            raise InputError(f"sources.{key}: no such axis")
+
+    def _is_unused(self, axis, value, ends) -> bool:
+        """Return True if no stage reads the keys of an axis at the given value in any
+        tested scene."""
+        own = dict(zip(axis.keys, value, strict=True))
+        for others in ends:
+            try:
+                scene = from_document(with_values(self.document, others | own))
+            except SceneError:
+                return False
+            if not set(axis.keys) <= set(unused_keys(scene)):
+                return False
+        return True
 
 
 def _contradiction(documents):
-    """Return None if one of the documents is a valid scene, else its ContradictionError.
+    """Return None if one of the documents is a valid scene, otherwise a
+    ContradictionError.
 
-    Raises SceneError if each document contains a forbidden value.
+    Raises SceneError if every document contains an invalid value.
     """
     faults = []
     for document in documents:
@@ -151,12 +217,12 @@ def with_values(document: dict, values: dict[str, Any]) -> dict:
                 )
             place[int(key) if isinstance(place, list) else key] = value
         except (AttributeError, IndexError, TypeError, ValueError):
-            raise SceneError(f"{path}: the scene has no such place") from None
+            raise SceneError(f"{path}: the scene has no such key") from None
     return document
 
 
 def load_sweep(source: "str | Path | dict") -> Sweep:
-    """Load and check a sweep from a shipped name, a TOML file or a document.
+    """Load and check a sweep, given as a shipped name, a TOML file or a document.
 
     Raises InputError if the sweep is invalid.
     """
@@ -173,8 +239,8 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
     object.__setattr__(sweep, "folder", path.parent)
     if sweep.points.count > MAX_RUNS:
         raise InputError(
-            f"axes: {sweep.points.count:.3g} runs are more than {MAX_RUNS:.0e}: cut the sweep into "
-            f"several"
+            f"axes: {sweep.points.count:.3g} runs are more than {MAX_RUNS:.0e}; divide the sweep into "
+            f"several sweeps"
         )
     sweep.check()
     _ = sweep.stages

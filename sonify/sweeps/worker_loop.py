@@ -1,7 +1,5 @@
-"""Worker process: solve one scene after another, and exit when idle.
-
-`row_processes` starts it.
-"""
+"""Worker process of `row_processes`, which solves scenes one by one and exits when
+idle."""
 
 import json
 from time import perf_counter
@@ -12,15 +10,22 @@ from sonify.sweeps.version import version
 
 
 def solve_task(task: dict) -> dict[str, Any]:
-    """Solve a task; return its row as plain values, with the run time [s] and the version."""
-    from sonify.sweeps.run_row import row_of  # deferred: slow, and the parent does not need it
+    """Return the row of a task as plain values, with the run time [s] and the
+    version."""
+    from sonify.sweeps.run_row import (
+        row_of,
+    )  # slow to import; the parent does not need it
 
     began = perf_counter()
     try:
         row = row_of(**task)
     except OSError as error:
-        row = {"stop": [error.errno, error.strerror, str(error.filename or task["folder"])]}
-    return json.loads(json.dumps(row | {"seconds": perf_counter() - began, "version": version()}))
+        row = {
+            "stop": [error.errno, error.strerror, str(error.filename or task["folder"])]
+        }
+    return json.loads(
+        json.dumps(row | {"seconds": perf_counter() - began, "version": version()})
+    )
 
 
 if __name__ == "__main__":

@@ -11,20 +11,20 @@ from math import inf
 import pytest
 from paths import ROOT
 
-from dynamics.film.activation import decide_film
-from sonify import load_scene
 from sonify.claims.finding import Finding
 from sonify.claims.surface_summary import (
     ANSWERS,
     LOSS_QUESTION,
+    SOUND_QUESTION,
     SURFACES,
+    answer_in_air,
     answer_table,
-    answers_in_short,
     complete_answers,
+    short_answers,
 )
 from sonify.examples import surfaces
 from sonify.scene import shipped_scenes
-from sonify.sweeps.required_stages import stage_of
+from sonify.sweeps.required_stages import stage_by_quantity
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?"
 
@@ -32,7 +32,15 @@ NUMBER = r"[-+]?\d+(?:\.\d+)?"
 def finding(key, value, holds):
     low, high = (-inf, inf) if holds else (inf, inf)
     return Finding(
-        key=key, claim="", cause="slip", value=value, unit="", at_least=low, at_most=high, source=""
+        key=key,
+        claim="",
+        cause="slip",
+        value=value,
+        unit="",
+        details={"advance_at_100_urad": 0.1},
+        at_least=low,
+        at_most=high,
+        source="",
     )
 
 
@@ -45,9 +53,18 @@ def test_an_answer_whose_margin_reaches_across_its_threshold_is_undecided(value)
         if "pitch" not in question
     ]
     near = Finding(
-        key="pitch_rises", claim="", value=value, unit="", at_least=2.0, margin=0.1, source=""
+        key="pitch_rises",
+        claim="",
+        value=value,
+        unit="",
+        at_least=2.0,
+        margin=0.1,
+        source="",
     )
-    assert complete_answers([*others, near])["does the pitch rise"] == "undecided, 2.0 times"
+    assert (
+        complete_answers([*others, near])["does the pitch rise"]
+        == "undecided, 2.0-fold"
+    )
 
 
 def test_an_undecided_answer_without_yes_or_no_says_so_first():
@@ -57,23 +74,25 @@ def test_an_undecided_answer_without_yes_or_no_says_so_first():
         if "hear" not in question
     ]
     level = Finding(
-        key="table_is_louder", claim="", value=0.5, unit="", at_least=0.0, margin=1.0, source=""
+        key="table_is_louder",
+        claim="",
+        value=0.5,
+        unit="",
+        at_least=0.0,
+        margin=1.0,
+        source="",
     )
     assert (
-        complete_answers([*others, level])["what you hear"]
-        == "undecided: the table, +0 dB(A) relative to the disk"
+        complete_answers([*others, level])["what do you hear"]
+        == "undecided: the table, +0 dB(A)"
     )
 
 
 def test_every_cell_is_a_finding_of_a_shipped_scene():
     assert set(SURFACES) <= set(shipped_scenes())
-    assert {key for words in ANSWERS.values() for key in words} <= set(stage_of())
-
-
-@pytest.mark.parametrize("name", SURFACES)
-def test_the_table_says_which_motions_are_in_a_vacuum(name):
-    film = decide_film(load_scene(name)).film
-    assert SURFACES[name].endswith("in a vacuum" if film is None else "in air")
+    assert {key for words in ANSWERS.values() for key in words} <= set(
+        stage_by_quantity()
+    )
 
 
 @pytest.mark.parametrize("rank", [0, 1])
@@ -84,11 +103,13 @@ def test_the_first_finding_that_there_is_answers(rank):
         told = complete_answers([finding(key, 0.25, holds) for key in keys])
         for (question, words), key in zip(ANSWERS.items(), keys, strict=True):
             assert told[question] == words[key][0 if holds else 1].format(
-                value=0.25, cause="sliding"
+                value=0.25, cause="sliding", advance_at_100_urad=0.1
             )
-    with pytest.raises(LookupError, match="none of the findings"):
-        complete_answers([finding(keys[0], 1.0, True)])
-    assert answers_in_short([finding(keys[0], 0.25, True)]) == {
+    alone = complete_answers([finding(keys[0], 1.0, True)])
+    assert all(
+        alone[question].startswith("not evaluated: ") for question in list(ANSWERS)[1:]
+    )
+    assert short_answers([finding(keys[0], 0.25, True)]) == {
         next(iter(ANSWERS)): ANSWERS[next(iter(ANSWERS))][keys[0]][0].format(value=0.25)
     }
 
@@ -101,19 +122,59 @@ def test_contact_that_is_lost_to_the_air_is_told_beside_what_vibrations_do(holds
     )  # the second does not hold where the air carries the disk
     kept = finding(key, 0.0, False)
     air = finding("carried_by_air", 1.0, True)
-    told = answers_in_short([kept])[LOSS_QUESTION]
-    assert answers_in_short([kept, air])[LOSS_QUESTION] == told
+    told = short_answers([kept])[LOSS_QUESTION]
+    assert short_answers([kept, air])[LOSS_QUESTION] == told
     air = replace(air, cause="film")
-    assert answers_in_short([kept, air])[LOSS_QUESTION] == told + (
-        "; finally the air carries the disk" if holds else ", to the air"
+    assert short_answers([kept, air])[LOSS_QUESTION] == told + (
+        "; finally to the air" if holds else ", to the air"
     )
+
+
+def test_a_sound_below_the_threshold_of_hearing_is_nothing():
+    louder = finding("table_is_louder", 7.0, True)
+    audible = finding("sound_is_audible", 12.0, True)
+    audible = replace(audible, details={"audible_share": 0.25})
+    words = "the table, +7 dB(A), audible 25%"
+    assert short_answers([louder, audible])[SOUND_QUESTION] == words
+    faint = finding("sound_is_audible", -31.0, False)
+    silent = short_answers([louder, faint])[SOUND_QUESTION]
+    assert silent == "nothing above the threshold of hearing"
+
+
+def test_answers_on_a_motion_without_its_air_say_so():
+    keys = [next(iter(words)) for words in ANSWERS.values()]
+    without = replace(finding("carried_by_air", 5.0, True), cause="")
+    found = short_answers([*(finding(key, 0.25, True) for key in keys), without])
+    for question, answer in found.items():
+        assert answer.endswith(", in a vacuum") == (question != SOUND_QUESTION)
+    assert answer_in_air([without]) == "not evaluated: there is no film of air"
+
+
+@pytest.mark.parametrize(
+    ("value", "acts", "words"),
+    [
+        (2e-4, 8e-4, "as on a rigid table; acts for 0.8 ms"),
+        (0.0, 0.0, "as on a rigid table; never acts"),
+        (0.31, 0.5, "0.31 s earlier than on a rigid table"),
+    ],
+)
+def test_the_answer_in_air_tells_the_part_of_the_table(value, acts, words):
+    carried = replace(
+        finding("carried_by_air", 1.0, True), cause="film", details={"time": 12.3549}
+    )
+    earlier = replace(
+        finding("air_carries_earlier", value, True), details={"acts_before_end": acts}
+    )
+    assert answer_in_air([carried, earlier]) == f"carried after 12.355 s, {words}"
 
 
 def shown(text):
     """Return the rows of the table in a text with numbers masked, and the numbers separately."""
-    head, *_ = answer_table({}).splitlines()
+    head, *_ = answer_table({}, {}).splitlines()
     rows = text[text.index(head) :].partition("\n\n")[0]
-    return re.sub(NUMBER, "0", rows), [float(number) for number in re.findall(NUMBER, rows)]
+    return re.sub(NUMBER, "0", rows), [
+        float(number) for number in re.findall(NUMBER, rows)
+    ]
 
 
 @pytest.mark.slow

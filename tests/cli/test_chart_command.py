@@ -14,7 +14,9 @@ from sonify.__main__ import main
 
 
 def test_the_command_line_names_every_chart():
-    assert [name.replace("-", "_") for name in chart_command.CHART_NAMES] == list(CHARTS)
+    assert [name.replace("-", "_") for name in chart_command.CHART_NAMES] == list(
+        CHARTS
+    )
 
 
 def test_the_charts_come_from_the_checkout():
@@ -23,7 +25,9 @@ def test_the_charts_come_from_the_checkout():
 
 @pytest.mark.parametrize("name", ["all", "end-to-end"])
 @pytest.mark.parametrize("files", [(), ("pyproject.toml",)])
-def test_without_a_checkout_one_line_says_where_the_charts_are(name, files, tmp_path, monkeypatch):
+def test_without_a_checkout_one_line_says_where_the_charts_are(
+    name, files, tmp_path, monkeypatch
+):
     for file in files:
         (tmp_path / file).touch()
     monkeypatch.setattr(chart_command, "INSTALLATION", tmp_path)

@@ -47,7 +47,9 @@ def hang():
 main(["hang"])
 """
 """A test command that signals interrupt while it writes."""
-POSIX = pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no such signals")
+POSIX = pytest.mark.skipif(
+    sys.platform == "win32", reason="Windows sends no such signals"
+)
 
 
 @pytest.fixture
@@ -59,7 +61,11 @@ def writer(tmp_path):
         call = [sys.executable, "-c", COMMAND, str(tmp_path / name)]
         started.append(
             subprocess.Popen(
-                call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+                call,
+                cwd=ROOT,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
             )
         )
         assert started[-1].stdout.readline() == "writing\n"
@@ -73,10 +79,16 @@ def writer(tmp_path):
 
 def test_a_full_disk_names_the_file_for_which_it_has_no_room(tmp_path):
     """The error of a write lacks the file name; an error without a file keeps its message."""
-    with pytest.raises(OSError, match="No space") as raised, atomic_write(tmp_path / "report.html"):
+    with (
+        pytest.raises(OSError, match="No space") as raised,
+        atomic_write(tmp_path / "report.html"),
+    ):
         raise OSError(errno.ENOSPC, "No space left on device")
     assert raised.value.filename == str(tmp_path / "report.html")
-    with pytest.raises(OutputError, match=r"^in words$"), atomic_write(tmp_path / "report.html"):
+    with (
+        pytest.raises(OutputError, match=r"^in words$"),
+        atomic_write(tmp_path / "report.html"),
+    ):
         raise OutputError("in words")
 
 
@@ -89,7 +101,9 @@ def hidden(folder):
 
 
 @POSIX
-@pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+@pytest.mark.parametrize(
+    ("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)]
+)
 def test_a_signal_that_ends_leaves_nothing_and_says_so(writer, tmp_path, name, status):
     process = writer("sound.wav")
     process.send_signal(getattr(signal, name))
@@ -111,7 +125,10 @@ def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_wr
     owned = hidden(tmp_path)
     assert owned.isdisjoint(left)
     assert any(name.endswith(".wav") for name in owned)
-    with atomic_write(tmp_path / "one.txt") as first, atomic_write(tmp_path / "two.txt") as second:
+    with (
+        atomic_write(tmp_path / "one.txt") as first,
+        atomic_write(tmp_path / "two.txt") as second,
+    ):
         first.write_text("one")
         second.write_text("two")
     assert names(tmp_path) == owned | {"one.txt", "two.txt"}
@@ -122,7 +139,9 @@ def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_wr
     assert names(tmp_path) == {"one.txt", "two.txt"}
 
 
-def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_it(tmp_path):
+def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_it(
+    tmp_path,
+):
     with (
         pytest.raises(ValueError, match="refused"),
         claimed_folder(tmp_path / "outputs" / "runs" / "one"),
@@ -138,13 +157,20 @@ def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_i
     not Path("/proc/self").exists(),
     reason="a folder that is there and takes no file: Linux has one",
 )
-@pytest.mark.parametrize("door", [atomic_write, lambda path: claimed_folder(Path(path).parent)])
+@pytest.mark.parametrize(
+    "door", [atomic_write, lambda path: claimed_folder(Path(path).parent)]
+)
 def test_a_folder_in_which_no_file_can_be_made_is_one_line_and_no_endless_wait(door):
-    with pytest.raises(OutputError, match="/proc: cannot be written"), door("/proc/sound.wav"):
+    with (
+        pytest.raises(OutputError, match="/proc: cannot be written"),
+        door("/proc/sound.wav"),
+    ):
         pass
 
 
-@pytest.mark.parametrize("kind", [ScratchFile, lambda width: RowStore(np.zeros((0, width)))])
+@pytest.mark.parametrize(
+    "kind", [ScratchFile, lambda width: RowStore(np.zeros((0, width)))]
+)
 def test_rows_on_disk_close_their_file_when_nobody_can_ask_for_more(kind):
     """Existing views may remain; an open file would cause a warning in unrelated code."""
     rows = kind(2)
@@ -191,7 +217,8 @@ def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
 
 @POSIX
 @pytest.mark.parametrize(
-    ("stream", "opened"), [("stdout", "pipe"), ("stderr", "pipe"), ("stdout", "openpty")]
+    ("stream", "opened"),
+    [("stdout", "pipe"), ("stderr", "pipe"), ("stdout", "openpty")],
 )
 def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(
     tmp_path, stream, opened
@@ -216,14 +243,20 @@ main(["tell"])
     other = "stderr" if stream == "stdout" else "stdout"
     call = [sys.executable, "-c", code]
     done = subprocess.run(
-        call, cwd=ROOT, text=True, check=False, **{stream: writing, other: subprocess.PIPE}
+        call,
+        cwd=ROOT,
+        text=True,
+        check=False,
+        **{stream: writing, other: subprocess.PIPE},
     )
     os.close(writing)
     assert (done.returncode, getattr(done, other)) == (0, "")
     assert (tmp_path / "kept.txt").read_text() == "whole"
 
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.skipif(
+    not Path("/dev/full").exists(), reason="no device that is always full"
+)
 def test_results_that_a_full_disk_does_not_take_are_missed():
     with open("/dev/full", "w") as full:
         done = subprocess.run(
@@ -245,7 +278,8 @@ def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path
         "BaseException:\n    pass\n"
     )
     code = COMMAND.replace(
-        "with atomic_write(sys.argv[1])", "import swallows\n    with atomic_write(sys.argv[1])"
+        "with atomic_write(sys.argv[1])",
+        "import swallows\n    with atomic_write(sys.argv[1])",
     )
     call = [
         sys.executable,

@@ -21,7 +21,7 @@ from scipy.interpolate import BarycentricInterpolator
 from dynamics import simulate
 from modal import eigenmodes
 from sonify import load_scene, run
-from sonify.sound.fluid_loaded_modes import RIM_FLOW_ORDERS, bottom_shape
+from sonify.sound.fluid_loaded_modes import MAX_RIM_FLOW_ORDER, bottom_shape
 from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
@@ -40,15 +40,23 @@ def test_another_process_writes_the_same_bytes(tmp_path):
     environment = {**os.environ, "PYTHONHASHSEED": "7"}
     subprocess.run(command, check=True, cwd=ROOT, env=environment, capture_output=True)
     files = sorted(
-        p.relative_to(tmp_path / "here") for p in (tmp_path / "here").rglob("*") if p.is_file()
+        p.relative_to(tmp_path / "here")
+        for p in (tmp_path / "here").rglob("*")
+        if p.is_file()
     )
     assert len(files) == 16
     for file in files:
-        one, other = ((tmp_path / place / file).read_bytes() for place in ("here", "there"))
+        one, other = (
+            (tmp_path / place / file).read_bytes() for place in ("here", "there")
+        )
         if file.name == "run.json":
-            one, other = ({**json.loads(text), "seconds": None} for text in (one, other))
+            one, other = (
+                {**json.loads(text), "seconds": None} for text in (one, other)
+            )
         if file.name == "report.html":
-            one, other = (re.sub(rb"(?s)<h2>Seconds.*?</p>", b"", text) for text in (one, other))
+            one, other = (
+                re.sub(rb"(?s)<h2>Seconds.*?</p>", b"", text) for text in (one, other)
+            )
         assert one == other, file
 
 
@@ -60,15 +68,20 @@ def modes(scene):
 def test_the_shape_that_a_film_feels_is_the_same_bits_every_time(scene, modes):
     along = np.linspace(0, 1, 200)
     first = bottom_shape(modes, 1, along, scene.disk.radius)
-    assert all((bottom_shape(modes, 1, along, scene.disk.radius) == first).all() for _ in range(5))
+    assert all(
+        (bottom_shape(modes, 1, along, scene.disk.radius) == first).all()
+        for _ in range(5)
+    )
     wave = np.fft.rfft(modes.face_shape[1, 0], axis=1) / len(modes.face_angle)
     opposite = (
         wave[:, :1]
         + 2
-        * wave[:, 1 : 2 * RIM_FLOW_ORDERS]
-        @ (-1.0) ** np.arange(1, 2 * RIM_FLOW_ORDERS)[:, None]
+        * wave[:, 1 : 2 * MAX_RIM_FLOW_ORDER]
+        @ (-1.0) ** np.arange(1, 2 * MAX_RIM_FLOW_ORDER)[:, None]
     ).real[:, 0]
-    through = BarycentricInterpolator(modes.face_radius / scene.disk.radius, opposite)(along)
+    through = BarycentricInterpolator(modes.face_radius / scene.disk.radius, opposite)(
+        along
+    )
     assert first == pytest.approx(through, abs=1e-12 * np.abs(through).max())
 
 
@@ -79,7 +92,9 @@ def difference_db(scene, modes, *ways):
         for way in ways
     ]
     count = len(sounds[0]) // HALF_SECOND
-    one, other = (sound.sum(axis=1)[: count * HALF_SECOND].reshape(count, -1) for sound in sounds)
+    one, other = (
+        sound.sum(axis=1)[: count * HALF_SECOND].reshape(count, -1) for sound in sounds
+    )
     return 10 * np.log10(np.mean((one - other) ** 2, axis=1) / np.mean(one**2, axis=1))
 
 
@@ -94,14 +109,18 @@ def check_same(scene, modes, *ways):
 
 def test_both_integrators_sound_the_same(scene, modes):
     """The motion changes its regime about one hundred times."""
-    pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
+    pytest.importorskip(
+        "heyoka", reason="heyoka is not installed: there is only one integrator"
+    )
     check_same(scene, modes, "numerics.integrator=taylor", "numerics.integrator=dop853")
 
 
 @pytest.mark.slow
 def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
     """The viscous air film slows the same disk; this motion does not amplify errors."""
-    pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
+    pytest.importorskip(
+        "heyoka", reason="heyoka is not installed: there is only one integrator"
+    )
     scene = load_scene("moffatt")
     ways = [[f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
     assert difference_db(scene, modes, *ways).max() < -120
@@ -124,8 +143,12 @@ def test_why_it_cannot_be_longer(scene):
         scene.replace("numerics.time_limit=17", f"numerics.tolerance={tol}")
         for tol in ("1e-16", "1e-15", "1e-14")
     ]
-    finest, *others = (np.array([e.t for e in simulate(way).transitions]) for way in ways)
+    finest, *others = (
+        np.array([e.t for e in simulate(way).transitions]) for way in ways
+    )
     for other in others:
         apart = np.abs(other - finest)
-        early, late = (np.median(apart[(finest > t) & (finest < t + 1)]) for t in (12.0, 16.0))
+        early, late = (
+            np.median(apart[(finest > t) & (finest < t + 1)]) for t in (12.0, 16.0)
+        )
         assert 1e4 < late / early < 1e8

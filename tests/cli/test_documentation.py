@@ -62,7 +62,9 @@ def test_every_command_scene_and_extra_exists(page):
         "optional-dependencies"
     ]
     named = {
-        extra for group in re.findall(r'"?\.\[([a-z,]+)\]', text) for extra in group.split(",")
+        extra
+        for group in re.findall(r'"?\.\[([a-z,]+)\]', text)
+        for extra in group.split(",")
     }
     assert named <= set(extras)
 
@@ -70,9 +72,9 @@ def test_every_command_scene_and_extra_exists(page):
 def test_the_api_page_lists_every_public_name():
     text = (ROOT / "docs" / "api.rst").read_text("utf-8")
     for name in ("sonify", "dynamics", "modal"):
-        section = text.partition(f".. currentmodule:: {name}\n")[2].partition(".. currentmodule::")[
-            0
-        ]
+        section = text.partition(f".. currentmodule:: {name}\n")[2].partition(
+            ".. currentmodule::"
+        )[0]
         listed = re.findall(r"^   (\w+)$", section, re.MULTILINE)
         assert listed == sorted(import_module(name).__all__)
 
@@ -97,11 +99,15 @@ def test_the_sweep_of_the_how_to_is_a_sweep():
 
 def test_the_sounds_of_the_pages_are_short_and_small():
     shown = sorted((ROOT / "outputs" / "shown").glob("*/last_seconds.flac"))
-    linked = {path.resolve() for page in PAGES for path in map(page.parent.joinpath, flacs(page))}
+    linked = {
+        path.resolve()
+        for page in PAGES
+        for path in map(page.parent.joinpath, flacs(page))
+    }
     assert linked == set(shown)
     for path in shown:
         about = soundfile.info(path)
-        assert about.duration == pytest.approx(6.0, abs=0.01)
+        assert 0.5 < about.duration < 6.01
         assert path.stat().st_size < 300_000
 
 
@@ -115,3 +121,9 @@ def test_each_release_has_at_most_twenty_lines_of_changes():
     assert [release.splitlines()[0].split()[0] for release in releases][-1] == "0.1.0"
     for release in releases:
         assert len(release.splitlines()[1:]) <= 20
+
+
+def test_the_documentation_lists_the_ranges_of_the_verdicts():
+    from sonify.sweeps.verdict import ranges_table
+
+    assert ranges_table() in (ROOT / "docs" / "verdict.md").read_text("utf-8")

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from dynamics import Outcome, simulate
-from dynamics.observables import slips
+from dynamics.observables import slip_start_times
 from modal import Plate, plate_modes
 from sonify import examples, load_scene
 from sonify.examples.sweep_table import SWEEP as SLIPS
@@ -62,7 +62,9 @@ def test_a_mesh_of_ones_own(capsys):
     """The coarse mesh with a curved rim overestimates the frequencies by less than 2 %."""
     modes, _ = told("own_mesh", capsys)
     own = import_module("sonify.examples.own_mesh")
-    disk = Plate(radius=0.03755, thickness=0.0128, material=own.STEEL, density=own.DENSITY)
+    disk = Plate(
+        radius=0.03755, thickness=0.0128, material=own.STEEL, density=own.DENSITY
+    )
     true = plate_modes(disk, 24000.0).frequency
     assert len(true) == len(modes)
     assert (0.999 * true < modes.frequency).all()
@@ -97,7 +99,12 @@ def test_a_sweep_as_a_table(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     table, lines = told("sweep_table", capsys)
     for row in table.to_dict("records"):
-        own = [f"{key}={row[key]}" for key in ("friction.arm_rolling", "friction.mu_static")]
-        falling = load_scene("published").replace("numerics.accuracy=draft", *SLIPS["set"], *own)
-        assert row["repeated_slips"] == len(slips(simulate(falling)))
+        own = [
+            f"{key}={row[key]}"
+            for key in ("friction.arm_rolling", "friction.mu_static")
+        ]
+        falling = load_scene("published").replace(
+            "numerics.accuracy=draft", *SLIPS["set"], *own
+        )
+        assert row["repeated_slips"] == len(slip_start_times(simulate(falling)))
     assert (len(table), len(lines)) == (4, 4)

@@ -9,7 +9,7 @@ import pytest
 
 from dynamics.progress import MotionProgress
 from modal import eigenmodes
-from modal.progress import portion, report, watched
+from modal.progress import progress_range, progress_reported_to, report_progress
 from sonify import load_scene
 from sonify.console import Console
 from sonify.plan.preflight import solve_motion
@@ -19,7 +19,10 @@ from sonify.runtime.progress import StageProgress
 def shares(scene, motion, times):
     progress = MotionProgress(scene)
     inclinations = motion.at(times)[:, 1]
-    return [progress.share(*place) for place in zip(times, inclinations, strict=True)]
+    return [
+        progress.solved_fraction(*place)
+        for place in zip(times, inclinations, strict=True)
+    ]
 
 
 @pytest.mark.parametrize("name", ["published", "thorne", "moffatt"])
@@ -39,21 +42,30 @@ def test_the_share_of_a_motion_is_that_of_its_duration(name):
 
 def test_a_motion_without_loss_ends_at_its_time_limit():
     friction = "friction={mu_static=inf, mu_dynamic=inf}"
-    scene = load_scene("published").replace(friction, "numerics.time_limit=4", "air.film=none")
+    scene = load_scene("published").replace(
+        friction, "numerics.time_limit=4", "air.film=none"
+    )
     progress = MotionProgress(scene)
-    assert [progress.share(t, 0.4) for t in (1.0, 3.0, 2.0, 4.0)] == [0.25, 0.75, 0.75, 0.999]
+    assert [progress.solved_fraction(t, 0.4) for t in (1.0, 3.0, 2.0, 4.0)] == [
+        0.25,
+        0.75,
+        0.75,
+        0.999,
+    ]
 
 
 def test_a_disk_too_steep_for_a_steady_motion_has_its_time_limit():
     scene = load_scene("published").replace("numerics.time_limit=8", "air.film=none")
-    assert MotionProgress(scene).share(2.0, 1.5) == 0.25
+    assert MotionProgress(scene).solved_fraction(2.0, 1.5) == 0.25
 
 
 @pytest.mark.parametrize("support", ["patch", "free"])
 def test_modes_report_every_step_up_to_the_last(scene, support):
     told = []
-    with watched(told.append):
-        eigenmodes(scene.replace(f"support={{kind='{support}'}}", "numerics.accuracy=draft"))
+    with progress_reported_to(told.append):
+        eigenmodes(
+            scene.replace(f"support={{kind='{support}'}}", "numerics.accuracy=draft")
+        )
     assert told[-1] == pytest.approx(1)
     assert len({round(share, 2) for share in told}) >= 5
     assert (np.diff(told) >= 0).all()
@@ -61,10 +73,10 @@ def test_modes_report_every_step_up_to_the_last(scene, support):
 
 def test_a_portion_of_the_work_counts_as_that():
     told = []
-    with watched(told.append):
-        with portion(0.5, 1.0), portion(0.0, 0.5):
-            report(0.5)
-        report(1.0)
+    with progress_reported_to(told.append):
+        with progress_range(0.5, 1.0), progress_range(0.0, 0.5):
+            report_progress(0.5)
+        report_progress(1.0)
     assert told == [0.625, 0.75, 1.0, 1.0]
 
 
@@ -94,9 +106,13 @@ def test_outside_a_terminal_updates_print_no_line_each(capsys):
 
 
 def test_outside_a_terminal_one_line_at_a_time_tells_all_stages(capsys):
-    with Console(interval=0.01) as stages, stages.stage("motion") as watch, stages.stage("modes"):
+    with (
+        Console(interval=0.01) as stages,
+        stages.stage("motion") as watch,
+        stages.stage("modes"),
+    ):
         watch(0.5, "half")
         written = ""
         while "\n" not in written:
             written += capsys.readouterr().err
-    assert written.splitlines()[0].startswith("motion 50 %, half; modes for ")
+    assert written.splitlines()[0].startswith("motion 50 %, half; modes")

@@ -19,7 +19,7 @@ from benchmarks.charts.campbell_chart import (
     growth_by_steps,
     is_divergent,
 )
-from dynamics.compliant.campbell import campbell_diagram
+from benchmarks.methods.campbell import campbell_diagram
 from dynamics.surface import SurfaceMode
 from sonify.scene import load_scene
 
@@ -36,7 +36,9 @@ def disk():
 
 
 def mode(n, mass, zeta, frequency=600.0):
-    return SurfaceMode(order=n, frequency=frequency, damping_ratio=zeta, modal_mass=mass)
+    return SurfaceMode(
+        order=n, frequency=frequency, damping_ratio=zeta, modal_mass=mass
+    )
 
 
 def nutation(disk):
@@ -57,8 +59,14 @@ def test_on_a_heavy_table_disk_and_waves_go_their_ways(disk):
     assert turning == pytest.approx(0.786, abs=5e-4)
     w = n / x  # over Omega
     for i, found in enumerate(seen.eigenvalue / seen.omega[:, None]):
-        waves = [s * n + side * w[i] * (1 - zeta**2) ** 0.5 for s in (1, -1) for side in (1, -1)]
-        due = np.array([*(1j * np.array(waves) - zeta * w[i]), 1j * turning, -1j * turning, 0, 0])
+        waves = [
+            s * n + side * w[i] * (1 - zeta**2) ** 0.5
+            for s in (1, -1)
+            for side in (1, -1)
+        ]
+        due = np.array(
+            [*(1j * np.array(waves) - zeta * w[i]), 1j * turning, -1j * turning, 0, 0]
+        )
         assert (
             np.abs(found[:, None] - due).min(axis=1).max() < 1e-3
         )  # a double root is known to the square root
@@ -66,7 +74,9 @@ def test_on_a_heavy_table_disk_and_waves_go_their_ways(disk):
 
 
 @pytest.mark.parametrize(("n", "mass", "zeta"), MODES)
-def test_divergence_below_the_resonance_and_flutter_of_the_nutation_above(disk, n, mass, zeta):
+def test_divergence_below_the_resonance_and_flutter_of_the_nutation_above(
+    disk, n, mass, zeta
+):
     crossing = n / (n - nutation(disk))
     x = np.sort(np.append(np.linspace(0.5, 1.5 * crossing, 400), crossing))
     undamped = campbell_diagram(disk, mode(n, mass, 0.0), x)
@@ -77,9 +87,9 @@ def test_divergence_below_the_resonance_and_flutter_of_the_nutation_above(disk, 
     growth = np.where(x > 1.1, flutter_growth(damped), 0.0)
     assert x[growth.argmax()] == pytest.approx(crossing, rel=0.01)
     at = damped.eigenvalue[growth.argmax()]
-    assert abs(at[at.real.argmax()].imag) / damped.omega[growth.argmax()] == pytest.approx(
-        nutation(disk), rel=0.02
-    )
+    assert abs(at[at.real.argmax()].imag) / damped.omega[
+        growth.argmax()
+    ] == pytest.approx(nutation(disk), rel=0.02)
 
 
 def test_the_steps_flutter_as_the_eigenvalues_say():
@@ -97,7 +107,11 @@ def test_its_picture_and_its_conclusion(tmp_path):
 
 
 def test_what_is_no_speed_or_no_wave_is_refused(disk):
-    for wrong in ((mode(0, 1.0, 0.0), 1.0), (mode(2, 1.0, 0.0), 0.0), (mode(2, 1.0, 0.0), np.nan)):
+    for wrong in (
+        (mode(0, 1.0, 0.0), 1.0),
+        (mode(2, 1.0, 0.0), 0.0),
+        (mode(2, 1.0, 0.0), np.nan),
+    ):
         with pytest.raises(ValueError, match="campbell: needs"):
             campbell_diagram(disk, *wrong)
     light = campbell_diagram(disk, mode(4, 1e-3, 0.0), 0.9)

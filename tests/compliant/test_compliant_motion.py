@@ -16,7 +16,11 @@ from dynamics.compliant.compliant_motion import FORCES_PER_ROW
 from dynamics.compliant.law.height_profile import mean_heights
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.stepping.model import ContactLosses
-from dynamics.compliant.stepping.row_store import INTERPOLATION_ROWS, RowStore, interpolate_rows
+from dynamics.compliant.stepping.row_store import (
+    INTERPOLATION_ROWS,
+    RowStore,
+    interpolate_rows,
+)
 from dynamics.compliant.stepping.time_loop import step_motion
 from dynamics.motion import CAUSES
 from dynamics.observables import precession_rate
@@ -27,12 +31,17 @@ from sonify.claims.rigid_motion import contact_kept
 
 BRIEF = "numerics.time_limit=0.3", "numerics.contact_rate=2e5"
 MEBIBYTE = 2**20
-FLAT = "release.inclination_deg=0.02", "numerics.contact_rate=2e5", "friction.arm_rolling=1e-3"
+FLAT = (
+    "release.inclination_deg=0.02",
+    "numerics.contact_rate=2e5",
+    "friction.arm_rolling=1e-3",
+)
 
 
 @pytest.fixture(scope="module")
 def elastic():
-    return load_scene("published").replace("contact.law=elastic", "numerics.contact=full")
+    changes = "contact.law=elastic", "contact.fillet=1.6e-3", "numerics.contact=full"
+    return load_scene("published").replace(*changes)
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +74,9 @@ def of_other_numbers(elastic, i):
         "numerics.time_limit=0.004",
         "numerics.contact_rate=2e5",
     )
-    return elastic.replace(*disk, *contact, *friction, *start, *((), film, (*table, *rough))[i % 3])
+    return elastic.replace(
+        *disk, *contact, *friction, *start, *((), film, (*table, *rough))[i % 3]
+    )
 
 
 @pytest.mark.slow
@@ -76,11 +87,14 @@ def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(elasti
     used = []
     for i in range(51):
         scene = of_other_numbers(elastic, i)
-        motion = simulate(scene, surface_modes=surface_modes(scene) if i % 3 == 2 else None)
+        motion = simulate(
+            scene, surface_modes=surface_modes(scene) if i % 3 == 2 else None
+        )
         ends.add(float(motion.state[-1, 10]))
         compiled.append(
             sum(
-                len(machine.signatures) for machine in (step_motion, interpolate_rows, mean_heights)
+                len(machine.signatures)
+                for machine in (step_motion, interpolate_rows, mean_heights)
             )
         )
         used.append(Process().memory_info().rss)
@@ -114,7 +128,11 @@ def test_it_is_a_motion_that_passes_every_check(elastic, rough):
     checks = motion_checks(elastic, rough)
     assert [check.key for check in checks if not check.passed] == []
     assert rough.outcome.name == "TIME_LIMIT"
-    assert 0.3 - FORCES_PER_ROW * rough.dt <= rough.t[-1] <= 0.3 + FORCES_PER_ROW * rough.dt
+    assert (
+        0.3 - FORCES_PER_ROW * rough.dt
+        <= rough.t[-1]
+        <= 0.3 + FORCES_PER_ROW * rough.dt
+    )
     assert (np.diff(rough.t) > 0).all()
     for wrong in (-1e-9, rough.t[-1] + 1e-6, [[0.1]]):
         with pytest.raises(ValueError, match="t must"):
@@ -130,7 +148,9 @@ def test_states_and_forces_belong_together(rough):
     h = 2e-6
     state = rough.at(t)
     change = (rough.at(t + h) - rough.at(t - h)) / (2 * h)
-    assert change[:, 1] == pytest.approx(-state[:, 5], abs=1e-3 * np.abs(state[:, 5]).max())
+    assert change[:, 1] == pytest.approx(
+        -state[:, 5], abs=1e-3 * np.abs(state[:, 5]).max()
+    )
     assert change[:, 0] == pytest.approx(precession_rate(state), rel=1e-3)
     ends = np.array([0.05, 0.25])
     disk = rough.disk
@@ -152,7 +172,7 @@ def rising(disk, state):
 
 
 def test_losses_of_contact_are_flights_without_force(rough):
-    assert len(rough.contact_losses) > 10
+    assert len(rough.contact_losses) > 3
     assert not contact_kept(rough).holds
     for loss in list(rough.contact_losses)[:10]:
         assert loss.height > 0
@@ -168,7 +188,7 @@ def test_losses_of_contact_are_flights_without_force(rough):
 
 
 def test_every_loss_of_energy_has_its_cause(rough):
-    lost = rough.lost(rough.t)
+    lost = rough.lost_by_cause(rough.t)
     assert lost.shape[1] == len(CAUSES)
     assert lost.sum(axis=1) == pytest.approx(rough.state[:, 10])
     assert (np.diff(lost, axis=0) >= 0).all()
@@ -177,7 +197,8 @@ def test_every_loss_of_energy_has_its_cause(rough):
 def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
     """Until the first slip they differ by creep of F/k V/l = 1 mm/s, or 0.01 rad in 0.25 s."""
     motion, rigid = (
-        simulate(elastic.replace(*BRIEF, f"contact.law={law}")) for law in ("elastic", "rigid")
+        simulate(elastic.replace(*BRIEF, f"contact.law={law}"))
+        for law in ("elastic", "rigid")
     )
     t = np.linspace(0, 0.25, 100)
     assert motion.at(t)[:, 1] == pytest.approx(rigid.at(t)[:, 1], abs=1e-2)
@@ -189,8 +210,14 @@ def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
     ("changes", "outcome"),
     [
         (("release.omega=[0.0, 0.0, 0.6]", *FLAT), "SETTLED"),
-        (("release.omega=[0.0, 0.0, 0.0]", "release.inclination_deg=5", FLAT[1]), "FELL"),
-        (("release.omega=[-10.0, 0.0, 0.0]", "release.inclination_deg=80", FLAT[1]), "UPRIGHT"),
+        (
+            ("release.omega=[0.0, 0.0, 0.0]", "release.inclination_deg=5", FLAT[1]),
+            "FELL",
+        ),
+        (
+            ("release.omega=[-10.0, 0.0, 0.0]", "release.inclination_deg=80", FLAT[1]),
+            "UPRIGHT",
+        ),
     ],
 )
 def test_it_ends_with_a_name(elastic, changes, outcome):
@@ -202,6 +229,42 @@ def test_it_ends_with_a_name(elastic, changes, outcome):
 
 
 EPS = np.finfo(float).eps
+
+
+@pytest.mark.slow
+def test_nutation_approaches_that_of_the_rigid_disk(elastic):
+    """On its rounded edge, the rigid disk falls flat at 18.4 s, because its nutation grows.
+
+    Creep damps the nutation. The deficit of the relative swing of the inclination near 15 s falls
+    by at least a quarter each time that disk and table become ten times as stiff.
+    """
+    t = np.linspace(14.5, 15.5, 4001)
+
+    def swing(motion):
+        beta = motion.at(t)[:, 1]
+        return np.ptp(beta - np.poly1d(np.polyfit(t, beta, 2))(t)) / beta.mean()
+
+    rigid = simulate(elastic.replace("contact.law=rigid"))
+    draft = simulate(elastic.replace("contact.law=rigid", "numerics.accuracy=draft"))
+    assert rigid.outcome.name == "FELL"
+    assert draft.t[-1] == pytest.approx(rigid.t[-1], abs=1e-3)
+    deficits = []
+    for factor in (1, 10, 100):
+        stiffness = (
+            f"contact.young={6e10 * factor}",
+            f"material.young={1.95e11 * factor}",
+        )
+        full = (
+            "numerics.contact=full",
+            "numerics.accuracy=draft",
+            "numerics.time_limit=16",
+        )
+        deficits.append(
+            swing(rigid) - swing(simulate(elastic.replace(*stiffness, *full)))
+        )
+    assert deficits[0] < 0.75 * swing(rigid)
+    assert deficits[1] < 0.75 * deficits[0]
+    assert 0 < deficits[2] < 0.75 * deficits[1]
 
 
 def test_threads_find_the_same(elastic):
@@ -231,19 +294,22 @@ def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):
         "dissipation.viscous_moment=3e-5",
         "dissipation.viscous_force=0.02",
     )
-    scene = elastic.replace(*slow, *viscous, "numerics.time_limit=0.1", "numerics.contact_rate=2e5")
+    scene = elastic.replace(
+        *slow, *viscous, "numerics.time_limit=0.1", "numerics.contact_rate=2e5"
+    )
     motion = simulate(scene)
     rigid = simulate(scene.replace("contact.law=rigid"))
-    spent = motion.lost([0.1])[0, CAUSES.index("moments")]
+    spent = motion.lost_by_cause([0.1])[0, CAUSES.index("moments")]
     assert spent == pytest.approx(rigid.at([0.1])[0, 10], rel=1e-2)
     assert spent > 1e-4
 
 
 class RecordedForce:
-    """A motion of three 1 s pieces with a given normal force and one recorded loss of contact."""
+    """A motion of three 1 s pieces and a short one with a given normal force and one recorded loss
+    of contact."""
 
     def __init__(self, normal_force):
-        self.t = np.array([0.0, 1.0, 2.0, 3.0])
+        self.t = np.array([0.0, 1.0, 2.0, 3.0 - 5e-7, 3.0])
         self.contact_losses = ContactLosses(np.array([[0.9, 0.2, 1e-6]]))
         self._normal_force = normal_force
 
@@ -254,10 +320,20 @@ class RecordedForce:
 @pytest.mark.parametrize(
     ("normal_force", "share"),
     [
-        (lambda t: np.where(np.abs(t - 1) < 0.1, 0.0, 4.0), 0.0),  # zero within the noted loss
+        (
+            lambda t: np.where(np.abs(t - 1) < 0.1, 0.0, 4.0),
+            0.0,
+        ),  # zero within the noted loss
         (lambda t: np.where(np.abs(t - 2) < 0.1, 0.0, 4.0), 1 / 3),  # zero outside it
         (lambda t: np.abs(t - 2), 0.0),  # grazes zero at one instant
-        (lambda t: np.where(np.abs(t - 1) < 0.1, -1.0, 4.0), 1 / 3),  # pulls, even within it
+        (
+            lambda t: 3.0 - 1e-12 - t,
+            0.0,
+        ),  # a lift-off, located with an error of 1e-12 s
+        (
+            lambda t: np.where(np.abs(t - 1) < 0.1, -1.0, 4.0),
+            1 / 3,
+        ),  # pulls, even within it
     ],
 )
 def test_a_contact_pushes_except_in_its_noted_losses(normal_force, share):
@@ -274,7 +350,9 @@ def test_losses_of_contact_of_a_disk_that_is_nearly_flat_are_noted():
         "contact.law=elastic", "surface.kind=modes", f"surface.modes={mode}"
     )
     scene = scene.replace(
-        "surface.action=motion", "release.inclination_deg=0.004", "numerics.time_limit=0.05"
+        "surface.action=motion",
+        "release.inclination_deg=0.004",
+        "numerics.time_limit=0.05",
     )
     scene = scene.replace("release.omega=[0.0,0.0,0.4]")
     motion = simulate(scene, surface_modes=surface_modes(scene))

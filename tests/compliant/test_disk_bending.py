@@ -15,9 +15,17 @@ from table_models import GRIPS, TABLE, run, standing, steady
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.law.linearised import inertias, mobility
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, SeriesLawTable
-from dynamics.compliant.model_inputs import law_table
-from dynamics.compliant.state_conversion import columns, energy, released_state
-from dynamics.compliant.stepping.rim_modes import MAX_MOVING_FREQUENCY, RimModes, moving_rim_modes
+from dynamics.compliant.model_inputs import contact_law, law_table
+from dynamics.compliant.state_conversion import (
+    columns,
+    energy,
+    preloaded_compliant_state,
+)
+from dynamics.compliant.stepping.rim_modes import (
+    MAX_MOVING_FREQUENCY,
+    RimModes,
+    moving_rim_modes,
+)
 from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
 from dynamics.disk import Friction
 from dynamics.observables import precession_rate
@@ -30,10 +38,14 @@ SMOOTH = Friction(mu_static=0.0, mu_dynamic=0.0)
 
 def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
     """Return centre velocity, tilting rate and modal energy after a vertical fall, by stepping."""
-    model = replace(standing(scene, rate, SMOOTH, HEAVY, damps=False), bending=bending)
+    model = replace(
+        standing(scene, rate, SMOOTH, HEAVY, damps=False), disk_modes=bending
+    )
     vars(model)["constants"] = model.constants._replace(weight=0.0)
-    y = released_state(model, np.append([0.0, beta], np.zeros(9)), np.zeros(3))
-    waves = model.waves(y)
+    y = preloaded_compliant_state(
+        model, np.append([0.0, beta], np.zeros(9)), np.zeros(3)
+    )
+    waves = model.supporting_modes(y)
     y[STATE.velocity + 2] = -speed
     *_, last = model.run(y, round(stop * rate), stop, waves=waves)
     return (
@@ -46,15 +58,17 @@ def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
 def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
     """Return the same quantities from the Lagrangian, with a contact fixed on the rim.
 
-    The gap is G = z - R sin b + H (1 - cos b) + sum r (c A - s B).
+    The gap is G = z - R sin b + H (1 - cos b) + sum r (c A - s B), with R and H of the centre of
+    the fillet.
     """
     disk = scene.disk
     K0 = law_table(scene).columns(np.array([beta]))[0, LAW_COLUMNS.hertz_stiffness]
     squared = bending.squared
     A = bending.axial * np.cos(bending.phase)
     B = bending.radial * np.cos(bending.phase)
-    R = disk.radius
-    H = disk.thickness / 2
+    fillet = contact_law(scene).rolling_fillet
+    R = disk.radius - fillet
+    H = disk.thickness / 2 - fillet
     J1 = inertias(disk)[0]
     modes = len(squared)
 
@@ -68,13 +82,23 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
         N = K0 * max(0.0, -G) ** 1.5
         tilts = -R * c + H * s - r @ (s * A + c * B)  # dG/db
         return np.concatenate(
-            [y[2 + modes :], [N / disk.mass, N * tilts / J1], N * (c * A - s * B) - squared * r]
+            [
+                y[2 + modes :],
+                [N / disk.mass, N * tilts / J1],
+                N * (c * A - s * B) - squared * r,
+            ]
         )
 
     z = R * np.sin(beta) - 2 * H * np.sin(beta / 2) ** 2
     start = np.concatenate([[z, beta], np.zeros(modes), [-speed, 0.0], np.zeros(modes)])
     end = solve_ivp(
-        rates, (0, stop), start, method="DOP853", rtol=1e-11, atol=1e-16, max_step=stop / 400
+        rates,
+        (0, stop),
+        start,
+        method="DOP853",
+        rtol=1e-11,
+        atol=1e-16,
+        max_step=stop / 400,
     ).y[:, -1]
     r = end[2 : 2 + modes]
     v = end[4 + modes :]
@@ -83,13 +107,15 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
 
 def test_an_impact_leaves_in_the_modes_what_the_lagrangian_says(elastic):
     """A softer disk, so that its modes ring; the error is of second order in the step."""
-    own = moving_rim_modes(elastic.edge, 0.0)
+    own = moving_rim_modes(elastic.elastic_edge, 0.0)
     stop = 6e-4
     bending = own._replace(squared=own.squared / 25)
     expected = np.array(fallen_by_its_lagrangian(elastic, bending, stop))
     assert expected[2] > 0.01 * elastic.disk.mass * 0.02**2 / 2  # the modes matter
     rates = 1e5, 2e5, 4e5
-    errors = [np.abs(fallen(elastic, bending, rate, stop) / expected - 1) for rate in rates]
+    errors = [
+        np.abs(fallen(elastic, bending, rate, stop) / expected - 1) for rate in rates
+    ]
     assert errors[-1].max() < 2e-3
     assert np.log2(errors[0].max() / errors[-1].max()) / 2 == pytest.approx(2, abs=0.1)
 
@@ -105,7 +131,7 @@ def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, 
     mass = 300.0
     beta = 2e-3
     disk = elastic.disk
-    start, rate = steady(disk, beta)
+    start, rate = steady(contact_law(elastic), beta)
     w = n * rate / x
     bending = RimModes(
         order=np.full(2, float(n)),
@@ -115,8 +141,10 @@ def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, 
         squared=np.full(2, w * w),
         decay=np.full(2, zeta * w),
     )
-    model = replace(standing(elastic, 2e5, GRIPS, HEAVY), bending=bending)
-    _, t, state, _, _ = run(model, released_state(model, start), 20, 20 * np.pi / rate)
+    model = replace(standing(elastic, 2e5, GRIPS, HEAVY), disk_modes=bending)
+    _, t, state, _, _ = run(
+        model, preloaded_compliant_state(model, start), 20, 20 * np.pi / rate
+    )
     power = (state[-1, STATE.body_loss] - state[0, STATE.body_loss]) / (t[-1] - t[0])
     now = n * np.abs(precession_rate(columns(model, state))).mean() / w
     expected = (
@@ -135,7 +163,7 @@ def test_energy_is_kept_and_never_gained(elastic, loss_factor):
     """The disk has its own modes and loses contact on a soft table."""
     scene = elastic.replace(TABLE, f"material.loss_factor={loss_factor}")
     model = replace(compliant_model(scene, surface_modes(scene)), rate=2e5)
-    y = released_state(model, steady(scene.disk, 4e-4)[0])
+    y = preloaded_compliant_state(model, steady(contact_law(scene), 4e-4)[0])
     first, _, state, losses, _ = run(model, y, 1, 0.05)
     now = energy(model, state)
     lost = state[:, ENERGY_LOSSES].sum(axis=1)
@@ -149,19 +177,23 @@ def test_energy_is_kept_and_never_gained(elastic, loss_factor):
 def test_what_moves_does_not_yield_in_series(elastic):
     """At the contact resonance, moving modes and series springs add up to the full flexibility."""
     beta = np.array([0.01])
-    edge = elastic.edge
+    edge = elastic.elastic_edge
     bending = moving_rim_modes(edge, 0.0)
     assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_FREQUENCY).all()
     assert len(bending.order) == 3  # the toy has a pair of order 2 and one of order 0
     whole, apart = (
-        law_table(elastic, SeriesLawTable, moves).yields(np.log(np.sin(beta)))[0]
+        law_table(elastic, SeriesLawTable, moves).flexibility_spline(
+            np.log(np.sin(beta))
+        )[0]
         for moves in (0.0, MAX_MOVING_FREQUENCY)
     )
     lifts = bending.axial[:2] * np.cos(beta) - bending.radial[:2] * np.sin(
         beta
     )  # the sine partner is at rest
     kn = law_table(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
-    square = mobility(elastic.disk, beta)[0, 2, 2] / (1 / kn + whole[2, 2])  # of the carrier
+    square = mobility(elastic.disk, beta, contact_law(elastic).rolling_fillet)[
+        0, 2, 2
+    ] / (1 / kn + whole[2, 2])  # of the carrier
     assert whole[2, 2] - apart[2, 2] == pytest.approx(
         (lifts**2 / (bending.squared[:2] - square)).sum(), rel=1e-6
     )
@@ -172,8 +204,8 @@ def test_what_moves_does_not_yield_in_series(elastic):
 def test_the_disk_turns_about_its_axis_as_it_rolls(elastic):
     """On a fixed table, the spin is the time integral of the steady spin rate."""
     model = replace(standing(elastic, 2e5, GRIPS, HEAVY))
-    start, _ = steady(elastic.disk, 0.1)
-    _, t, state, _, _ = run(model, released_state(model, start), 100, 0.1)
+    start, _ = steady(contact_law(elastic), 0.1)
+    _, t, state, _, _ = run(model, preloaded_compliant_state(model, start), 100, 0.1)
     spin = np.unwrap(columns(model, state)[:, 2])
     expected = start[6] - start[7] / np.tan(0.1)
     assert np.polyfit(t, spin, 1)[0] == pytest.approx(expected, rel=2e-3)

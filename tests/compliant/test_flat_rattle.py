@@ -22,14 +22,18 @@ def coin(restitution, modulus=40e9):
     ("ratio", "open_share", "tolerance"),
     [(1, 0.01, 0.01), (2, 0.09, 0.03), (5, 0.34, 0.04), (20, 0.62, 0.05)],
 )
-def test_share_of_time_without_contact_grows_with_the_unevenness(ratio, open_share, tolerance):
+def test_share_of_time_without_contact_grows_with_the_unevenness(
+    ratio, open_share, tolerance
+):
     disk = coin(0.5)
     depth = contact_depth(disk.mass * 9.81, disk.modulus, RADIUS, disk.fillet, 0.1)
     heights = rim_heights(random_amplitudes(ratio * depth, 0.0, 300, seed=0), 4096)
     start = rolling_start(disk, 0.105)
     start[0] += heights[0]
     motion = simulate_flat(disk, heights, start, 0.25, 1e-6, 10, last=0.095)
-    assert motion.open_time[-1] / motion.t[-1] == pytest.approx(open_share, abs=tolerance)
+    assert motion.open_time[-1] / motion.t[-1] == pytest.approx(
+        open_share, abs=tolerance
+    )
 
 
 def test_hop_of_a_kicked_rim_lasts_as_long_as_a_free_flight():
@@ -76,7 +80,9 @@ def test_free_modes_delay_the_end_of_a_rattling_coin():
         heights = rim_heights(random_amplitudes(1e-6, 0.0, 300, seed), 4096)
         start = rolling_start(disk, 0.12)
         start[0] += heights[0]
-        motion = simulate_flat(disk, heights, start, 1.2, 1e-6, 100, last=0.01, modes=modes)
+        motion = simulate_flat(
+            disk, heights, start, 1.2, 1e-6, 100, last=0.01, modes=modes
+        )
         ends.append(motion.t[-1])
         hits.append(motion.hits[-1] / motion.t[-1])
     assert np.mean(ends) == pytest.approx(0.730, rel=0.05)
@@ -128,7 +134,8 @@ def test_force_on_crest_and_in_valley_of_a_smooth_wave():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("slope", "rms", "exponent"), [(0.0, 3e-6, 0.50), (0.5, 3e-6, 0.43), (1.0, 10e-6, 0.32)]
+    ("slope", "rms", "exponent"),
+    [(0.0, 3e-6, 0.50), (0.5, 3e-6, 0.43), (1.0, 10e-6, 0.32)],
 )
 def test_exponent_of_the_rate_follows_from_the_slope(slope, rms, exponent):
     disk = coin(0.5)

@@ -11,8 +11,8 @@ from rim_unevenness import (
     contact_depth,
     curvature_number,
     damping_ratio,
+    precession_rate_exponent,
     random_amplitudes,
-    rate_exponent,
     restitution_from,
     rim_heights,
 )
@@ -21,13 +21,17 @@ WEIGHT = 8.5e-3 * 9.81
 
 
 def test_burst_depths_of_a_mode_kicked_once_per_turn():
-    assert burst_depths(100.0, 30.0, 3) == pytest.approx([0.937, 0.513, 0.348], rel=0.01)
+    assert burst_depths(100.0, 30.0, 3) == pytest.approx(
+        [0.937, 0.513, 0.348], rel=0.01
+    )
     assert burst_depths(5.0, 30.0, 1) == pytest.approx([0.053], rel=0.01)
 
 
 @pytest.mark.parametrize(("modulus", "depth"), [(40e9, 0.067e-6), (4e9, 0.312e-6)])
 def test_depth_of_the_static_contact_of_a_coin(modulus, depth):
-    assert contact_depth(WEIGHT, modulus, 12.875e-3, 0.5e-3, 0.1) == pytest.approx(depth, rel=0.02)
+    assert contact_depth(WEIGHT, modulus, 12.875e-3, 0.5e-3, 0.1) == pytest.approx(
+        depth, rel=0.02
+    )
 
 
 @pytest.mark.parametrize("inclination", [0.1, 0.05, 0.02])
@@ -50,4 +54,4 @@ def test_damping_ratio_inverts_the_restitution(restitution):
 
 @pytest.mark.parametrize(("slope", "exponent"), [(0, 0.5), (0.5, 0.429), (1, 0.333)])
 def test_exponent_of_the_rate_of_turning(slope, exponent):
-    assert rate_exponent(slope) == pytest.approx(exponent, abs=1e-3)
+    assert precession_rate_exponent(slope) == pytest.approx(exponent, abs=1e-3)

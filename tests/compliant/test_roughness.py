@@ -9,7 +9,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights, profile_from_csv
+from dynamics.compliant.law.height_profile import (
+    SMOOTH_PROFILE,
+    mean_heights,
+    profile_from_csv,
+)
 from dynamics.compliant.law.roughness import (
     edge_profile,
     ellipse_window,
@@ -58,7 +62,8 @@ def test_one_wave_is_read_as_the_window_says(tmp_path, a):
     length = np.linspace(0, 0.01, 161)
     file = tmp_path / "wave.csv"
     file.write_text(
-        "length;height\n" + "\n".join(f"{x:.17g};{np.cos(2e3 * np.pi * x):.17g}" for x in length)
+        "length;height\n"
+        + "\n".join(f"{x:.17g};{np.cos(2e3 * np.pi * x):.17g}" for x in length)
     )
     s = np.array([-123.4567, 0.0, 1.234e-3, 5.4321, 98765.4321])
     k = 2e3 * np.pi
@@ -99,7 +104,8 @@ def test_seed_decides_and_block_size_does_not():
     )
     assert abs(np.corrcoef(whole, read(other, s, 3e-4))[0, 1]) < 5 / 1001**0.5
     assert (
-        abs(np.corrcoef(whole, read(edge_profile(ROUGH, 0.03755), s, 3e-4))[0, 1]) < 5 / 1001**0.5
+        abs(np.corrcoef(whole, read(edge_profile(ROUGH, 0.03755), s, 3e-4))[0, 1])
+        < 5 / 1001**0.5
     )
     assert not read(SMOOTH_PROFILE, s, 3e-4).any()
 
@@ -152,7 +158,9 @@ def test_contact_runs_along_a_rough_edge():
     beta = 0.01
     radius = 0.0375
     expected = 2**0.5 * 1e-8 * k**2 * abs(ellipse_window(k * a)) * radius / np.sin(beta)
-    assert shift_of_contact(wave, np.array([beta]), a, radius) == pytest.approx(expected, rel=1e-2)
+    assert shift_of_contact(wave, np.array([beta]), a, radius) == pytest.approx(
+        expected, rel=1e-2
+    )
     require_resolved_waves(wave, a)
     with pytest.raises(ValueError, match="must exceed the contact"):
         require_resolved_waves(wave, 6e-4)

@@ -7,7 +7,12 @@ additional iterations.
 
 import numpy as np
 import pytest
-from contact_scenes import granite, steady_rate, steady_speed
+from contact_scenes import (
+    granite,
+    slope_of_contact,
+    steady_precession_rate,
+    steady_speed,
+)
 from scipy.signal import welch
 
 from dynamics.compliant.law.linear_response import predicted_spectrum
@@ -19,7 +24,7 @@ from dynamics.compliant.law.statistical_linearisation import (
     mean_stiffness,
 )
 from dynamics.compliant.law.tabulated import LawTable
-from dynamics.compliant.state_conversion import released_state
+from dynamics.compliant.state_conversion import preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
 
@@ -46,9 +51,10 @@ def test_the_full_motion_rings_as_low():
     """Steady rolling on 0.1 um rms: a linear contact overestimates the frequency by 5 %."""
     beta = 0.02
     power = 0.0
-    w3 = steady_rate(DISK, beta) * np.sin(beta)
-    speed = steady_speed(DISK, beta)
-    start = np.array([0.0, beta, 0, 0, 0, 0, DISK.aspect * w3, w3, 0, 0, 0])
+    w3 = steady_precession_rate(TABLE.law, beta) * np.sin(beta)
+    w2 = w3 * slope_of_contact(TABLE.law, beta)
+    speed = steady_speed(TABLE.law, beta)
+    start = np.array([0.0, beta, 0, 0, 0, 0, w2, w3, 0, 0, 0])
     for seed in (0, 1):
         rough = Roughness(rms=1e-7, seed=seed)
         profiles = table_profile(rough), edge_profile(rough, DISK.radius)
@@ -59,13 +65,19 @@ def test_the_full_motion_rings_as_low():
             rate=2e5,
         )
         force = np.concatenate(
-            [piece.force for piece in model.run(released_state(model, start), 4, 1.0)]
+            [
+                piece.force
+                for piece in model.run(preloaded_compliant_state(model, start), 4, 1.0)
+            ]
         )[2500:, 2]
         f, one = welch(force, model.rate / 4, nperseg=2048)
         power = power + one
     factor = effective_load_factor(TABLE, ROUGH, [beta], DISK.weight, speed)[0]
     soft, linear = (
-        middle(f[1:], predicted_spectrum(TABLE, ROUGH, beta, part * DISK.weight, speed, f[1:]))
+        middle(
+            f[1:],
+            predicted_spectrum(TABLE, ROUGH, beta, part * DISK.weight, speed, f[1:]),
+        )
         for part in (factor, 1.0)
     )
     found = middle(f[1:], power[1:])
@@ -81,7 +93,7 @@ def middle(f, power):
 
 def test_so_many_rounds_are_enough():
     beta = [0.3, 0.01]
-    speed = [steady_speed(DISK, b) for b in (0.3, 0.01)]
+    speed = [steady_speed(TABLE.law, b) for b in (0.3, 0.01)]
     few, many = (
         effective_load_factor(TABLE, ROUGH, beta, DISK.weight, speed, rounds)
         for rounds in (LINEARISATION_ROUNDS, 3 * LINEARISATION_ROUNDS)

@@ -38,7 +38,11 @@ def scene():
 
 def same(one, other):
     """Return True if times, states and forces of two motions are equal bit by bit."""
-    pairs = [(one.t, other.t), (one.state, other.state), (one.force(one.t), other.force(other.t))]
+    pairs = [
+        (one.t, other.t),
+        (one.state, other.state),
+        (one.force(one.t), other.force(other.t)),
+    ]
     return all(np.array_equal(first, second) for first, second in pairs)
 
 
@@ -66,15 +70,21 @@ def test_modes_in_the_scene_are_those_of_modal(scene):
     assert ours.frequency.tolist() == [600.0, 900.0, 900.0]
     for name in ("frequency", "decay_rate", "order", "coefficients", "place"):
         assert np.array_equal(getattr(ours, name), getattr(theirs, name)), name
-    assert all(np.array_equal(*knots) for knots in zip(ours.knots, theirs.knots, strict=True))
-    x, y = np.random.default_rng(1).uniform(-0.05, 0.05, (2, 50))  # beyond the contact circle too
+    assert all(
+        np.array_equal(*knots) for knots in zip(ours.knots, theirs.knots, strict=True)
+    )
+    x, y = np.random.default_rng(1).uniform(
+        -0.05, 0.05, (2, 50)
+    )  # beyond the contact circle too
     assert np.array_equal(ours.at(x, y), theirs.at(x, y))
     radius = on_table.disk.radius
     assert ours.compliance(radius) == theirs.compliance(radius) > 0
     r = radius / 2
     theta = 0.4
     closed = np.array([3**-0.5, np.cos(2 * theta) / 4, np.sin(2 * theta) / 4])
-    assert ours.at([r * np.cos(theta)], [r * np.sin(theta)])[0] == pytest.approx(closed, abs=1e-4)
+    assert ours.at([r * np.cos(theta)], [r * np.sin(theta)])[0] == pytest.approx(
+        closed, abs=1e-4
+    )
 
 
 def test_a_scene_needs_no_more_sections_than_its_motion_reads(scene):
@@ -89,9 +99,17 @@ def test_a_scene_needs_no_more_sections_than_its_motion_reads(scene):
 @pytest.mark.parametrize("action", ["auto", "motion"])
 def test_a_run_and_simulate_give_the_same_motion(scene, action):
     """One mode is inaudible, another above the Nyquist frequency; the motion includes both."""
-    heard_little = "audio.sample_rate=8000", "numerics.time_limit=0.3", "contact.law=elastic"
-    modes = THREE_MODES.replace("30000.0", "6000.0").replace("modal_mass=3.0", "modal_mass=1e5")
-    wanted = scene.replace(*RELEASED_FLAT, *heard_little, modes.replace("motion", action))
+    heard_little = (
+        "audio.sample_rate=8000",
+        "numerics.time_limit=0.3",
+        "contact.law=elastic",
+    )
+    modes = THREE_MODES.replace("30000.0", "6000.0").replace(
+        "modal_mass=3.0", "modal_mass=1e5"
+    )
+    wanted = scene.replace(
+        *RELEASED_FLAT, *heard_little, modes.replace("motion", action)
+    )
     result = solve(wanted)
     assert len(result.table) < 5
     assert same(result.motion, simulate(wanted))
@@ -110,14 +128,18 @@ def test_a_plate_moves_as_in_a_run_by_the_modes_of_its_result():
 @pytest.mark.parametrize("name", ["glass-plate", "wood-table"])
 def test_a_table_without_modes_in_the_scene_is_refused(name, action):
     table = load_scene(name).replace("contact.law=elastic", f"surface.action={action}")
-    refused = rf"surface\.action = '{action}'.*surface_modes=modal\.surface_modes\(scene\)"
+    refused = (
+        rf"surface\.action = '{action}'.*surface_modes=modal\.surface_modes\(scene\)"
+    )
     with pytest.raises(ValueError, match=refused) as caught:
         simulate(table)
     assert len(str(caught.value).splitlines()) == 1
 
 
 def test_a_table_that_cannot_act_is_refused_or_at_rest_as_its_action_says(scene):
-    endless = "{kind='infinite', thickness=0.02, young=7e10, poisson=0.3, density=2700.0"
+    endless = (
+        "{kind='infinite', thickness=0.02, young=7e10, poisson=0.3, density=2700.0"
+    )
     brief = scene.replace("numerics.time_limit=0.1")
     rests = simulate(brief)
     assert same(simulate(brief.replace(f"surface={endless}}}")), rests)

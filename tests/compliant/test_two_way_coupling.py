@@ -19,15 +19,24 @@ from scipy.stats import t as t_of
 from scipy.stats import ttest_ind
 from table_models import GRIPS, TABLE, run, standing, steady
 
+from benchmarks.cases.table_halt import simulate_halt
 from dynamics import Motion, Outcome
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.model_inputs import step_rate
-from dynamics.compliant.state_conversion import columns, energy, released_state
+from dynamics.compliant.model_inputs import contact_law, step_rate
+from dynamics.compliant.state_conversion import (
+    columns,
+    energy,
+    preloaded_compliant_state,
+)
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
-from dynamics.compliant.two_way_onset import may_be_two_way, reaction_shares, table_reaction
+from dynamics.compliant.two_way_onset import (
+    may_be_two_way,
+    table_energy_power_shares,
+    table_reaction,
+)
 from dynamics.disk import Friction
 from dynamics.film.wedge import film_under
 from dynamics.observables import precession_rate
@@ -35,13 +44,12 @@ from modal import surface_modes
 from sonify import SceneError, load_scene
 from sonify.claims import two_way
 from sonify.claims.air import what_ends
-from sonify.claims.halt import simulate_halt
 from sonify.claims.literature import motion_findings as literature_findings
 from sonify.claims.table import radiated_power, waves_become_heat
 from sonify.plan.preflight import check_solvable_scene, solve_motion
 from sonify.plan.table import table_action
 from sonify.report import captions, pictures
-from sonify.report.render_worker import drawn
+from sonify.report.render_worker import draw_png
 from sonify.sound.radiation import Listener
 from sonify.sweeps.run_row import STAGE_FUNCTIONS
 
@@ -52,13 +60,36 @@ def test_energy_is_kept_and_never_gained(elastic, damping):
     waves."""
     modes = (2, 600.0, damping, 0.5), (3, 900.0, damping, 0.8), (0, 300.0, damping, 2.0)
     model = standing(elastic, 2e5, elastic.friction, *modes, damps=damping > 0)
-    y = released_state(model, steady(elastic.disk, 4e-4)[0])
+    begin = 4e-4 if damping else 3e-4  # [rad]
+    y = preloaded_compliant_state(model, steady(contact_law(elastic), begin)[0])
     first, _, state, losses, _ = run(model, y, 1, 0.05)
     now = energy(model, state)
     lost = state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
     assert losses
     assert np.abs(now + lost - first).max() < 1e-10 * first
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.05])
+def test_a_concave_table_with_modes(elastic, damping):
+    """Without friction, the centre oscillates about the middle of the table at the angular
+    frequency sqrt(g c), where c is the curvature; with friction, energy is conserved too."""
+    curvature = 10.0  # [1/m]
+    place = 0.01, -0.004
+    modes = (2, 600.0, damping, 0.5), (0, 300.0, damping, 2.0)
+    frictionless = Friction(mu_static=1e-12, mu_dynamic=1e-12)
+    for friction in (frictionless, elastic.friction):
+        model = standing(elastic, 4e5, friction, *modes, damps=damping > 0)
+        model = replace(model, bowl_curvature=curvature, bowl_place=place)
+        y = preloaded_compliant_state(model, steady(contact_law(elastic), 1e-2)[0])
+        offset = y[:2] + place
+        first, t, state, _, _ = run(model, y, 100, 0.1)
+        lost = state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
+        assert np.abs(energy(model, state) + lost - first).max() < 1e-9 * first
+        if friction is frictionless:
+            rate = np.sqrt(elastic.disk.weight / elastic.disk.mass * curvature)
+            exact = np.cos(rate * t[:, None]) * offset - place
+            assert state[:, :2] == pytest.approx(exact, abs=1e-9)  # [m]
 
 
 @pytest.mark.parametrize("x", [0.3, 0.5, 0.8, 0.9, 1.1, 1.4, 2.2])
@@ -76,32 +107,44 @@ def test_wave_drag(elastic, x):
     mass = 300.0
     beta = 2e-3
     disk = elastic.disk
-    start, rate = steady(disk, beta)
+    start, rate = steady(contact_law(elastic), beta)
     w = n * rate / x
     model = standing(elastic, 2e5, GRIPS, (n, w / (2 * np.pi), zeta, mass))
-    _, t, state, _, _ = run(model, released_state(model, start), 20, 20 * np.pi / rate)
+    _, t, state, _, _ = run(
+        model, preloaded_compliant_state(model, start), 20, 20 * np.pi / rate
+    )
     power = (state[-1, STATE.table_loss] - state[0, STATE.table_loss]) / (t[-1] - t[0])
     gravity = disk.weight / disk.mass
     now = n * np.abs(precession_rate(columns(model, state))).mean() / w
     arm = now**2 / (n * rate**2 * beta * disk.radius / gravity) * 2 * zeta * now
     arm *= disk.mass / mass / ((1 - now**2) ** 2 + (2 * zeta * now) ** 2)
-    assert power == pytest.approx(disk.weight * disk.radius * beta * rate * arm, rel=0.01)
+    arm *= (1 - contact_law(elastic).rolling_fillet / disk.radius) ** (
+        2 * n
+    )  # the shape at the contact
+    assert power == pytest.approx(
+        disk.weight * disk.radius * beta * rate * arm, rel=0.01
+    )
 
 
 def halts(elastic, friction, rate, starts):
     """Return rows of times [s] after tau = 250: the precession passes 300 Hz, contact is first
     lost, the disk stays flat.
 
-    There is one row for each of `starts` initial angles.
+    There is one row for each of `starts` initial angles. The edge is as good as sharp, as in the
+    other programs; the table is stiffer, so that the contact is as stiff as that of a rounded edge.
     """
-    motion = solve_motion(elastic.replace("contact.law=rigid"))
+    sharp = elastic.replace("contact.fillet=1e-5", "contact.young=87e9")
+    motion = solve_motion(load_scene("published"))
     t0 = 250 * elastic.disk.time_unit
-    model = standing(elastic, rate, friction, (2, 600.0, 0.02, 1.0))
+    model = standing(sharp, rate, friction, (2, 600.0, 0.02, 1.0))
     found = []
     for phase in np.linspace(0.1, 6.0, starts):
         start = motion.at([t0])[0] + phase * np.eye(11)[0]
         first, t, state, losses, why = run(
-            model, released_state(model, start, motion.force([t0])[0]), 10, 2.0
+            model,
+            preloaded_compliant_state(model, start, motion.force([t0])[0]),
+            10,
+            2.0,
         )
         assert why == EndReason.LIES_FLAT
         assert (
@@ -115,7 +158,11 @@ def halts(elastic, friction, rate, starts):
         seen = columns(model, state)
         fast = np.abs(precession_rate(seen)) > 2 * np.pi * 300
         found.append(
-            (t[fast.argmax()], losses[0].t, t[np.flatnonzero(seen[:, 1] > FLAT_INCLINATION)[-1]])
+            (
+                t[fast.argmax()],
+                losses[0].t,
+                t[np.flatnonzero(seen[:, 1] > FLAT_INCLINATION)[-1]],
+            )
         )
     return np.array(found)
 
@@ -131,9 +178,14 @@ def third_program_agrees(found):
     """
     runs = np.transpose([times["4e+06"] for times in OTHER.values()])
     scatter = (
-        t_of(len(runs) - 1).ppf(0.9995) * np.std(runs, axis=0, ddof=1) * np.sqrt(1 + 1 / len(runs))
+        t_of(len(runs) - 1).ppf(0.9995)
+        * np.std(runs, axis=0, ddof=1)
+        * np.sqrt(1 + 1 / len(runs))
     )
-    return (np.abs(np.mean(found, axis=0) - [0.928, 0.933, 0.958]) <= np.hypot(0.01, scatter)).all()
+    return (
+        np.abs(np.mean(found, axis=0) - [0.928, 0.933, 0.958])
+        <= np.hypot(0.01, scatter)
+    ).all()
 
 
 @pytest.mark.slow
@@ -155,10 +207,12 @@ def test_the_halt_on_one_mode(elastic):
     assert np.mean(found, axis=0)[0] == pytest.approx(
         2 * last - before, abs=abs(last - before) + STIFFER[0]
     )
-    for ours, name, moves in zip(found.T[1:], ("lost", "flat"), STIFFER[1:], strict=True):
-        interval = ttest_ind(ours, OTHER[name]["4e+06"], equal_var=False).confidence_interval(
-            0.9999
-        )
+    for ours, name, moves in zip(
+        found.T[1:], ("lost", "flat"), STIFFER[1:], strict=True
+    ):
+        interval = ttest_ind(
+            ours, OTHER[name]["4e+06"], equal_var=False
+        ).confidence_interval(0.9999)
         assert interval.low - moves <= 0 <= interval.high + moves
     assert third_program_agrees(found)
 
@@ -195,13 +249,15 @@ SINGLE = tuple({"mu_static": mu, "mu_dynamic": mu} for mu in (0.2, 0.3, 0.5))
 
 def test_what_is_not_solved_is_refused_in_one_line(elastic):
     for change in ("contact.law=rigid", "numerics.contact=filter"):
-        with pytest.raises(SceneError, match=r"surface\.action = 'motion' with .*") as caught:
+        with pytest.raises(
+            SceneError, match=r"surface\.action = 'motion' with .*"
+        ) as caught:
             check_solvable_scene(elastic.replace(TABLE, change), None)
         assert len(str(caught.value).splitlines()) == 1
     with pytest.raises(
-        SceneError, match=r"numerics\.contact_rate = 150000: too low .* at least \d"
+        SceneError, match=r"numerics\.contact_rate = 140000: too low .* at least \d"
     ):
-        elastic.replace(TABLE, "numerics.accuracy=draft", "numerics.contact_rate=1.5e5")
+        elastic.replace(TABLE, "numerics.accuracy=draft", "numerics.contact_rate=1.4e5")
     assert (
         step_rate(elastic.replace(TABLE, "numerics.accuracy=draft")) < 4e5
     )  # a draft then uses this rate
@@ -211,10 +267,15 @@ def test_what_is_not_solved_is_refused_in_one_line(elastic):
 def test_a_rough_contact_keeps_its_energy_on_a_table_that_acts_back(elastic, damping):
     """The heights would break the contact; the table is light, and at the end the rim touches
     several waves."""
-    model = standing(elastic, 2e5, elastic.friction, (2, 600.0, damping, 0.5), damps=damping > 0)
+    model = standing(
+        elastic, 2e5, elastic.friction, (2, 600.0, damping, 0.5), damps=damping > 0
+    )
     model = replace(model, profiles=profiles(Roughness(rms=1e-7), elastic.disk.radius))
     first, _, state, losses, _ = run(
-        model, released_state(model, steady(elastic.disk, 2e-3)[0]), 1, 0.05
+        model,
+        preloaded_compliant_state(model, steady(contact_law(elastic), 2e-3)[0]),
+        1,
+        0.05,
     )
     now = energy(model, state)
     lost = state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
@@ -234,12 +295,20 @@ def test_a_rough_contact_on_a_heavy_table_is_that_of_a_rigid_one(elastic):
     model = replace(model, profiles=profiles(Roughness(rms=3e-9), elastic.disk.radius))
     each = model, replace(model, modes=None)
     states = [
-        run(one, released_state(one, steady(elastic.disk, 0.02)[0]), 1, 0.02)[2] for one in each
+        run(
+            one,
+            preloaded_compliant_state(one, steady(contact_law(elastic), 0.02)[0]),
+            1,
+            0.02,
+        )[2]
+        for one in each
     ]
     assert (
         np.corrcoef(
             [
-                state[:, STATE.roughness_heights : STATE.roughness_heights + 2].sum(axis=1)
+                state[:, STATE.roughness_heights : STATE.roughness_heights + 2].sum(
+                    axis=1
+                )
                 for state in states
             ]
         )[0, 1]
@@ -248,10 +317,12 @@ def test_a_rough_contact_on_a_heavy_table_is_that_of_a_rigid_one(elastic):
     assert np.corrcoef([state[:, STATE.normal_force] for state in states])[0, 1] > 0.99
 
 
-def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(elastic):
-    light = TABLE.replace("order=2, frequency=600.0", "order=4, frequency=180.0").replace(
-        "=1.0", "=0.02"
-    )
+def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(
+    elastic,
+):
+    light = TABLE.replace(
+        "order=2, frequency=600.0", "order=4, frequency=180.0"
+    ).replace("=1.0", "=0.02")
     scene = elastic.replace(
         light, "release.inclination_deg=2.0", "release.omega=[0.0, 1.011, 5.929]"
     )
@@ -276,7 +347,9 @@ def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
         "release.omega=[0,0.39134,2.29607]",
         "numerics.accuracy=draft",
     )
-    light = TABLE.replace("order=2", f"order={order}").replace("modal_mass=1.0", "modal_mass=0.05")
+    light = TABLE.replace("order=2", f"order={order}").replace(
+        "modal_mass=1.0", "modal_mass=0.05"
+    )
     scene = elastic.replace(light, *low, "numerics.time_limit=6")
     motion = solve_motion(scene, table=surface_modes(scene))
     assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
@@ -287,7 +360,11 @@ def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
 def test_a_heavy_table_is_a_rigid_one(elastic):
     """With a thousand times the mass, the motion equals that on the elastic contact alone, within
     its vibration."""
-    low = "release.inclination_deg=0.2", "release.omega=[0.0, 0.0, 1.8]", "numerics.time_limit=0.05"
+    low = (
+        "release.inclination_deg=0.2",
+        "release.omega=[0.0, 0.0, 1.8]",
+        "numerics.time_limit=0.05",
+    )
     scene = elastic.replace(*low, "numerics.contact=full", "numerics.contact_rate=2e5")
     heavy = scene.replace(TABLE.replace("modal_mass=1.0", "modal_mass=1e5"))
     motion = solve_motion(heavy, table=surface_modes(heavy))
@@ -307,11 +384,12 @@ LATE = (
 
 def test_a_massive_table_is_never_handed_over(elastic):
     massive = elastic.replace(
-        *LATE, TABLE.replace("modal_mass=1.0", "modal_mass=1e8").replace("motion", "auto")
+        *LATE,
+        TABLE.replace("modal_mass=1.0", "modal_mass=1e8").replace("motion", "auto"),
     )
     modes = surface_modes(massive)
     assert not table_reaction(massive, modes).inclination
-    assert "stay below 1%" in table_action(massive, modes)[0].reason
+    assert "remain below 1%" in table_action(massive, modes)[0].reason
     alone = massive.replace("surface={kind='rigid'}")
     motion = solve_motion(massive, table=modes)
     rigid = solve_motion(alone)
@@ -324,7 +402,8 @@ def test_a_massive_table_is_never_handed_over(elastic):
 def handed(elastic):
     """Return a scene that switches to two-way coupling late, its modes and its motion."""
     scene = elastic.replace(
-        *LATE, TABLE.replace("modal_mass=1.0", "modal_mass=10.0").replace("motion", "auto")
+        *LATE,
+        TABLE.replace("modal_mass=1.0", "modal_mass=10.0").replace("motion", "auto"),
     )
     modes = surface_modes(scene)
     return scene, modes, solve_motion(scene, table=modes)
@@ -337,10 +416,18 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     n = 2
     w = 2 * np.pi * 600
     zeta = 0.02
-    beta, energy_share, _ = reaction_shares(scene, modes)
-    x = n * np.array([steady(disk, b)[1] for b in beta]) / w
-    amplitude = disk.weight / (10.0 * w**2) / np.hypot(1 - x**2, 2 * zeta * x)
-    closed = 10.0 * w**2 * (1 + x**2) * amplitude**2 / 2 / (1.5 * disk.weight * disk.radius * beta)
+    beta, energy_share, _ = table_energy_power_shares(scene, modes)
+    x = n * np.array([steady(contact_law(scene), b)[1] for b in beta]) / w
+    shape = (1 - contact_law(scene).rolling_fillet / disk.radius) ** n  # at the contact
+    amplitude = shape * disk.weight / (10.0 * w**2) / np.hypot(1 - x**2, 2 * zeta * x)
+    closed = (
+        10.0
+        * w**2
+        * (1 + x**2)
+        * amplitude**2
+        / 2
+        / (1.5 * disk.weight * disk.radius * beta)
+    )
     assert energy_share == pytest.approx(closed, rel=1e-4)  # splines of the shape
     found = table_reaction(scene, modes)
     assert may_be_two_way(scene)
@@ -350,12 +437,12 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
         f"below an inclination of {found.inclination:.2g} rad"
         in table_action(scene, modes)[0].choice
     )
-    t = motion.handed_over
+    t = motion.switch_time
     assert isinstance(motion, Motion)
     assert replace(motion, outcome=Outcome.LEFT_TABLE).outcome is Outcome.LEFT_TABLE
     assert motion.at(t)[0, 1] == pytest.approx(found.inclination, rel=0.05)
     assert motion.at([t])[0] == pytest.approx(
-        motion.first.at([t])[0], abs=1e-3, rel=1e-3
+        motion.passive_part.at([t])[0], abs=1e-3, rel=1e-3
     )  # the springs creep
     assert motion.table_energy([0.9 * t])[0] == 0 < motion.table_energy([t])[0]
     times = np.linspace(0, motion.t[-1], 2000)
@@ -366,8 +453,8 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     assert all(event.t >= t for event in motion.contact_losses)
     assert motion.bandwidth(motion.at([0.5 * t, 1.01 * t])) == pytest.approx(
         [
-            motion.first.bandwidth(motion.first.at([0.5 * t]))[0],
-            motion.then.bandwidth(motion.then.at([0.01 * t]))[0],
+            motion.passive_part.bandwidth(motion.passive_part.at([0.5 * t]))[0],
+            motion.coupled_part.bandwidth(motion.coupled_part.at([0.01 * t]))[0],
         ]
     )
 
@@ -376,13 +463,23 @@ def test_what_each_cause_takes_of_a_motion_in_two_parts_adds_up(handed):
     """Losses to the table are listed separately, not as friction, and the film acts in both parts
     of the motion."""
     *_, motion = handed
-    lost = {cause: energy[0] for cause, energy in motion.energy_lost(motion.t[-1:]).items()}
+    lost = {
+        cause: energy[0] for cause, energy in motion.energy_lost(motion.t[-1:]).items()
+    }
     assert lost["table"] > 0
-    where_they_meet = motion.first.energy(motion.handed_over)[0] - motion.then.energy(0.0)[0]
-    assert sum(lost.values()) + where_they_meet == pytest.approx(motion.state[-1, -1], rel=1e-6)
+    where_they_meet = (
+        motion.passive_part.energy(motion.switch_time)[0]
+        - motion.coupled_part.energy(0.0)[0]
+    )
+    assert sum(lost.values()) + where_they_meet == pytest.approx(
+        motion.state[-1, -1], rel=1e-6
+    )
     assert what_ends(motion).value < 1
     film = film_under(motion.disk, load_scene("toy").air)
-    assert replace(motion, first=replace(motion.first, loads=film)).film is film
+    assert (
+        replace(motion, passive_part=replace(motion.passive_part, loads=film)).film
+        is film
+    )
 
 
 def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
@@ -392,13 +489,15 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
     independently on a grid, and of the energy lost afterwards. The contact is compressed in the
     second part only.
     """
-    lighter = TABLE.replace("modal_mass=1.0", "modal_mass=4.0").replace("motion", "auto")
+    lighter = TABLE.replace("modal_mass=1.0", "modal_mass=4.0").replace(
+        "motion", "auto"
+    )
     scene = elastic.replace(*LATE, lighter)
     motion = solve_motion(scene, table=surface_modes(scene))
     assert motion.contact_losses
-    t = np.linspace(0.0, motion.handed_over, 200_001)
-    (state, force) = motion.first.at_and_force(t)
-    first = motion.first
+    t = np.linspace(0.0, motion.switch_time, 200_001)
+    (state, force) = motion.passive_part.at_and_force(t)
+    first = motion.passive_part
     arms = np.array(list(ARMS.values()))
     beta = state[:, 1]
     omega = state[:, 5:8]
@@ -407,26 +506,43 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
     turning = np.abs(np.column_stack([omega[:, 0], across, upwards]))
     power = force[:, 2] * (turning @ arms) - (force[:, :2] * state[:, 8:10]).sum(axis=1)
     early = np.trapezoid(power, t)
-    assert early == pytest.approx(first.energy([0.0])[0] - first.energy(t[-1:])[0], rel=1e-4)
+    assert early == pytest.approx(
+        first.energy([0.0])[0] - first.energy(t[-1:])[0], rel=1e-4
+    )
     lost = early + first.energy(t[-1:])[0] - motion.energy(motion.t[-1:])[0]
     found = {finding.key: finding for finding in literature_findings(motion)}[
         "impacts_are_not_the_loss"
     ]
-    assert found.value == pytest.approx(motion.then.lost(motion.then.t[-1:])[0, 0] / lost, rel=1e-4)
+    assert found.value == pytest.approx(
+        motion.coupled_part.lost_by_cause(motion.coupled_part.t[-1:])[0, 0] / lost,
+        rel=1e-4,
+    )
     assert 0 < found.value < 0.5
     assert found.holds
-    where_they_meet = abs(first.energy(t[-1:])[0] - motion.then.energy(0.0)[0])
+    where_they_meet = abs(first.energy(t[-1:])[0] - motion.coupled_part.energy(0.0)[0])
     assert found.margin == pytest.approx(where_they_meet / lost, rel=1e-3)
 
 
 @pytest.mark.slow
 def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
-    """The budget closes; the halt precedes that on an immovably heavy table by the stated time."""
+    """The budget closes; the halt precedes that on an immovably heavy table by the stated time, at
+    one inclination.
+
+    On the heavy table the contact creeps from the release on, in the motion in two parts only after
+    the switch. Creep takes 20 to 60 ms.
+    """
+
+    def time_above(motion, inclination):
+        t = np.linspace(motion.t[-1] - 0.5, motion.t[-1], 100_001)
+        return t[np.flatnonzero(motion.at(t)[:, 1] > inclination)[-1]]
+
     scene, _, motion = handed
-    others = two_way.variation_runs(scene, motion.then)
-    monkeypatch.setattr(two_way, "variation_runs", lambda *_: others)  # avoids solving them again
+    others = two_way.variation_runs(scene, motion.coupled_part)
+    monkeypatch.setattr(
+        two_way, "variation_runs", lambda *_: others
+    )  # avoids solving them again
     found = {finding.key: finding for finding in two_way.motion_findings(scene, motion)}
-    t = np.linspace(motion.handed_over, motion.t[-1], 500)
+    t = np.linspace(motion.switch_time, motion.t[-1], 500)
     budget = two_way.energy_budget(motion, t)
     whole = budget.disk + budget.table + sum(budget.lost.values())
     assert np.ptp(whole) < 1e-9 * whole[0]
@@ -435,13 +551,17 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     )
     rigid = solve_motion(heavy, table=surface_modes(heavy))
     earlier = found["halt_comes_earlier"]
-    assert earlier.value == pytest.approx(rigid.t[-1] - motion.t[-1], abs=earlier.margin)
+    advance = time_above(rigid, FLAT_INCLINATION) - time_above(motion, FLAT_INCLINATION)
+    assert earlier.value == pytest.approx(advance, abs=earlier.margin + 0.02)
     assert earlier.holds
     assert 0 < found["waves_make_the_halt"].value < 1
     assert ("loss_at_resonance" in found) == bool(motion.contact_losses)
-    assert others["half_step"].model.rate == 2 * motion.then.model.rate
+    assert others["half_step"].model.rate == 2 * motion.coupled_part.model.rate
     beta = np.array([0.01])
-    soft, stiff = (m.model.table.law.stiffness(beta) for m in (motion.then, others["twice_stiff"]))
+    soft, stiff = (
+        m.model.table.law.stiffness(beta)
+        for m in (motion.coupled_part, others["twice_stiff"])
+    )
     assert stiff == pytest.approx(2 * soft, rel=1e-12)
     for judge in (
         two_way.waves_make_the_halt,
@@ -451,33 +571,46 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
         one = found[judge.__name__]
         assert (
             one.margin
-            >= max(abs(judge(scene, other).value - one.value) for other in others.values())
+            >= max(
+                abs(judge(scene, other).value - one.value) for other in others.values()
+            )
             > 0
         )
-    lossy = replace(motion.then, contact_losses=ContactLosses(np.array([[0.1, 1e-4, 1e-7]])))
-    kept = replace(motion.then, contact_losses=ContactLosses(np.zeros((0, 3))))
+    lossy = replace(
+        motion.coupled_part, contact_losses=ContactLosses(np.array([[0.1, 1e-4, 1e-7]]))
+    )
+    kept = replace(motion.coupled_part, contact_losses=ContactLosses(np.zeros((0, 3))))
     for one, other, answer in (
         (lossy, lossy, "yes"),
         (kept, kept, "no"),
         (lossy, kept, "undecided"),
     ):
         monkeypatch.setattr(
-            two_way, "variation_runs", lambda *_, other=other: {"one": other, "another": other}
+            two_way,
+            "variation_runs",
+            lambda *_, other=other: {"one": other, "another": other},
         )
         monkeypatch.setattr(two_way, "with_variation_margin", lambda *_: None)
-        broken, count, *_ = two_way.motion_findings(scene, replace(motion, then=one))
+        broken, count, *_ = two_way.motion_findings(
+            scene, replace(motion, coupled_part=one)
+        )
         assert (broken.answer, broken.value) == (answer, len(one.contact_losses))
-        assert count.answer == ("undecided: chaotic" if one is not other else answer)
-        assert (count.value, count.margin) == (len(one.contact_losses), float(one is not other))
-    assert two_way.motion_findings(scene, motion.first) == []
-    with pytest.raises(ValueError, match="does not act back"):
-        two_way.energy_budget(motion.first, t)
+        assert count.answer == ("no" if answer == "no" else "undecided: chaotic")
+        assert (count.value, count.margin) == (
+            len(one.contact_losses),
+            float(one is not other),
+        )
+    assert two_way.motion_findings(scene, motion.passive_part) == []
+    with pytest.raises(ValueError, match="no two-way coupling"):
+        two_way.energy_budget(motion.passive_part, t)
 
 
 def test_a_sweep_of_motions_hands_over_as_a_run_does(handed, monkeypatch):
     scene, _, motion = handed
     monkeypatch.setattr(
-        two_way, "variation_runs", lambda *_: {"itself": motion.then, "again": motion.then}
+        two_way,
+        "variation_runs",
+        lambda *_: {"itself": motion.coupled_part, "again": motion.coupled_part},
     )
     row = STAGE_FUNCTIONS["motion"](scene, None)
     assert row["t_end"] == motion.t[-1]
@@ -495,38 +628,54 @@ def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
     pressure = 0.2
     samples = np.full(int((motion.t[-1] + listener.delay) * rate) + 1, pressure)
     track = SimpleNamespace(read=lambda first: samples[first:])
-    sound = SimpleNamespace(sample_rate=rate, source_end=motion.t[-1], track=lambda name: track)
-    power = 2 * np.pi * 0.5**2 * pressure**2 / (listener.air.density * listener.air.sound_speed)
-    t = np.array([motion.handed_over, motion.t[-1]])
+    sound = SimpleNamespace(
+        sample_rate=rate, source_end=motion.t[-1], track=lambda name: track
+    )
+    power = (
+        2
+        * np.pi
+        * 0.5**2
+        * pressure**2
+        / (listener.air.density * listener.air.sound_speed)
+    )
+    t = np.array([motion.switch_time, motion.t[-1]])
     budget = two_way.energy_budget(motion, t, radiated_power(sound, listener))
     assert budget.sound == pytest.approx([0.0, power * np.ptp(t)], rel=1e-3)
     share = waves_become_heat(motion, sound, listener)
-    assert share.value == pytest.approx(budget.sound[1] / budget.lost["table"][1], rel=1e-9)
-    shown = pictures.energy_data(SimpleNamespace(scene=scene, motion=motion, sound=sound))
-    assert shown["lost"]["sound of the table"][-1] == pytest.approx(budget.sound[1], rel=1e-3)
+    assert share.value == pytest.approx(
+        budget.sound[1] / budget.lost["table"][1], rel=1e-9
+    )
+    shown = pictures.energy_data(
+        SimpleNamespace(scene=scene, motion=motion, sound=sound)
+    )
+    assert shown["lost"]["sound of the table"][-1] == pytest.approx(
+        budget.sound[1], rel=1e-3
+    )
     assert shown["held"]["disk"][0] == pytest.approx(motion.energy(t[:1])[0], rel=0.01)
-    with Image.open(BytesIO(drawn("motion", "draw_energy", shown))) as image:
+    with Image.open(BytesIO(draw_png("motion", "draw_energy", shown))) as image:
         assert image.size == pytest.approx(
             (1210, 616), abs=1
         )  # matplotlib rounds or cuts the last pixel
-    assert pictures._is_omitted("energy", SimpleNamespace(motion=motion.first))
-    told = captions.energy(SimpleNamespace(motion=motion))
+    assert pictures._is_omitted("energy", SimpleNamespace(motion=motion.passive_part))
+    told = captions.describe_energy(SimpleNamespace(motion=motion))
     assert all(cause in told for cause in budget.lost)
 
 
 @pytest.mark.slow
-def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(monkeypatch):
+def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(
+    monkeypatch,
+):
     """The halt comes 0.1 to 1 s earlier than for the same disk and contact on a table without
     modes."""
     scene = load_scene("glass-plate").replace(
-        "contact.law=elastic", "friction.mu_static=0.6", "surface.action=auto"
+        "contact.law=elastic", "surface.action=auto"
     )
     modes = surface_modes(scene, 20e3)
     motion = solve_motion(scene, table=modes)
     advanced = two_way.halt_comes_earlier(scene, motion)
     monkeypatch.setattr("dynamics.compliant.two_way_onset.MIN_TWO_WAY_SHARE", 0.005)
     earlier = solve_motion(scene, table=modes)
-    assert earlier.handed_over < motion.handed_over - 0.5
+    assert earlier.switch_time < motion.switch_time - 0.5
     assert 0.1 < advanced.value < 1.0
     assert motion.t_end == pytest.approx(earlier.t_end, abs=0.1 * advanced.value)
 

@@ -13,7 +13,7 @@ from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import spsolve
 
 from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
-from dynamics.film.wedge import TURNING_POWER
+from dynamics.film.wedge import ROTATION_POWER_COEFFICIENT
 
 
 def volumes(Lam, n):
@@ -37,11 +37,18 @@ def volumes(Lam, n):
         entries.append([np.ravel(a) for a in np.broadcast_arrays(row, column, value)])
 
     def matrix():
-        row, column, value = (np.concatenate(part) for part in zip(*entries, strict=True))
+        row, column, value = (
+            np.concatenate(part) for part in zip(*entries, strict=True)
+        )
         entries.clear()
         return csr_array((value, (row, column)), (cell.size, cell.size))
 
-    outwards = rim[1:-1, None] * (1 + rim[1:-1, None] * np.cos(t)) ** 3 * dt / np.diff(r)[:, None]
+    outwards = (
+        rim[1:-1, None]
+        * (1 + rim[1:-1, None] * np.cos(t)) ** 3
+        * dt
+        / np.diff(r)[:, None]
+    )
     around = (1 + r[:, None] * np.cos(turn[1:])) ** 3 * (dr / r)[:, None] / ahead
     for one, other, flow in ((cell[:-1], cell[1:], outwards), (cell, after, around)):
         for row, column, sign in (
@@ -71,12 +78,14 @@ def volumes(Lam, n):
     step = 1.0
     while np.abs(step).max() > 1e-9:
         step = spsolve(
-            (spread @ diags_array(P) + turned).tocsc(), -(spread @ P**2 / 2 + given + turned @ P)
+            (spread @ diags_array(P) + turned).tocsc(),
+            -(spread @ P**2 / 2 + given + turned @ P),
         )
         P += np.maximum(step, -0.7 * P)
     excess = (P.reshape(cell.shape) - 1) * np.diff(rim**2)[:, None] / 2 * dt
     return (
-        abs((excess * r[:, None] * np.sin(t)).sum()) / (Lam * TURNING_POWER),
+        abs((excess * r[:, None] * np.sin(t)).sum())
+        / (Lam * ROTATION_POWER_COEFFICIENT),
         excess.sum() / np.pi,
         P.min(),
     )
@@ -102,7 +111,9 @@ def test_the_compressible_film_is_solved_on_every_mesh(nearest):
     The part beyond a mesh that ends at exp(-4) of the radius contributes 4 % of the lift.
     """
     for cells in (6, 11):
-        lift, power, flow = compressible_wedge_response([100.0], FilmMesh(cells, nearest=nearest))
+        lift, power, flow = compressible_wedge_response(
+            [100.0], FilmMesh(cells, nearest=nearest)
+        )
         assert power[0] == pytest.approx(0.01346, rel=0.1)
         assert lift[0] == pytest.approx(1.204, rel=0.05 if nearest < 5 else 0.03)
         assert np.abs(flow[:, 0]).max() < 1e-9
@@ -118,7 +129,9 @@ def test_what_leaves_at_the_rim_is_told_by_the_rim_alone(nearest, falling):
     P = mesh.steady_rotating_pressure(100.0, falling=falling)
     out = mesh.rim_mass_flow(P, 100.0, falling=falling)
     mesh._waves(3)[mesh._inner] = 0
-    np.testing.assert_allclose(mesh.rim_mass_flow(P, 100.0, falling=falling), out, atol=1e-9)
+    np.testing.assert_allclose(
+        mesh.rim_mass_flow(P, 100.0, falling=falling), out, atol=1e-9
+    )
 
 
 @pytest.mark.parametrize("falling", [3.0])

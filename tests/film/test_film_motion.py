@@ -20,7 +20,7 @@ from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
 from dynamics.observables import precession_rate
 from dynamics.regime import FLOAT_FORMULAS
-from dynamics.steady_motion import flat_square, steady_precession
+from dynamics.steady_motion import squared_rate_times_inclination, steady_precession
 from sonify import SceneError, load_scene
 from sonify import solve as solve_scene
 
@@ -31,22 +31,31 @@ STIFF = Air(film="acts", pressure=1e9, density=1.204)
 
 def written_out(air, disk, beta, rate, nutation):
     """Return the power [W] of the film from the explicit formulas."""
-    thick = sin(beta) * disk.radius * (abs(rate) * air.density / (2 * air.viscosity)) ** 0.5
+    thick = (
+        sin(beta) * disk.radius * (abs(rate) * air.density / (2 * air.viscosity)) ** 0.5
+    )
     turning = 0.1067607949 * rate**2 / sin(beta) * (1 + (thick / 6.3) ** 2.5) ** 0.4
-    return 12 * air.viscosity * disk.radius**3 * (turning + 0.3808 * nutation**2 / sin(beta) ** 3)
+    return (
+        12
+        * air.viscosity
+        * disk.radius**3
+        * (turning + 0.3808 * nutation**2 / sin(beta) ** 3)
+    )
 
 
 @pytest.mark.parametrize(("beta", "power"), [(0.01, 1.25006e-2), (0.1, 1.71112e-4)])
 def test_what_the_film_takes_from_a_steady_disk(beta, power):
     """The rate is the flat limit; the reference is a worked example with sin(beta) = beta."""
     disk = scene().disk
-    rate = (flat_square(disk.aspect, disk.gyration) / beta) ** 0.5
+    rate = (squared_rate_times_inclination(disk.aspect, disk.gyration) / beta) ** 0.5
     omega = (0.0, disk.aspect * rate * sin(beta), rate * sin(beta))
     unit = disk.mass * disk.radius**2 / disk.time_unit**3
-    assert film_under(disk, STIFF).powers(beta, omega)[0] * unit == pytest.approx(
-        power, rel=beta**2 / 6 + 1e-5
-    )
-    assert film_under(disk, AIR).powers(beta, omega)[0] * unit == pytest.approx(power, rel=0.005)
+    assert film_under(disk, STIFF).rotation_and_fall_powers(beta, omega)[
+        0
+    ] * unit == pytest.approx(power, rel=beta**2 / 6 + 1e-5)
+    assert film_under(disk, AIR).rotation_and_fall_powers(beta, omega)[
+        0
+    ] * unit == pytest.approx(power, rel=0.005)
 
 
 def test_the_loads_take_that_power_of_any_motion():
@@ -57,10 +66,19 @@ def test_the_loads_take_that_power_of_any_motion():
     film = film_under(disk, STIFF)
     loads = film(beta, omega, (0.0, 0.0), law, FLOAT_FORMULAS)
     rise = (disk.aspect * sin(beta) - cos(beta)) * omega[0]
-    taken = -loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2] - loads.G3 * rise
+    taken = (
+        -loads.M1 * omega[0]
+        - loads.M2 * omega[1]
+        - loads.M3 * omega[2]
+        - loads.G3 * rise
+    )
     chi = disk.time_unit
-    expected = written_out(STIFF, disk, beta, omega[2] / sin(beta) / chi, omega[0] / chi)
-    assert taken * disk.mass * disk.radius**2 / chi**3 == pytest.approx(expected, rel=1e-6)
+    expected = written_out(
+        STIFF, disk, beta, omega[2] / sin(beta) / chi, omega[0] / chi
+    )
+    assert taken * disk.mass * disk.radius**2 / chi**3 == pytest.approx(
+        expected, rel=1e-6
+    )
 
 
 def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
@@ -71,11 +89,15 @@ def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
     film = film_under(disk, STIFF)
     omega = (0.3, -0.2, 0.15)
     loads = film(beta, omega, (0.0, 0.0), law, FLOAT_FORMULAS)
-    about_contact = film.at(beta, omega)[1]
-    assert about_contact == pytest.approx(film.falling * omega[0] / sin(beta) ** 3, rel=1e-6)
+    about_contact = film.moments_at(beta, omega)[1]
+    assert about_contact == pytest.approx(
+        film.falling * omega[0] / sin(beta) ** 3, rel=1e-6
+    )
     roll = (False,) * 4, (1.0,) * 3
     one, other = (
-        solve_contact(beta, *omega, 0.0, 0.0, 0.0, 0.0, *roll[0], *roll[1], law, applied)
+        solve_contact(
+            beta, *omega, 0.0, 0.0, 0.0, 0.0, *roll[0], *roll[1], law, applied
+        )
         for applied in (loads, Loads(M1=-about_contact, M3=loads.M3))
     )
     assert one.domega1 == pytest.approx(other.domega1, rel=1e-12)
@@ -86,18 +108,24 @@ def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
 @pytest.mark.parametrize(
     ("disk", "slower", "bar"), [({"thickness": 1e-4}, 1.0, 0.01), (None, 0.94, 0.01)]
 )
-def test_under_the_film_alone_the_cube_of_the_inclination_falls_linearly(disk, slower, bar):
+def test_under_the_film_alone_the_cube_of_the_inclination_falls_linearly(
+    disk, slower, bar
+):
     """A thin disk has 3/2 m g R dbeta/dt = -12 mu R^3 I Omega^2/beta with constant Omega^2 beta.
 
     The centre of a thick disk starts to move, which reduces the rate to 0.94 of this value, as
     under k_2.
     """
     thin = Air(film="acts", density=0.0)
-    motion = simulate(whirling(0.02, air=thin, disk=disk, numerics={"time_limit": 0.15}))
+    motion = simulate(
+        whirling(0.02, air=thin, disk=disk, numerics={"time_limit": 0.15})
+    )
     disk = motion.disk
     t = np.linspace(0, 0.15, 4001)
     slope = np.polyfit(t, motion.at(t)[:, 1] ** 3, 1)[0]
-    square = flat_square(disk.aspect, disk.gyration) / disk.time_unit**2
+    square = (
+        squared_rate_times_inclination(disk.aspect, disk.gyration) / disk.time_unit**2
+    )
     expected = (
         -3
         * 12
@@ -127,8 +155,12 @@ def test_the_air_carries_the_published_disk(carried):
     assert stiff.t[-1] == pytest.approx(12.35, abs=0.15)
     assert stiff.state[-1, 1] == pytest.approx(2.6e-3, rel=0.05)
     assert 1.03 < carried.state[-1, 1] / stiff.state[-1, 1] < 1.06
-    assert abs(precession_rate(carried.state[-1:])[0]) / (2 * np.pi) == pytest.approx(57, abs=6)
-    assert carried.force(carried.t[-1])[0, 2] == pytest.approx(0, abs=1e-9 * carried.disk.weight)
+    assert abs(precession_rate(carried.state[-1:])[0]) / (2 * np.pi) == pytest.approx(
+        57, abs=6
+    )
+    assert carried.force(carried.t[-1])[0, 2] == pytest.approx(
+        0, abs=1e-9 * carried.disk.weight
+    )
 
 
 def test_energy_and_work_add_up_with_the_film(carried):
@@ -138,7 +170,10 @@ def test_energy_and_work_add_up_with_the_film(carried):
 
 
 def test_both_integrators_lose_contact_at_one_instant():
-    ends = [simulate(scene({"integrator": name}, air=AIR)).t[-1] for name in ("auto", "dop853")]
+    ends = [
+        simulate(scene({"integrator": name}, air=AIR)).t[-1]
+        for name in ("auto", "dop853")
+    ]
     assert ends[0] == pytest.approx(ends[1], rel=1e-10)
 
 
@@ -172,25 +207,34 @@ PLATE = {"radius": 0.1, "thickness": 0.02, "mass": 5.0}
     ("disk", "pressure", "inclination"),
     [(COIN, 1e5, 0.03), (COIN, 100.0, 0.03), (PLATE, 1000.0, 0.01)],
 )
-def test_other_disks_in_other_air_end_alike_by_both_integrators(disk, pressure, inclination):
+def test_other_disks_in_other_air_end_alike_by_both_integrators(
+    disk, pressure, inclination
+):
     """Outcome, time, inclination and precession agree; lower pressure delays the end."""
     air = Air(film="acts", pressure=pressure)
     draft = {"accuracy": "draft", "time_limit": 30.0}
     ends = []
     for name in ("auto", "dop853"):
         motion = simulate(
-            whirling(inclination, disk=disk, air=air, numerics=draft | {"integrator": name})
+            whirling(
+                inclination, disk=disk, air=air, numerics=draft | {"integrator": name}
+            )
         )
         assert motion.outcome is Outcome.AIRBORNE
-        assert motion.force(motion.t[-1])[0, 2] == pytest.approx(0, abs=1e-6 * motion.disk.weight)
+        assert motion.force(motion.t[-1])[0, 2] == pytest.approx(
+            0, abs=1e-6 * motion.disk.weight
+        )
         total = motion.energy(motion.t) + motion.state[:, 10]
         assert np.ptp(total) < 1e-9 * total[0]
-        ends.append([motion.t[-1], motion.state[-1, 1], precession_rate(motion.state[-1:])[0]])
+        ends.append(
+            [motion.t[-1], motion.state[-1, 1], precession_rate(motion.state[-1:])[0]]
+        )
     assert ends[0] == pytest.approx(ends[1], rel=1e-6)
 
 
 @pytest.mark.parametrize(
-    ("disk", "pressure"), [(None, 101325.0), (None, 1000.0), (COIN, 10132.5), (PLATE, 101325.0)]
+    ("disk", "pressure"),
+    [(None, 101325.0), (None, 1000.0), (COIN, 10132.5), (PLATE, 101325.0)],
 )
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
 def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrator):
@@ -202,7 +246,9 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
     )
     assert free.outcome is Outcome.FELL
     assert caught.outcome is Outcome.AIRBORNE
-    assert caught.force(caught.t[-1])[0, 2] == pytest.approx(0, abs=GONE * caught.disk.weight)
+    assert caught.force(caught.t[-1])[0, 2] == pytest.approx(
+        0, abs=GONE * caught.disk.weight
+    )
     assert 1e-3 < caught.state[-1, 1] < 0.05
     assert caught.state[-1, 5] > 1
 
@@ -210,17 +256,23 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
 def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
     """Contact is lost by accumulating events, or where rounding leaves no valid regime."""
     for turned in range(-6, 7):
-        fall = {"inclination_deg": 10.0 * (1 + 1e-13 * turned), "omega": (0.0, 0.0, 1e-3)}
+        fall = {
+            "inclination_deg": 10.0 * (1 + 1e-13 * turned),
+            "omega": (0.0, 0.0, 1e-3),
+        }
         motion = simulate(scene(release=fall, air=Air(film="acts", pressure=1000.0)))
         assert motion.outcome is Outcome.AIRBORNE
-        assert motion.force(motion.t[-1])[0, 2] == pytest.approx(0, abs=GONE * motion.disk.weight)
+        assert motion.force(motion.t[-1])[0, 2] == pytest.approx(
+            0, abs=GONE * motion.disk.weight
+        )
 
 
 def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
     """The disk spins so fast that the motion ends at 30 degrees, where the film is negligible."""
     fast = {"inclination_deg": 30.0, "omega": (0.0, 0.0, -45.0)}
     motions = [
-        simulate(scene(release=fast, air=air, numerics={"time_limit": 2.0})) for air in (None, AIR)
+        simulate(scene(release=fast, air=air, numerics={"time_limit": 2.0}))
+        for air in (None, AIR)
     ]
     assert motions[0].outcome is motions[1].outcome
 
@@ -243,9 +295,13 @@ def test_auto_takes_the_film_where_it_will_matter():
     disk = long.disk
     assert told.film == film_under(disk, AIR)
     assert decide_film(short).film is None
-    np.testing.assert_array_equal(simulate(short).state, simulate(scene({"time_limit": 5.0})).state)
+    np.testing.assert_array_equal(
+        simulate(short).state, simulate(scene({"time_limit": 5.0})).state
+    )
     motion = simulate(scene({"time_limit": 10.0}))
-    rate = steady_precession(told.inclination, disk.aspect, disk.gyration) * sin(told.inclination)
+    rate = steady_precession(told.inclination, disk.aspect, disk.gyration) * sin(
+        told.inclination
+    )
     level = energy(
         told.inclination,
         (0.0, disk.aspect * rate, rate),

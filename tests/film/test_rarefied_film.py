@@ -22,7 +22,9 @@ from sonify.plan.preflight import check_solvable_scene
 
 @pytest.fixture(scope="module")
 def rare(scene):
-    return scene.replace("numerics.accuracy=draft", "air.film=auto", "air.pressure=10.0")
+    return scene.replace(
+        "numerics.accuracy=draft", "air.film=auto", "air.pressure=10.0"
+    )
 
 
 def kinetic_flow(knudsen):
@@ -69,9 +71,9 @@ def test_in_air_of_one_atmosphere_the_end_is_as_before(scene):
         acts.numerics.stopping_inclination(acts.disk),
         rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN),
     )
-    assert final_inclination(scene.replace("air.film=none")) == scene.numerics.stopping_inclination(
-        scene.disk
-    )
+    assert final_inclination(
+        scene.replace("air.film=none")
+    ) == scene.numerics.stopping_inclination(scene.disk)
 
 
 def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
@@ -85,4 +87,6 @@ def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
     ) as refused:
         check_solvable_scene(thin.replace("air.film=acts"), None)
     assert "\n" not in str(refused.value)
-    assert decide_film(thin.replace("air.pressure=0.34", "air.film=acts")).film is not None
+    assert (
+        decide_film(thin.replace("air.pressure=0.34", "air.film=acts")).film is not None
+    )

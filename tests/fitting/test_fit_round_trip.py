@@ -3,14 +3,11 @@ the interval.
 
 Source: the sound comes from the force, the modes and the film along a motion of many regimes; the
 fit uses only the steady decline and the motions that it solves with the fitted shares. Oracle: the
-values in the scene. The intervals of the coin are wide: the coin hops, and starts far from steady
-motion. The fit does not model two-way coupling and would attribute the table's loss to friction; in
+values in the scene. The fit does not model two-way coupling and would attribute the table's loss to friction; in
 these scenes the table therefore only radiates.
 """
 
-import numpy as np
 import pytest
-import soundfile
 
 import sonify
 from sonify import load_scene
@@ -24,12 +21,24 @@ STEADY = ("thorne", "toy", "contour", "glass", "power", "hoop", "viscous")
 """Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
 KNOWN = ("thorne", "granite", "polished", "glass")
 """Scenes dominated by contact friction on an identifiable motion; the fit is accurate to 5 %."""
-OTHER = ("published", "power", "glass-plate", "hoop", "boundary_layer", "viscous", "moffatt")
+OTHER = (
+    "published",
+    "power",
+    "glass-plate",
+    "hoop",
+    "boundary_layer",
+    "viscous",
+    "moffatt",
+)
 
 
-def fitted(name, folder):
-    scene = load_scene(name)
-    scene = scene if scene.surface.kind == "rigid" else scene.replace("surface.action=sound")
+def fitted(name, folder, *changes):
+    scene = load_scene(name).replace(*changes)
+    scene = (
+        scene
+        if scene.surface.kind == "rigid"
+        else scene.replace("surface.action=sound")
+    )
     write_sound(sonify.solve(scene).sound, folder)
     return scene, fit(folder / "pressure.wav", scene)
 
@@ -50,7 +59,10 @@ def test_contour_friction_and_film_are_given_back(name, tmp_path):
     values = fits.values()
     assert held(values["rolling"], rolling)
     assert tells(fits, values["rolling"], rolling) or name not in STEADY
-    assert values["rolling"].high - values["rolling"].low < 0.1 * rolling or name not in KNOWN
+    assert (
+        values["rolling"].high - values["rolling"].low < 0.1 * rolling
+        or name not in KNOWN
+    )
     assert held(values["air"], 1.0) if has_film(scene) else "air" not in values
     assert fits.verdict in {"rolling", "both"}
 
@@ -65,35 +77,15 @@ def test_another_law_is_given_back_and_contour_friction_does_not_fit(name, tmp_p
     assert fits.verdict == "cannot tell"
 
 
-def test_a_coin_that_hops_is_given_back_in_wide_intervals(tmp_path):
-    scene, fits = fitted("coin-polished", tmp_path)
+@pytest.mark.parametrize("rms", [1e-9, 1e-8])
+def test_a_smooth_coin_is_given_back_and_a_hopping_one_loses_more(rms, tmp_path):
+    """The fit does not know the loss by hops and attributes it to rolling: 0.2 to 0.3 of it."""
+    scene, fits = fitted("coin-polished", tmp_path, f"roughness.rms={rms}")
     values = fits.values()
-    assert held(
-        values["rolling"],
-        scene.dissipation.contour_moment / (scene.disk.weight * scene.disk.radius),
-    )
-    assert held(values["air"], 1.0)
-    assert fits.verdict in {"both", "cannot tell"}
-
-
-def test_noise_does_not_choose_the_motion(tmp_path):
-    """With noise as strong as its residual, a steady decline gives 2.5(1)e-5 for 2.17e-5."""
-    disk = [
-        "disk.radius=0.0439",
-        "disk.thickness=0.0124",
-        "disk.mass=0.58",
-        "release.inclination_deg=11.4",
-    ]
-    scene = load_scene("contour").replace(
-        *disk, "dissipation.contour_moment=5.42e-6", "friction.mu_dynamic=0.31"
-    )
-    sound = sonify.solve(scene).sound
-    samples = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
-    noise = 0.12 * samples.std() * np.random.default_rng(5).standard_normal(len(samples))
-    soundfile.write(
-        tmp_path / "take.wav",
-        (samples + noise) / (2 * np.abs(samples).max()),
-        sound.pressure.sample_rate,
-    )
     rolling = scene.dissipation.contour_moment / (scene.disk.weight * scene.disk.radius)
-    assert held(fit(tmp_path / "take.wav", scene).values()["rolling"], rolling)
+    if rms == 1e-9:
+        assert held(values["rolling"], rolling)
+        assert held(values["air"], 1.0)
+    else:
+        assert rolling < values["rolling"].low < values["rolling"].high < 1.4 * rolling
+    assert fits.verdict in {"both", "cannot tell"}

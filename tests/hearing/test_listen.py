@@ -24,7 +24,7 @@ from sonify.hearing.recording import LONGEST, RecordingError, listen, read
 from sonify.hearing.rising_tone import rising_tone
 from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectrogram import spectrogram
-from sonify.report.recording import own_folder
+from sonify.report.recording import default_report_folder
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]
@@ -38,14 +38,17 @@ def recording(exponent, pitch, snr_db, room=False, seed=0, rate=RATE):
     rng = np.random.default_rng(seed)
     t = np.arange(int(LENGTH * rate)) / rate
     left = np.maximum(END - t, 1e-3)
-    phase = 2 * np.pi * np.cumsum(np.minimum(pitch * left**-exponent, 0.4 * rate)) / rate
+    phase = (
+        2 * np.pi * np.cumsum(np.minimum(pitch * left**-exponent, 0.4 * rate)) / rate
+    )
     sound = np.where(t < END, np.sin(phase) + 0.5 * np.sin(2 * phase), 0) * np.minimum(
         1, left**-0.3
     )
     if room:
         late = np.arange(int(0.5 * rate)) / rate
         sound = fftconvolve(
-            sound, np.r_[1, 0.05 * rng.normal(size=len(late) - 1) * np.exp(-13.8 * late[1:])]
+            sound,
+            np.r_[1, 0.05 * rng.normal(size=len(late) - 1) * np.exp(-13.8 * late[1:])],
         )[: len(t)]
     noise = rng.normal(size=len(t))
     return sound + noise * sound.std() / noise.std() * 10 ** (-snr_db / 20)
@@ -109,7 +112,8 @@ def test_a_tone_far_below_what_rings_at_its_end_is_found():
     t = np.arange(int(LENGTH * RATE)) / RATE
     after = np.maximum(t - END + 0.05, 0)
     ringing = sum(
-        np.sin(2 * np.pi * f * after) * np.exp(-3 * after) for f in (3010.0, 7250.0, 9280.0)
+        np.sin(2 * np.pi * f * after) * np.exp(-3 * after)
+        for f in (3010.0, 7250.0, 9280.0)
     )
     tone = rising_tone(300 * ringing + recording(1.0, 156.0, 40), RATE)
     assert tone.exponent == pytest.approx(1.0, abs=min(0.01, 3 * tone.exponent_error))
@@ -129,19 +133,29 @@ def passing(seed, rate=16000):
     pitch = rng.uniform(60, 120) if exponent < 0.5 else rng.uniform(35, 120)
     t = np.arange(int((end + rng.uniform(0.5, 2)) * rate)) / rate
     left = np.maximum(end - t, 1e-3)
-    phase = 2 * np.pi * np.cumsum(np.minimum(pitch * left**-exponent, 0.4 * rate)) / rate
+    phase = (
+        2 * np.pi * np.cumsum(np.minimum(pitch * left**-exponent, 0.4 * rate)) / rate
+    )
     early = 1 / (1 + (left / rng.uniform(0.3, 3)) ** -7) * (seed % 3 > 0)
     ratio = rng.uniform(0.75, 0.85)
     residue = 0.1 * (seed % 3 > 1)
-    upper, lower = (np.sin(part) + 0.5 * np.sin(2 * part) for part in (phase, ratio * phase + 1))
-    sound = np.where(t < end, (1 - early + residue) * upper + (early + residue) * lower, 0)
+    upper, lower = (
+        np.sin(part) + 0.5 * np.sin(2 * part) for part in (phase, ratio * phase + 1)
+    )
+    sound = np.where(
+        t < end, (1 - early + residue) * upper + (early + residue) * lower, 0
+    )
     sound *= np.minimum(3, left ** -rng.choice([0, 0.3, 0.6]))
     hum = sum(
         a * np.sin(2 * np.pi * n * rng.choice([50, 60]) * t)
         for n, a in ((1, 1), (2, 0.5), (3, 0.5))
     )
     noise = rng.normal(size=len(t)) * 10 ** (-rng.choice([30, 20, 10, 0]) / 20)
-    return sound + sound.std() * (noise + rng.choice([0, 0.3, 1, 3]) * hum), exponent, end
+    return (
+        sound + sound.std() * (noise + rng.choice([0, 0.3, 1, 3]) * hum),
+        exponent,
+        end,
+    )
 
 
 def assert_errors_cover(seeds):
@@ -177,9 +191,13 @@ def test_the_errors_stated_hold_the_truth_of_many():
 def test_the_repetition_of_the_envelope_is_found(tmp_path):
     """The noise bursts have no tone, but their repetition rate rises."""
     t = np.arange(int(LENGTH * RATE)) / RATE
-    phase = 2 * np.pi * np.cumsum(np.minimum(40.0 / np.maximum(END - t, 1e-3), 2000)) / RATE
+    phase = (
+        2 * np.pi * np.cumsum(np.minimum(40.0 / np.maximum(END - t, 1e-3), 2000)) / RATE
+    )
     bursts = (
-        np.random.default_rng(3).normal(size=len(t)) * np.maximum(np.cos(phase), 0) ** 2 * (t < END)
+        np.random.default_rng(3).normal(size=len(t))
+        * np.maximum(np.cos(phase), 0) ** 2
+        * (t < END)
     )
     soundfile.write(tmp_path / "bursts.wav", 0.1 * bursts, RATE, "FLOAT")
     (run,) = settling_runs(SoundFile(tmp_path / "bursts.wav"))
@@ -208,7 +226,9 @@ def test_a_steady_tone_does_not_rise():
 def test_any_rate_channels_and_format(tmp_path, rate, channels, subtype, suffix):
     path = tmp_path / f"recording{suffix}"
     sound = recording(1.0, 60.0, 20, rate=rate)
-    soundfile.write(path, np.repeat(0.2 * sound[:, None], channels, axis=1), rate, subtype)
+    soundfile.write(
+        path, np.repeat(0.2 * sound[:, None], channels, axis=1), rate, subtype
+    )
     heard = listen(path)
     assert heard.sample_rate == rate
     assert heard.tone.end == pytest.approx(END, abs=0.02)
@@ -216,7 +236,9 @@ def test_any_rate_channels_and_format(tmp_path, rate, channels, subtype, suffix)
 
 @pytest.mark.parametrize("rate", [3001, 3200, 3340])
 def test_a_rate_that_holds_nothing_of_the_highest_band(tmp_path, rate):
-    soundfile.write(tmp_path / "low.wav", 0.2 * recording(1.0, 60.0, 20, rate=rate), rate, "FLOAT")
+    soundfile.write(
+        tmp_path / "low.wav", 0.2 * recording(1.0, 60.0, 20, rate=rate), rate, "FLOAT"
+    )
     assert listen(tmp_path / "low.wav").tone.end == pytest.approx(END, abs=0.02)
 
 
@@ -241,19 +263,25 @@ def wav(path, samples, rate=RATE):
 
 
 BAD = {
-    "absent": (lambda path: None, "not a sound file"),
-    "empty file": (lambda path: path.write_bytes(b""), "not a sound file"),
-    "text": (lambda path: path.write_text("no sound" * 100), "not a sound file"),
-    "folder": (lambda path: path.mkdir(), "not a sound file"),
+    "absent": (lambda path: None, "not a readable sound file"),
+    "empty file": (lambda path: path.write_bytes(b""), "not a readable sound file"),
+    "text": (
+        lambda path: path.write_text("no sound" * 100),
+        "not a readable sound file",
+    ),
+    "folder": (lambda path: path.mkdir(), "not a readable sound file"),
     "header alone": (
         lambda path: path.write_bytes(b"RIFF" + struct.pack("<I", 36) + b"WAVE"),
-        "not a sound file",
+        "not a readable sound file",
     ),
-    "no samples": (lambda path: wav(path, []), "0 s long"),
-    "one sample": (lambda path: wav(path, [0.5]), "s long"),
+    "no samples": (lambda path: wav(path, []), "too short, 0 s"),
+    "one sample": (lambda path: wav(path, [0.5]), "too short, "),
     "silent": (lambda path: wav(path, np.zeros(RATE)), "silent"),
     "constant": (lambda path: wav(path, np.full(RATE, 0.3)), "silent"),
-    "not a number": (lambda path: wav(path, np.r_[np.ones(RATE), np.nan]), "not finite"),
+    "not a number": (
+        lambda path: wav(path, np.r_[np.ones(RATE), np.nan]),
+        "not finite",
+    ),
     "infinite": (lambda path: wav(path, np.r_[np.ones(RATE), np.inf]), "not finite"),
 }
 
@@ -263,7 +291,9 @@ def test_a_bad_recording_is_one_line_and_writes_nothing(tmp_path, kind):
     path = tmp_path / "bad.wav"
     (make, message) = BAD[kind]
     make(path)
-    asked = CliRunner().invoke(main, ["listen", str(path), "--out", str(tmp_path / "out")])
+    asked = CliRunner().invoke(
+        main, ["listen", str(path), "--out", str(tmp_path / "out")]
+    )
     assert asked.exit_code == 2
     assert asked.stdout == ""
     assert len(asked.stderr.splitlines()) == 1
@@ -280,12 +310,14 @@ def test_a_truncated_recording_is_heard_as_far_as_it_goes(tmp_path):
     assert heard.duration == pytest.approx(0.9 * LENGTH, rel=0.01)
     assert heard.missing == pytest.approx(0.1 * LENGTH, rel=0.01)
     assert str(heard.truncation).endswith(
-        f"{heard.duration:.3f} s of sound are there, 10.000 s are announced"
+        f"contains {heard.duration:.3f} s of sound, and the header states 10.000 s"
     )
     assert heard.tone.end == pytest.approx(END, abs=0.02)
 
 
-def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_truncated(tmp_path):
+def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_truncated(
+    tmp_path,
+):
     path = tmp_path / "piped.wav"
     wav(path, 0.1 * recording(1.0, 60.0, 20)[: 2 * RATE])
     assert SoundFile(path).truncation is None
@@ -301,7 +333,9 @@ def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_tru
     ("name", "why"),
     [("absent.wav", "No such file"), ("voice.m4a", "ffmpeg -i voice.m4a voice.wav")],
 )
-def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(tmp_path, name, why):
+def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(
+    tmp_path, name, why
+):
     (tmp_path / "voice.m4a").write_bytes(b"\0\0\0\x18ftypM4A " + bytes(100))
     with pytest.raises(RecordingError, match=why) as refused:
         listen(tmp_path / name)
@@ -311,16 +345,20 @@ def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(tmp_path, na
 def test_recordings_of_one_name_have_a_folder_each(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for day, name in [("monday", "sound"), ("tuesday", "sound-2"), ("monday", "sound")]:
-        assert own_folder(f"{day}/sound.wav") == Path("outputs/listen") / name
-        own_folder(f"{day}/sound.wav").mkdir(parents=True, exist_ok=True)
+        assert (
+            default_report_folder(f"{day}/sound.wav") == Path("outputs/listen") / name
+        )
+        default_report_folder(f"{day}/sound.wav").mkdir(parents=True, exist_ok=True)
         told = {"recording": str((tmp_path / day / "sound.wav").resolve())}
         (tmp_path / "outputs/listen" / name / "heard.json").write_text(json.dumps(told))
-    for name, foreign in enumerate(["{", "[]", "{}", "null", '"sound"', 9999 * "[", "\udcff"], 3):
+    for name, foreign in enumerate(
+        ["{", "[]", "{}", "null", '"sound"', 9999 * "[", "\udcff"], 3
+    ):
         (tmp_path / "outputs/listen" / f"sound-{name}").mkdir()
         (tmp_path / "outputs/listen" / f"sound-{name}" / "heard.json").write_text(
             foreign, "utf-8", "surrogateescape"
         )
-    assert own_folder("wednesday/sound.wav").name == "sound-10"
+    assert default_report_folder("wednesday/sound.wav").name == "sound-10"
 
 
 def test_of_a_long_recording_the_part_around_its_loudest_second_is_heard(tmp_path):
@@ -339,7 +377,9 @@ def test_of_a_long_recording_the_part_around_its_loudest_second_is_heard(tmp_pat
 def test_the_command_writes_what_it_says(tmp_path):
     path = tmp_path / "mine.wav"
     wav(path, 0.1 * recording(1.0, 60.0, 20))
-    asked = CliRunner().invoke(main, ["listen", str(path), "--out", str(tmp_path / "out")])
+    asked = CliRunner().invoke(
+        main, ["listen", str(path), "--out", str(tmp_path / "out")]
+    )
     assert asked.exit_code == 0
     assert "comes to rest at" in asked.stdout
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [

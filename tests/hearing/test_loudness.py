@@ -29,7 +29,9 @@ RATE = 48000
 
 def tone(path, frequency, pascal, seconds=2.0):
     t = np.arange(int(seconds * RATE)) / RATE
-    soundfile.write(path, pascal * np.sqrt(2) * np.sin(2 * np.pi * frequency * t), RATE, "FLOAT")
+    soundfile.write(
+        path, pascal * np.sqrt(2) * np.sin(2 * np.pi * frequency * t), RATE, "FLOAT"
+    )
     return path
 
 
@@ -61,21 +63,25 @@ def test_a_tone_at_the_threshold_is_just_heard(tmp_path, frequency, threshold):
         0, abs=2.5
     )  # a neighbouring band leaks at 20 Hz
     louder = audibility(tone(path, frequency, 20e-6 * 10 ** ((threshold + 20) / 20)))
-    assert np.median(louder.above_threshold - heard.above_threshold) == pytest.approx(20, abs=0.1)
+    assert np.median(louder.above_threshold - heard.above_threshold) == pytest.approx(
+        20, abs=0.1
+    )
 
 
 def test_a_pascal_is_94_db(tmp_path):
     seen = spectrogram(tone(tmp_path / "tone.wav", 1000.0, 1.0), 0.125)
     assert seen.level_db(20e-6).max() == pytest.approx(93.98, abs=0.02)
     assert band_levels(seen).max(axis=0) == pytest.approx(93.98, abs=0.05)
-    assert audibility(tmp_path / "tone.wav").a_weighted == pytest.approx(93.98, abs=0.05)
+    assert audibility(tmp_path / "tone.wav").a_weighted == pytest.approx(
+        93.98, abs=0.05
+    )
 
 
 def test_loudness_of_a_full_scale_tone(tmp_path):
     """A 997 Hz sine of peak 0 dBFS in one channel reads -3.01 LKFS (BS.1770, note to annex 1)."""
-    assert loudness_lufs(tone(tmp_path / "tone.wav", 997.0, 1 / np.sqrt(2), 5.0)) == pytest.approx(
-        -3.01, abs=0.1
-    )
+    assert loudness_lufs(
+        tone(tmp_path / "tone.wav", 997.0, 1 / np.sqrt(2), 5.0)
+    ) == pytest.approx(-3.01, abs=0.1)
 
 
 @pytest.mark.parametrize("rate", [44100, 48000])
@@ -89,7 +95,9 @@ def test_an_asper_is_a_tone_of_60_db_fully_modulated_at_70_hz(tmp_path, rate):
     t = np.arange(3 * rate) / rate
     rough = {}
     for modulation, depth in ((70, 1.0), (20, 1.0), (160, 1.0), (70, 0.0)):
-        sound = (1 + depth * np.sin(2 * np.pi * modulation * t)) * np.sin(2 * np.pi * 1000 * t)
+        sound = (1 + depth * np.sin(2 * np.pi * modulation * t)) * np.sin(
+            2 * np.pi * 1000 * t
+        )
         sound *= 20e-6 * 10 ** (60 / 20) / np.sqrt(np.mean(sound**2))
         soundfile.write(tmp_path / "rough.wav", sound, rate, "FLOAT")
         time, asper = roughness(tmp_path / "rough.wav", 2.5)
@@ -143,7 +151,8 @@ class InBlocks:
 
 
 @pytest.mark.parametrize(
-    ("step", "overlap", "start"), [(1000, 0, 0), (1000, 3000, 17), (50_000, 5, 0), (8, 90_000, 3)]
+    ("step", "overlap", "start"),
+    [(1000, 0, 0), (1000, 3000, 17), (50_000, 5, 0), (8, 90_000, 3)],
 )
 def test_pieces_are_the_samples_however_they_come(step, overlap, start):
     samples = np.random.default_rng(0).normal(size=(60_001, 2))
@@ -151,16 +160,24 @@ def test_pieces_are_the_samples_however_they_come(step, overlap, start):
     padded = np.pad(samples, ((0, 100_000), (0, 0)))
     for reading in range(2):  # the second search finds the results of the first
         for i, piece in enumerate(pieces(source, step, overlap, start)):
-            assert np.array_equal(piece, padded[start + i * step :][: step + overlap]), reading
+            assert np.array_equal(
+                piece, padded[start + i * step :][: step + overlap]
+            ), reading
             if i > 100:
                 break
         else:
             assert start + (i + 1) * step >= len(samples)
-    assert np.array_equal(stretch(source, start, start + step), samples[start : start + step])
+    assert np.array_equal(
+        stretch(source, start, start + step), samples[start : start + step]
+    )
 
 
 def test_a_file_and_its_samples_look_and_sound_the_same(tmp_path):
-    samples = np.random.default_rng(1).normal(scale=0.1, size=(3 * BLOCK + 5, 2)).astype(np.float32)
+    samples = (
+        np.random.default_rng(1)
+        .normal(scale=0.1, size=(3 * BLOCK + 5, 2))
+        .astype(np.float32)
+    )
     soundfile.write(tmp_path / "noise.wav", samples, RATE, "FLOAT")
     file = SoundFile(tmp_path / "noise.wav")
     blocks = InBlocks(samples)

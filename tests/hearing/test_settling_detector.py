@@ -17,21 +17,26 @@ import settling_sounds
 import soundfile
 from paths import ROOT
 from scipy.signal import butter, sosfilt
+from scipy.stats import binomtest
 
 from sonify import load_scene, solve
 from sonify.fitting.line_selection import detect_run as sound_to_fit
 from sonify.hearing.audio_source import SoundFile, excerpt
 from sonify.hearing.recording import RecordingError
+from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.settling.ends import power_drop
 from sonify.hearing.settling.rate_laws import Shape, covering_shapes, families
 from sonify.hearing.settling.settings import SettlingSettings
 from sonify.hearing.settling.warped_periodogram import strongest_laws
-from sonify.report.settling import run_numbers, run_sentences
+from sonify.report.settling import run_sentences, settling_run_record
 from sonify.scene_errors import InputError
 
-RECORDINGS = Path(os.environ.get("SONIFY_RECORDINGS", ROOT.parent / "shared" / "recordings"))
-FAMILIES = families(SettlingSettings(), SettlingSettings().shape_distance)
+RECORDINGS = Path(
+    os.environ.get("SONIFY_RECORDINGS", ROOT.parent / "shared" / "recordings")
+)
+SHAPES = families(SettlingSettings(), SettlingSettings().shape_distance)
+DISK = families(SettlingSettings(), SettlingSettings().shape_distance, "disk")
 needs_recordings = pytest.mark.skipif(
     not RECORDINGS.is_dir(),
     reason="the real recordings are not here; set SONIFY_RECORDINGS to their folder",
@@ -65,10 +70,9 @@ def recording(name, start=0.0, stop=None):
     return samples[int(start * rate) : None if stop is None else int(stop * rate)], rate
 
 
-@pytest.mark.parametrize("family", sorted(FAMILIES))
-def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time(family):
+def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time():
     phases = np.linspace(0, 1, 41)
-    for shape in FAMILIES[family].shapes[::5]:
+    for shape in SHAPES.shapes[::5]:
         assert shape.phase(shape.time(phases)) == pytest.approx(phases, abs=1e-9)
         last_rate = (1 - shape.phase(1 - 1e-7)) / 1e-7
         ratio = 1 / shape.ratio if shape.family.startswith("slowing") else shape.ratio
@@ -77,7 +81,7 @@ def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time(family):
 
 def test_every_law_of_the_family_is_near_a_shape_of_the_cover():
     x = np.linspace(0, 1, 500)
-    cover = np.array([shape.phase(x) for shape in FAMILIES["disk"].shapes])
+    cover = np.array([shape.phase(x) for shape in DISK.shapes])
     rng = np.random.default_rng(1)
     for _ in range(50):
         law = Shape(
@@ -95,7 +99,7 @@ def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
     The best law has the same number of turns.
     """
     settings = SettlingSettings()
-    shapes = FAMILIES["disk"]
+    shapes = DISK
     shape = min(
         shapes.shapes,
         key=lambda shape: abs(shape.exponent - exponent) + abs(np.log(shape.ratio / 6)),
@@ -104,7 +108,7 @@ def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
     places = 1600 * shape.time(np.arange(1, int(turns)) / turns)
     values[places.astype(int)] = 1
     pulses = np.convolve(values, np.ones(3), "same").astype(np.float32)
-    best = strongest_laws(pulses, 3.0, shapes, settings)[0]
+    best = strongest_laws(pulses, 3.0, shapes, settings)["disk"][0]
     assert best.turns == pytest.approx(turns, abs=0.26)
     assert best.likelihood > 50
 
@@ -128,15 +132,38 @@ def test_a_simulated_take_is_heard_with_its_law(seed):
     assert run.exponent.value == pytest.approx(take.exponent, abs=0.06)
     assert run.t_end.value == pytest.approx(take.t_end, abs=0.05)
     left = min(1.0, take.t_end - run.start)
-    assert run.rate_at_1s.value == pytest.approx(take.rate_at_1s * left**-take.exponent, rel=0.05)
-    truths = (take.exponent, take.t_end, take.rate_at_1s * left**-take.exponent)
-    for estimate, truth in zip((run.exponent, run.t_end, run.rate_at_1s), truths, strict=True):
-        assert estimate.low < truth < estimate.high
+    assert run.rate_at_1s.value == pytest.approx(
+        take.rate_at_1s * left**-take.exponent, rel=0.05
+    )
+
+
+@pytest.mark.slow
+def test_intervals_hold_the_truth_as_often_as_they_say():
+    """Of 32 takes, 31 or more are heard; 95 % intervals contain the truth in 90 to 99 % of them.
+
+    The upper bound is compared with the interval of the counts. benchmarks/ear.py --coverage counts
+    200 takes.
+    """
+    takes = [settling_sounds.simulated_take(seed) for seed in range(200, 232)]
+    heard_runs = [(take, heard(take.samples)) for take in takes]
+    inside = np.array(
+        [
+            settling_sounds.intervals_hold(take, runs[0])
+            for take, runs in heard_runs
+            if runs
+        ]
+    )
+    assert len(inside) >= 31
+    assert inside.mean() >= 0.9
+    assert binomtest(int(inside.sum()), inside.size).proportion_ci(0.95).low <= 0.99
 
 
 @pytest.mark.parametrize("name", sorted(settling_sounds.IMITATIONS))
 def test_an_imitation_is_not_heard(name):
-    assert [heard(settling_sounds.IMITATIONS[name](seed)) for seed in (1, 2)] == [[], []]
+    assert [heard(settling_sounds.IMITATIONS[name](seed)) for seed in (1, 2)] == [
+        [],
+        [],
+    ]
 
 
 @pytest.mark.slow
@@ -157,14 +184,19 @@ def test_runs_in_one_long_file_keep_the_times_they_have_alone():
         [alone.exponent.value] * 3, abs=0.03
     )
     decay = SettlingSettings().false_alarm_decay
-    per_second = [run.false_alarm * np.exp(run.score / decay) for run in (runs[0], alone)]
-    assert per_second[0] / len(sound) == pytest.approx(per_second[1] / len(first.samples))
+    per_second = [
+        run.false_alarm * np.exp(run.score / decay) for run in (runs[0], alone)
+    ]
+    assert per_second[0] / len(sound) == pytest.approx(
+        per_second[1] / len(first.samples)
+    )
 
 
 def test_the_loudest_channel_is_heard():
     take = settling_sounds.settling_take(4)
     both = np.stack(
-        [1e-3 * np.random.default_rng(0).normal(size=len(take.samples)), take.samples], axis=1
+        [1e-3 * np.random.default_rng(0).normal(size=len(take.samples)), take.samples],
+        axis=1,
     )
     assert len(settling_runs(Samples(both.astype(np.float32)))) == 1
 
@@ -186,7 +218,7 @@ def test_a_sample_that_is_not_finite_is_one_line():
 
 def test_a_run_is_told_in_two_lines_and_in_plain_numbers():
     (run,) = heard(settling_sounds.settling_take(4).samples)
-    numbers = run_numbers(run)
+    numbers = settling_run_record(run)
     assert set(numbers) >= {
         "kind", "start", "t_end", "exponent", "rate_at_1s", "events_per_turn", "false_alarm", "bands",
     }  # fmt: skip
@@ -214,11 +246,17 @@ def degraded(samples, rate):
 def test_the_last_five_seconds_of_a_scene_are_heard(name):
     """The paper's law of friction, n = 1, is heard only without noise."""
     scene = load_scene(name)
-    scene = scene if scene.surface.kind == "rigid" else scene.replace("surface.action=sound")
+    scene = (
+        scene
+        if scene.surface.kind == "rigid"
+        else scene.replace("surface.action=sound")
+    )
     sound = solve(scene).sound
     rate = sound.sample_rate
     stop = int((sound.source_end + 0.6) * rate)
-    samples = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])[:stop][-5 * rate :]
+    samples = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])[:stop][
+        -5 * rate :
+    ]
     for kind, made in degraded(samples, rate).items():
         if name != "published" or kind == "clean":
             assert len(heard(0.5 * made / np.abs(made).max(), rate)) == 1, kind
@@ -237,6 +275,19 @@ def test_an_excerpt_is_a_part_of_its_source(begin, end):
     assert np.array_equal(np.concatenate(list(part.blocks(777))), expected[777:])
 
 
+@pytest.mark.parametrize(
+    ("begin", "end", "message"),
+    [
+        (5.0, 9.0, "--from = 5: must be less than the duration of the sound, 4 s"),
+        (3.0, 2.0, "--to = 2: must be greater than --from = 3"),
+        (np.nan, 2.0, "--from = nan: must be"),
+    ],
+)
+def test_an_impossible_excerpt_is_named(begin, end, message):
+    with pytest.raises(InputError, match=message):
+        excerpt(Samples(np.ones((4 * 48000, 1)), 48000), begin, end)
+
+
 @needs_recordings
 def test_a_coin_on_its_table_is_heard_to_its_end():
     """The recording has 25 bursts from 0.81 to 1.51 s; its level falls for good at 1.64 s."""
@@ -247,14 +298,14 @@ def test_a_coin_on_its_table_is_heard_to_its_end():
     assert run.exponent.high - run.exponent.low < 0.3
     assert 1.60 <= run.t_end.value <= 1.66
     rates = [run.rate(time) for time in (0.85, 1.17, 1.47)]
-    assert rates == pytest.approx([25.5, 33.4, 56.0], rel=0.05)
+    assert rates == pytest.approx([25.5, 33.4, 56.0], rel=0.03)
 
 
 @needs_recordings
 def test_both_spins_of_one_recording_are_heard_and_nothing_else():
-    """Counted rates: 14.1 Hz at 8.0 s, 29 Hz at 8.9 s.
+    """Counted rates: 14.1 Hz at 8.0 s, 29 Hz at 8.9 s; 12.3, 13.6 and 28 to 31 Hz in the second spin.
 
-    The levels fall for good at 9.17 and 20.04 s.
+    The levels fall for good at 9.17 and 20.04 s. Early in the second spin the coin stands.
     """
     first, second = heard(*recording("coins/coinspin.flac"))
     assert first.score > 28
@@ -266,6 +317,10 @@ def test_both_spins_of_one_recording_are_heard_and_nothing_else():
     assert second.exponent.value is None
     assert second.exponent.low < 0.5 < second.exponent.high
     assert 19.96 <= second.t_end.value <= 20.06
+    assert [second.rate(18.8), second.rate(19.06)] == pytest.approx(
+        [12.3, 13.6], rel=0.05
+    )
+    assert 25 <= second.rate(19.82) <= 34  # its exponent is not determined
     assert first.events_per_turn == second.events_per_turn == 1
 
 
@@ -276,11 +331,27 @@ def test_a_coin_that_rings_in_flight_does_not_roll(name):
 
 
 @needs_recordings
+@pytest.mark.parametrize("name", ["flip-1", "flip-2", "flip-3"])
+def test_the_ring_of_a_coin_in_flight_decays_within_its_errors_as_known(name):
+    """Modes (2,0) decay at 2 to 7 1/s, modes (0,1) at 16 to 18 1/s."""
+    samples, rate = recording(f"coins/{name}.flac")
+    lines = decaying_lines(samples[free_ringing(samples, rate)].astype(float), rate)
+    assert any(line.frequency < 9300 for line in lines)
+    for line in lines:
+        low, high = (2, 7) if line.frequency < 9300 else (16, 18)
+        assert (
+            low - 2 * line.decay_error < line.decay_rate < high + 2 * line.decay_error
+        )
+
+
+@needs_recordings
 @pytest.mark.slow
 def test_at_most_one_of_60_clips_without_a_disk_is_heard():
     clips = sorted((RECORDINGS / "negatives").glob("*.flac"))
     assert len(clips) == 60
-    found = [clip.name for clip in clips if heard(*soundfile.read(clip, dtype="float32"))]
+    found = [
+        clip.name for clip in clips if heard(*soundfile.read(clip, dtype="float32"))
+    ]
     assert len(found) <= 1, found
     fitted = [clip.name for clip in clips if can_be_fitted(clip)]
     assert len(fitted) <= 1, fitted

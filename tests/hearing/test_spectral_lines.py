@@ -24,12 +24,16 @@ def made(seed, drift, bandwidth):
     random = np.random.default_rng(seed)
     middle = random.uniform(900, 5000)
     drift = drift * random.uniform(-1, 1)
-    phase = 2 * np.pi * np.cumsum(middle * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
+    phase = (
+        2 * np.pi * np.cumsum(middle * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
+    )
     low = butter(1, bandwidth or 1.0, fs=RATE, output="sos")
     wide = random.standard_normal((2, len(TIME)))
     shape = sosfilt(low, wide, axis=1) if bandwidth else np.ones((2, 1))
     sound = (shape * [np.cos(phase), np.sin(phase)]).sum(axis=0)
-    noise = sound.std() * 10 ** random.uniform(-2, 0.15) * random.standard_normal(len(TIME))
+    noise = (
+        sound.std() * 10 ** random.uniform(-2, 0.15) * random.standard_normal(len(TIME))
+    )
     return sound + noise, middle, drift
 
 
@@ -51,7 +55,9 @@ def test_twice_the_errors_hold_the_truth(drift, bandwidth):
     assert (np.sum(inside, axis=0) >= 25).all()
 
 
-@pytest.mark.parametrize(("drift", "course"), [(20.0, "rises"), (-20.0, "falls"), (0.0, "steady")])
+@pytest.mark.parametrize(
+    ("drift", "course"), [(20.0, "rises"), (-20.0, "falls"), (0.0, "steady")]
+)
 def test_a_carrier_that_moves_is_not_called_steady(drift, course):
     phase = 2 * np.pi * np.cumsum(1700 * 2 ** (drift * TIME / 1200)) / RATE
     noise = 0.1 * np.random.default_rng(1).standard_normal(len(TIME))
@@ -64,7 +70,9 @@ def test_sidebands_are_told_from_carriers():
     swing = 1 + 0.5 * np.cos(2 * np.pi * 60 * TIME * (1 + TIME / 40))
     noise = 0.01 * np.random.default_rng(0).standard_normal(len(TIME))
     found = carriers(
-        swing * np.cos(2 * np.pi * 1500 * TIME) + 0.3 * np.cos(2 * np.pi * 2500 * TIME) + noise,
+        swing * np.cos(2 * np.pi * 1500 * TIME)
+        + 0.3 * np.cos(2 * np.pi * 2500 * TIME)
+        + noise,
         RATE,
     )
     assert [one.frequency for one in found] == pytest.approx([1500, 2500], rel=1e-5)
@@ -104,14 +112,20 @@ def test_two_carriers_that_do_not_mirror_each_other_stay_two(falling):
     middles = [2200 + falling * LENGTH / 2, 2300 + 6 * LENGTH / 2]
     assert sorted(one.frequency for one in found) == pytest.approx(middles, abs=2.0)
     assert all(one.heard and not one.sidebands for one in found)
-    assert [one.course for one in sorted(found, key=lambda one: one.frequency)][1] == "rises"
+    assert [one.course for one in sorted(found, key=lambda one: one.frequency)][
+        1
+    ] == "rises"
     assert len(carriers(pair(2200 - 6 * TIME, 2300 + 6 * TIME), RATE)) == 1
 
 
 def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
     """The work is linear in the number of peaks; all pairs of an hour would take hours."""
-    few, many = (np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000))
-    assert 1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
+    few, many = (
+        np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000)
+    )
+    assert (
+        1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
+    )
 
 
 def band(drift, seed):
@@ -123,7 +137,9 @@ def band(drift, seed):
     keeps = np.exp(-2 * np.pi * 1800 * (2 ** (80 / 1200) - 1) / RATE)
     turns = np.cumsum(1800 * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
     slow = lfilter(
-        [1.0], [1.0, -keeps], rng.standard_normal((2, len(TIME))) * np.sqrt(1 - keeps**2)
+        [1.0],
+        [1.0, -keeps],
+        rng.standard_normal((2, len(TIME))) * np.sqrt(1 - keeps**2),
     )
     return (
         slow[0] * np.cos(2 * np.pi * turns)
@@ -149,9 +165,12 @@ def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
         ]
         missed += [(one.drift - drift) / one.drift_error for one in bands]
         missed += [
-            x / (1200 / np.log(2) * one.error / 1800) for x, one in zip(away, bands, strict=True)
+            x / (1200 / np.log(2) * one.error / 1800)
+            for x, one in zip(away, bands, strict=True)
         ]
-    assert np.sqrt(np.mean(np.square(missed))) < 2  # errors estimated with seven degrees of freedom
+    assert (
+        np.sqrt(np.mean(np.square(missed))) < 2
+    )  # errors estimated with seven degrees of freedom
     assert np.max(np.abs(missed)) < 6
 
 
@@ -168,7 +187,9 @@ def test_the_edge_of_a_filter_is_no_carrier(rate, edges):
     for taps in (1001, 4001):
         kind = "lowpass" if low is None else "highpass" if high is None else "bandpass"
         corner = high if low is None else low if high is None else edges
-        filtered = oaconvolve(noise, firwin(taps, corner, fs=rate, pass_zero=kind), mode="same")
+        filtered = oaconvolve(
+            noise, firwin(taps, corner, fs=rate, pass_zero=kind), mode="same"
+        )
         assert carriers(filtered, rate) == []
 
 
@@ -177,7 +198,9 @@ def test_the_edge_of_the_band_of_a_codec_is_no_carrier(tmp_path, quality):
     """MP3 at 96 and 160 kb/s."""
     noise = 0.2 * np.random.default_rng(0).standard_normal(441000)
     path = tmp_path / "noise.mp3"
-    soundfile.write(path, noise, 44100, compression_level=quality, bitrate_mode="CONSTANT")
+    soundfile.write(
+        path, noise, 44100, compression_level=quality, bitrate_mode="CONSTANT"
+    )
     decoded, rate = soundfile.read(path)
     assert carriers(decoded, rate) == []
 
@@ -196,7 +219,9 @@ def test_the_decay_rates_of_a_close_pair_are_found(seed):
         * np.cos(2 * np.pi * np.outer(time, frequency) + random.uniform(0, 6, 2))
     )
     noise = 10 ** (-random.uniform(20, 50) / 20) * random.standard_normal(len(time))
-    lines = sorted(decaying_lines(pair.sum(axis=1) + noise, 44100), key=lambda line: line.frequency)
+    lines = sorted(
+        decaying_lines(pair.sum(axis=1) + noise, 44100), key=lambda line: line.frequency
+    )
     assert [line.frequency for line in lines] == pytest.approx(frequency, abs=0.1)
     assert [line.decay_rate for line in lines] == pytest.approx(decay, rel=0.1)
 
@@ -220,7 +245,9 @@ def test_carriers_are_matched_to_modes_and_contact():
     t = np.arange(4 * rate) / rate
     mode = next(f for of, f in known if of == "disk")
     sound = sum(np.cos(2 * np.pi * f * t) for f in (mode, 2000.0, 5040.0))
-    found = carriers(sound + 0.01 * np.random.default_rng(0).standard_normal(len(t)), rate)
+    found = carriers(
+        sound + 0.01 * np.random.default_rng(0).standard_normal(len(t)), rate
+    )
     of = {
         round(one.frequency): match and match.of
         for one in found

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
+from disk_recordings import recording
 
 from sonify import load_scene
 from sonify.__main__ import main
 from sonify.fitting.decay_model import Decline
-from sonify.fitting.synthetic import recording
 from sonify.hearing.audio_source import SoundFile, ends_with_its_stream, stretch
 from sonify.hearing.mp3 import frame_header, read_mp3
 from sonify.hearing.recording import listen
@@ -68,15 +68,17 @@ def test_a_cut_file_has_the_samples_that_are_there(tmp_path, kind, share):
     samples = stretch(cut, 0, 10**9)
     assert len(samples) == cut.frames
     held = cut.frames / 48_000
-    assert held == pytest.approx(share * LENGTH, abs=1.1 if kind in ("ogg", "opus") else 0.15), (
-        "pages last a second"
-    )
+    assert held == pytest.approx(
+        share * LENGTH, abs=1.1 if kind in ("ogg", "opus") else 0.15
+    ), "pages last a second"
     beyond = 2000  # the last frame of a lossy file fades into the next
     assert np.abs(samples[:-beyond] - true[: len(samples) - beyond]).max() < 1e-4
     assert cut.truncation.held == held
     if kind in ("ogg", "opus"):
         assert cut.truncation.announced is None
-        assert str(cut.truncation).endswith("s of sound are there, no length is announced")
+        assert str(cut.truncation).endswith(
+            "s of sound, and the header states no length"
+        )
     else:
         assert cut.truncation.announced == pytest.approx(LENGTH, abs=0.03)
     later = stretch(cut, 20_000, 21_000)
@@ -85,7 +87,9 @@ def test_a_cut_file_has_the_samples_that_are_there(tmp_path, kind, share):
 
 @pytest.mark.parametrize("kind", ["constant.mp3", "variable.mp3"])
 @pytest.mark.parametrize(("rate", "channels"), [(48_000, 1), (44_100, 2), (22_050, 1)])
-def test_an_mp3_file_without_a_header_is_as_long_as_its_frames(tmp_path, kind, rate, channels):
+def test_an_mp3_file_without_a_header_is_as_long_as_its_frames(
+    tmp_path, kind, rate, channels
+):
     """libsndfile derives the length from the bit rate of the first frame and reads no further."""
     path = tmp_path / kind
     data = written(path, rate, channels)
@@ -127,10 +131,15 @@ def test_listen_says_in_one_line_how_much_is_there(tmp_path):
     data = written(path)
     path.write_bytes(data[: int(0.35 * len(data))])
     held = SoundFile(path).frames / 48_000
-    asked = CliRunner().invoke(main, ["listen", str(path), "--out", str(tmp_path / "out")])
+    asked = CliRunner().invoke(
+        main, ["listen", str(path), "--out", str(tmp_path / "out")]
+    )
     assert asked.exit_code == 0, asked.output
     (line,) = asked.stderr.splitlines()
-    assert line.startswith(f"{path}: the file is truncated: {held:.3f} s of sound are there, 8.0")
+    assert line.startswith(
+        f"{path}: the file is truncated: it contains {held:.3f} s of sound, "
+    )
+    assert "states 8.0" in line
     told = json.loads((tmp_path / "out" / "heard.json").read_text())
     assert told["duration"] == told["truncation"]["held"] == held
     assert told["truncation"]["announced"] == pytest.approx(LENGTH, abs=0.03)
@@ -146,9 +155,15 @@ def test_listen_says_in_one_line_how_much_is_there(tmp_path):
 def test_fit_takes_only_what_is_there(tmp_path):
     """A disk comes to rest at 8 s; the rest is noise, and its last part is truncated."""
     rate = 16_000
-    changes = [f"friction.{arm}=0" for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")]
-    toy = load_scene("toy").replace(*changes, "dissipation.contour_moment=1e-5", "air.film='acts'")
-    take = recording(Decline(toy), [1e-4, 0, 0], noise=0.3, rate=rate, end=8.0, duration=16.0)
+    changes = [
+        f"friction.{arm}=0" for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")
+    ]
+    toy = load_scene("toy").replace(
+        *changes, "dissipation.contour_moment=1e-5", "air.film='acts'"
+    )
+    take = recording(
+        Decline(toy), [1e-4, 0, 0], noise=0.3, rate=rate, end=8.0, duration=16.0
+    )
     path = tmp_path / "constant.mp3"
     soundfile.write(path, take, rate, **FORMATS["constant.mp3"])
     data = path.read_bytes()
@@ -159,7 +174,7 @@ def test_fit_takes_only_what_is_there(tmp_path):
     assert asked.exit_code == 0, asked.output
     lines = [line for line in asked.stderr.splitlines() if "truncated" in line]
     assert len(lines) == 1
-    assert f"{held:.3f} s of sound are there, 16.0" in lines[0]
+    assert f"it contains {held:.3f} s of sound, and the header states 16.0" in lines[0]
     told = json.loads((tmp_path / "out" / "fit.json").read_text())["files"][0]
     assert told["truncation"]["held"] == held
     assert told["truncation"]["announced"] == pytest.approx(16, abs=0.1)

@@ -63,7 +63,9 @@ def _operation(name, partials):
         b = abs(other.value)
         by_self, by_other = partials(a, b)
         value = apply(self.value, other.value)
-        return Rounded(value, by_self * self.error + by_other * other.error + UNIT * abs(value))
+        return Rounded(
+            value, by_self * self.error + by_other * other.error + UNIT * abs(value)
+        )
 
     setattr(Rounded, f"__{name}__", forward)
     setattr(Rounded, f"__r{name}__", lambda self, other: forward(Rounded(other), self))
@@ -92,9 +94,9 @@ def sqrt(x):
 
 def rounded(values):
     """Return exact floats, one or an array, as `Rounded`; what is that already stays as it is."""
-    exact = np.vectorize(lambda x: x if isinstance(x, Rounded) else Rounded(x), otypes=[object])(
-        values
-    )
+    exact = np.vectorize(
+        lambda x: x if isinstance(x, Rounded) else Rounded(x), otypes=[object]
+    )(values)
     return exact if exact.ndim else exact.item()
 
 

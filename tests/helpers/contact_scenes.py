@@ -6,8 +6,8 @@ import numpy as np
 from paths import REFERENCES
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw, ElasticConstants
+from dynamics.compliant.law.linearised import inertias
 from dynamics.disk import GRAVITY, Disk
-from dynamics.theory.exact import steady_precession
 
 STEEL, GRANITE = ElasticConstants(195e9, 0.28), ElasticConstants(60e9, 0.2)
 REFERENCE = json.loads((REFERENCES / "elastic_contact.json").read_text("utf-8"))
@@ -16,19 +16,42 @@ REFERENCE = json.loads((REFERENCES / "elastic_contact.json").read_text("utf-8"))
 def granite(fillet=1.6e-3, thickness=0.0128, **changes):
     """Return the law of the toy, of weight 4.30365 N, on granite."""
     disk = Disk(radius=0.03755, thickness=thickness, mass=4.30365 / GRAVITY)
-    return ContactLaw(**{"disk": disk, "fillet": fillet, "body": STEEL, "table": GRANITE} | changes)
+    return ContactLaw(
+        **{"disk": disk, "fillet": fillet, "body": STEEL, "table": GRANITE} | changes
+    )
 
 
-def steady_rate(disk, beta):
+def steady_precession_rate(law, beta):
     """Return the precession rate [rad/s] of the steady motion with a fixed centre at inclination
-    beta."""
-    return steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit
+    beta.
+
+    Euler's equation: the moment of the weight turns the angular momentum."""
+    disk = law.disk
+    core = disk.radius - law.rolling_fillet
+    depth = disk.thickness / 2 - law.rolling_fillet
+    distance = core * np.cos(beta) - depth * np.sin(beta)
+    diametral, axial = inertias(disk)
+    turning = diametral * np.cos(beta) - axial * slope_of_contact(law, beta) * np.sin(
+        beta
+    )
+    return np.sqrt(disk.weight * distance / (turning * np.sin(beta)))
 
 
-def steady_speed(disk, beta):
-    """Return the speed [m/s] of its contact along the table: omega_2 = h omega_3 and omega_3 =
-    Omega sin(beta)."""
-    return disk.radius * steady_rate(disk, beta) * (np.cos(beta) - disk.aspect * np.sin(beta))
+def slope_of_contact(law, beta):
+    """Return the distance of the contact from the middle plane over that from the axis."""
+    core = law.disk.radius - law.rolling_fillet
+    depth = law.disk.thickness / 2 - law.rolling_fillet
+    return (depth + law.rolling_fillet * np.cos(beta)) / (
+        core + law.rolling_fillet * np.sin(beta)
+    )
+
+
+def steady_speed(law, beta):
+    """Return the speed [m/s] of the contact, which circles below the fixed centre."""
+    core = law.disk.radius - law.rolling_fillet
+    depth = law.disk.thickness / 2 - law.rolling_fillet
+    distance = core * np.cos(beta) - depth * np.sin(beta)
+    return steady_precession_rate(law, beta) * distance
 
 
 def prototype(law, beta):
@@ -38,7 +61,10 @@ def prototype(law, beta):
     a = law.semi_axes(beta, weight)[0]
     springs = law.springs(beta, weight)
     return springs._replace(
-        k1=0.87655 * springs.kn, k2=0.87655 * springs.kn, length1=1.1 * a, length2=1.1 * a
+        k1=0.87655 * springs.kn,
+        k2=0.87655 * springs.kn,
+        length1=1.1 * a,
+        length2=1.1 * a,
     )
 
 

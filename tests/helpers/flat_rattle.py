@@ -90,7 +90,9 @@ def rolling_start(disk, inclination):
     """Return the state (6,) of steady rolling on a smooth table at an inclination [rad]."""
     rate = sqrt(GRAVITY / (disk.gyration * disk.radius * inclination))
     tilt = disk.radius * inclination
-    depth = contact_depth(disk.mass * GRAVITY, disk.modulus, disk.radius, disk.fillet, inclination)
+    depth = contact_depth(
+        disk.mass * GRAVITY, disk.modulus, disk.radius, disk.fillet, inclination
+    )
     return np.array([tilt - depth, -tilt, 0.0, 0.0, 0.0, -tilt * rate])
 
 
@@ -123,11 +125,28 @@ def simulate_flat(
     out = np.zeros((rows, 12))
     ring = np.zeros((rows, len(modes.order), 4))
     done = run_flat(
-        disk, heights, start, steps, step, every, last, modes, GRAVITY * gravity, out, ring
+        disk,
+        heights,
+        start,
+        steps,
+        step,
+        every,
+        last,
+        modes,
+        GRAVITY * gravity,
+        out,
+        ring,
     )
     out = out[:done]
     return FlatMotion(
-        out[:, 0], out[:, 1:7], out[:, 7], out[:, 8], out[:, 9], out[:, 10], out[:, 11], ring[:done]
+        out[:, 0],
+        out[:, 1:7],
+        out[:, 7],
+        out[:, 8],
+        out[:, 9],
+        out[:, 10],
+        out[:, 11],
+        ring[:done],
     )
 
 

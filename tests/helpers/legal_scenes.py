@@ -74,18 +74,29 @@ def any_release(random, radius, friction):
     spread = random.choice([0.0, 0.02, 0.2, 1.0]) * steady * sin(beta)
     return {
         "inclination_deg": inclination_deg,
-        "omega": [random.gauss(0, spread), random.gauss(0, spread), random.gauss(whirl, spread)],
+        "omega": [
+            random.gauss(0, spread),
+            random.gauss(0, spread),
+            random.gauss(whirl, spread),
+        ],
     }
 
 
 def any_support(random, disk):
     """Draw the support used for the modes."""
-    kind = "free" if disk.get("shape") == "shell" else random.choice(["patch", "free", "contact"])
+    kind = (
+        "free"
+        if disk.get("shape") == "shell"
+        else random.choice(["patch", "free", "contact"])
+    )
     support = {"kind": kind}
     if kind == "patch":
         support["half_angle_deg"] = odd(random, (1, 30), (0.05, 180))
         if random.random() < 0.2:
-            support |= {"height": random.uniform(0.1, 1) * disk["thickness"], "position": "bottom"}
+            support |= {
+                "height": random.uniform(0.1, 1) * disk["thickness"],
+                "position": "bottom",
+            }
         if random.random() < 0.1:
             support["held"] = random.choice(
                 [["axial", "radial"], ["tangential", "axial"], ["axial"]]
@@ -107,7 +118,9 @@ def any_plate_material(random):
 
 def any_surface(random, radius):
     """Draw a table, or None for the default, a rigid one."""
-    kind = random.choice([None, "rigid", "plate", "plate", "modes", "modes", "infinite"])
+    kind = random.choice(
+        [None, "rigid", "plate", "plate", "modes", "modes", "infinite"]
+    )
     if kind in (None, "rigid"):
         return kind and {"kind": kind}
     surface = {"kind": kind}
@@ -131,7 +144,10 @@ def any_surface(random, radius):
             | any_plate_material(random)
         )
     size = radius * odd(random, (2, 8), (1.01, 60))
-    surface |= {"radius": size, "thickness": size * odd(random, (0.01, 0.1), (1e-3, 0.9))}
+    surface |= {
+        "radius": size,
+        "thickness": size * odd(random, (0.01, 0.1), (1e-3, 0.9)),
+    }
     surface |= any_plate_material(random) | {
         "edge": random.choice(["free", "supported", "clamped"])
     }
@@ -141,7 +157,9 @@ def any_surface(random, radius):
             "ring_stiffness": decades(random, 1e3, 1e9),
         }
     if random.random() < 0.3:
-        surface["place"] = [random.uniform(-0.6, 0.6) * (size - radius) for _ in range(2)]
+        surface["place"] = [
+            random.uniform(-0.6, 0.6) * (size - radius) for _ in range(2)
+        ]
     return surface
 
 
@@ -172,7 +190,10 @@ def any_roughness(random, radius):
         roughness["rms_edge"] = random.choice([0.0, decades(random, 1e-9, 1e-7)])
     if random.random() < 0.4:
         shortest = decades(random, 1e-5, 1e-3)
-        roughness |= {"shortest": shortest, "longest": shortest * decades(random, 2, 5e3)}
+        roughness |= {
+            "shortest": shortest,
+            "longest": shortest * decades(random, 2, 5e3),
+        }
     if random.random() < 0.4:
         roughness["exponent"] = random.uniform(0, 4)
     return roughness | {"seed": random.randint(0, 9)}
@@ -180,7 +201,10 @@ def any_roughness(random, radius):
 
 def any_dissipation(random, disk):
     """Draw one or two further laws of dissipation of a strength that affects the disk."""
-    mass = disk.get("mass") or disk["density"] * 3 * disk["radius"] ** 2 * disk["thickness"]
+    mass = (
+        disk.get("mass")
+        or disk["density"] * 3 * disk["radius"] ** 2 * disk["thickness"]
+    )
     chi = sqrt(disk["radius"] / 8)
     strength = decades(random, 1e-7, 1e-1)
     inertia = strength * mass * disk["radius"] ** 2
@@ -301,7 +325,9 @@ def faults_of(document) -> tuple[str, list[str]]:
     result = None
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        warnings.simplefilter("ignore", DeprecationWarning)  # between third-party libraries
+        warnings.simplefilter(
+            "ignore", DeprecationWarning
+        )  # between third-party libraries
         try:
             result = solve(from_document(document))
             ending = result.motion.outcome.name
@@ -310,7 +336,9 @@ def faults_of(document) -> tuple[str, list[str]]:
         except Exception as error:
             ending = f"{type(error).__name__}: {error} {place_of(error)}"
     took = time.process_time() - began
-    faults = [f"{w.category.__name__}: {w.message} ({w.filename}:{w.lineno})" for w in told]
+    faults = [
+        f"{w.category.__name__}: {w.message} ({w.filename}:{w.lineno})" for w in told
+    ]
     if result is not None:
         faults += [f"failed: {check}" for check in result.checks if not check.passed]
         values = {finding.key: finding.value for finding in result.findings}

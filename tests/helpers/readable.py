@@ -28,7 +28,11 @@ def assert_readable(one):
         assert panel.get_ylabel()
         assert panel.get_xlabel() or bar
         label = panel.yaxis.label.get_window_extent()
-        numbers = [text.get_window_extent() for text in panel.get_yticklabels() if text.get_text()]
+        numbers = [
+            text.get_window_extent()
+            for text in panel.get_yticklabels()
+            if text.get_text()
+        ]
         inside = [
             number
             for number in numbers
@@ -43,14 +47,20 @@ def assert_readable(one):
             for text in words
             if text.get_text()
         )
-        within = [place for place in begins if panel.bbox.x0 - 40 < place[0] < panel.bbox.x1]
-        assert all(a[1] <= b[0] for a, b in pairwise(within)), "numbers of an axis over one another"
+        within = [
+            place for place in begins if panel.bbox.x0 - 40 < place[0] < panel.bbox.x1
+        ]
+        assert all(a[1] <= b[0] for a, b in pairwise(within)), (
+            "numbers of an axis over one another"
+        )
         legend = panel.get_legend()
         if legend is None:
             continue
         place = legend.get_window_extent()
         data = panel.get_window_extent()
-        assert place.y0 >= data.y1 - 0.5 or place.x0 >= data.x1 - 0.5, "a legend over data"
+        assert place.y0 >= data.y1 - 0.5 or place.x0 >= data.x1 - 0.5, (
+            "a legend over data"
+        )
         for text in [*panel.texts, panel._left_title]:
             if text.get_text():
                 assert not place.overlaps(text.get_window_extent()), (

@@ -61,7 +61,7 @@ def burst_depths(decay, rate, count):
     return 2 / np.sqrt(1 + (2 * pi * harmonic * rate / decay) ** 2)
 
 
-def rate_exponent(slope):
+def precession_rate_exponent(slope):
     """Return n of the rate of turning ~ (t_end - t)^-n if impacts alone slow the disk."""
     return (2 - slope) / (4 - slope)
 

@@ -14,6 +14,14 @@ FAULTS = [
     ("friction.mu_static=nan", "friction.mu_static = nan"),
     ("friction.mu_dynamic=-inf", "friction.mu_dynamic = -inf"),
     ("friction.arm_rolling=inf", "friction.arm_rolling = inf"),
+    (
+        "friction.arm_pivoting=slip",
+        "friction.arm_pivoting = 'slip': must be a valid number, or 'contact'",
+    ),
+    (
+        "friction.arm_pivoting=-1",
+        "friction.arm_pivoting = -1: must be greater than or equal to 0, or 'contact'",
+    ),
     ("audio.distance=inf", "audio.distance = inf"),
     ("audio.distance=0.01", "audio.distance = 0.01"),
     (
@@ -27,7 +35,10 @@ FAULTS = [
     ("disk=3", "disk = 3"),
     ("disk.density=7000", "disk: give either mass or density"),
     ("release.inclination_deg=0", "release.inclination_deg = 0"),
-    ("release.inclination_deg=90", "release.inclination_deg = 90: must be less than 90"),
+    (
+        "release.inclination_deg=90",
+        "release.inclination_deg = 90: must be less than 90",
+    ),
     ("release.inclination_deg=-5", "release.inclination_deg = -5"),
     ("release.omega=[1.0, 2.0]", "release.omega.2: missing"),
     ("release.omega=2024-01-01", "release.omega"),
@@ -60,7 +71,10 @@ FAULTS = [
         f"surface={PLATE.replace('}', ', ring_radius=0.1}')}",
         "surface: give ring_radius and ring_stiffness together",
     ),
-    ("surface={kind='modes', modes=[]}", "surface.modes = []: must have at least 1 values"),
+    (
+        "surface={kind='modes', modes=[]}",
+        "surface.modes = []: must have at least 1 values",
+    ),
     (
         f"surface={MODES.replace('600.0', '0')}",
         "surface.modes.0.frequency = 0: must be greater than 0",
@@ -81,8 +95,14 @@ FAULTS = [
         f"surface={MODES.replace('order', 'n')}",
         "surface.modes.0.n: unknown key; known: order, frequency, damping_ratio",
     ),
-    ("audio.sample_rate=7999", "audio.sample_rate = 7999: must be greater than or equal to 8000"),
-    ("audio.sample_rate=44100.5", "audio.sample_rate = 44100.5: must be a whole number"),
+    (
+        "audio.sample_rate=7999",
+        "audio.sample_rate = 7999: must be greater than or equal to 8000",
+    ),
+    (
+        "audio.sample_rate=44100.5",
+        "audio.sample_rate = 44100.5: must be a whole number",
+    ),
     ("audio.sample_rate=1e300", "audio.sample_rate = 1e+300: must be a whole number"),
     ("audio.elevation_deg=91", "audio.elevation_deg = 91"),
     ("numerics.accuracy=best", "numerics.accuracy = 'best'"),
@@ -92,29 +112,61 @@ FAULTS = [
     (".radius=1", "'.radius=1': expected section.key=value"),
     ("disk.radius.x=1", "disk.radius.x: radius is a value, not a section"),
     ("disk=word", "disk = 'word': must be a section"),
-    ("disk.thickness=1e-300", "disk.thickness = 1e-300: must be greater than or equal to 1e-09"),
+    (
+        "disk.thickness=1e-300",
+        "disk.thickness = 1e-300: must be greater than or equal to 1e-09",
+    ),
     ("release.omega=3.0", "release.omega = 3.0: must be a list"),
     (
         "release.omega=[1.0, 2.0, 3.0, 4.0]",
         "release.omega = [1.0, 2.0, 3.0, 4.0]: must have at most 3 values",
     ),
-    ("material.loss_factor=2", "material.loss_factor = 2: must be less than or equal to 1"),
+    (
+        "material.loss_factor=2",
+        "material.loss_factor = 2: must be less than or equal to 1",
+    ),
     (
         "friction.arm_rolling=1e308",
         "friction.arm_rolling = 1e+308: must be less than or equal to 100",
     ),
     (
+        "friction.arm_pivoting=contact",
+        "friction.arm_pivoting = 'contact': requires contact.law = 'elastic' or contact.fillet",
+    ),
+    ("surface.sag=1e-3", "surface.sag = 0.001: requires surface.diameter"),
+    (
+        "surface={sag=0.05, diameter=0.229}",
+        "surface.sag = 0.05: too deep for the rim of the disk; at most 0.0175 m is possible",
+    ),
+    (
+        "surface={sag=1e-3, diameter=0.07}",
+        "surface.diameter = 0.07: must exceed the disk diameter, 0.0751",
+    ),
+    (
+        "contact.fillet=0.007",
+        "contact.fillet = 0.007: must be positive and at most 0.0064, so that it fits the disk",
+    ),
+    (
         "friction.arm_pivoting=0.04",
         "friction.arm_pivoting = 0.04: must not exceed disk.radius = 0.03755",
     ),
-    ("friction.mu_static=1e308", "mu_static = 1e+308: must be less than or equal to 1e+06, or inf"),
-    ("friction.mu_static=.6", "friction.mu_static = .6: TOML writes this number 0.6"),
-    ("friction.mu_static=10.", "friction.mu_static = 10.: TOML writes this number 10.0"),
-    ("friction.mu_static=0.4\nmu_dynamic=0.1", "must be one value, and not several lines"),
-    ("name=two\nlines", "name = 'two\\nlines': not TOML"),
+    (
+        "friction.mu_static=1e308",
+        "mu_static = 1e+308: must be less than or equal to 1e+06, or inf",
+    ),
+    (
+        "friction.mu_static=.6",
+        "friction.mu_static = .6: in TOML this number is written 0.6",
+    ),
+    (
+        "friction.mu_static=10.",
+        "friction.mu_static = 10.: in TOML this number is written 10.0",
+    ),
+    ("friction.mu_static=0.4\nmu_dynamic=0.1", "must be a single value on one line"),
+    ("name=two\nlines", "name = 'two\\nlines': invalid TOML"),
     (
         "support.inclination_deg=3",
         "inclination_deg = 3: allowed only with kind = 'contact', not 'patch'",
     ),
-    ("release.omega=[1.0, 2.0", "release.omega = '[1.0, 2.0': not TOML"),
+    ("release.omega=[1.0, 2.0", "release.omega = '[1.0, 2.0': invalid TOML"),
 ]

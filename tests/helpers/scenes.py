@@ -21,13 +21,26 @@ def scene(
 ) -> MotionScene:
     """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over
     the radius."""
-    body = Disk(**{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {}))
-    law = {"mu_static": 0.5, "mu_dynamic": 0.3, "k1": 1e-4, "k2": 8e-4, "k3": 8e-3} | friction
-    for arm, k in (("arm_nutation", "k1"), ("arm_rolling", "k2"), ("arm_pivoting", "k3")):
-        law[arm] = law.pop(k) * body.radius
-    start = {"inclination_deg": 32.70422048691768, "omega": (0.0, 0.0, -1 / body.time_unit)} | (
-        release or {}
+    body = Disk(
+        **{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {})
     )
+    law = {
+        "mu_static": 0.5,
+        "mu_dynamic": 0.3,
+        "k1": 1e-4,
+        "k2": 8e-4,
+        "k3": 8e-3,
+    } | friction
+    for arm, k in (
+        ("arm_nutation", "k1"),
+        ("arm_rolling", "k2"),
+        ("arm_pivoting", "k3"),
+    ):
+        law[arm] = law.pop(k) * body.radius
+    start = {
+        "inclination_deg": 32.70422048691768,
+        "omega": (0.0, 0.0, -1 / body.time_unit),
+    } | (release or {})
     return MotionScene(
         disk=body,
         friction=Friction(**law),
@@ -40,7 +53,10 @@ def scene(
 
 def conservative(**changes) -> MotionScene:
     """Return a disk that rolls without any loss."""
-    return scene(**{"mu_static": inf, "mu_dynamic": inf, "k1": 0.0, "k2": 0.0, "k3": 0.0} | changes)
+    return scene(
+        **{"mu_static": inf, "mu_dynamic": inf, "k1": 0.0, "k2": 0.0, "k3": 0.0}
+        | changes
+    )
 
 
 def whirling(inclination, disk=None, **changes) -> MotionScene:
@@ -65,7 +81,9 @@ def proves_its_outcome(motion, limit) -> bool:
         Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
         Outcome.SETTLED: beta < 1e-8,
         Outcome.FELL: nutation / sqrt(beta) == pytest.approx(MAX_FALL_RATE, rel=1e-9),
-        Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
-        Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
+        Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0]
+        == pytest.approx(0, abs=1e-9),
+        Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0]
+        == pytest.approx(0, abs=1e-9),
         Outcome.UPRIGHT: beta == pytest.approx(pi / 2, rel=1e-9),
     }[motion.outcome]

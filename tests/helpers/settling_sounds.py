@@ -31,9 +31,9 @@ def clicks(times, levels, length, rng, decay=None, tonal=None):
     frequencies = rng.uniform(1500, 14000, size=4)
     for time, level in zip(times, levels, strict=True):
         if tonal:
-            burst = np.sin(2 * np.pi * frequencies * age[:, None] + rng.uniform(0, 6.28, 4)).sum(
-                axis=1
-            )
+            burst = np.sin(
+                2 * np.pi * frequencies * age[:, None] + rng.uniform(0, 6.28, 4)
+            ).sum(axis=1)
         else:
             burst = rng.normal(size=len(age))
         first = int(time * RATE)
@@ -87,9 +87,13 @@ def settling_take(seed, exponents=(1 / 6, 1.0), snr_db=(15, 40)):
     )
     spread = rng.uniform(0, 3)
     slope = rng.uniform(-0.4, 0.4)
-    levels = (t_end - times) ** slope * 10 ** (rng.normal(size=len(times)) * spread / 20)
+    levels = (t_end - times) ** slope * 10 ** (
+        rng.normal(size=len(times)) * spread / 20
+    )
     sound = clicks(times, levels, t_end + rng.uniform(0.4, 1.2), rng)
-    return Take(with_noise(sound, rng.uniform(*snr_db), rng), exponent, t_end, rate, "settling")
+    return Take(
+        with_noise(sound, rng.uniform(*snr_db), rng), exponent, t_end, rate, "settling"
+    )
 
 
 def tonal_take(seed):
@@ -100,9 +104,17 @@ def tonal_take(seed):
     t_end = rng.uniform(3.5, 4.5)
     t = np.arange(int((t_end + 0.8) * RATE)) / RATE
     phase = settling_phase(np.minimum(t, t_end - 0.003), exponent, t_end, rate)
-    sound = sum(np.sin(2 * np.pi * h * phase + h) / h for h in range(1, rng.integers(2, 5)))
-    sound = sound * (t < t_end - 0.003) * np.maximum(t_end - t, 0.003) ** rng.uniform(-0.3, 0.3)
-    return Take(with_noise(sound, rng.uniform(15, 40), rng), exponent, t_end, rate, "tonal")
+    sound = sum(
+        np.sin(2 * np.pi * h * phase + h) / h for h in range(1, rng.integers(2, 5))
+    )
+    sound = (
+        sound
+        * (t < t_end - 0.003)
+        * np.maximum(t_end - t, 0.003) ** rng.uniform(-0.3, 0.3)
+    )
+    return Take(
+        with_noise(sound, rng.uniform(15, 40), rng), exponent, t_end, rate, "tonal"
+    )
 
 
 def compressed_take(seed):
@@ -111,7 +123,9 @@ def compressed_take(seed):
     rng = np.random.default_rng(seed)
     frame = 1152
     count = len(take.samples) // frame
-    spectrum = dct(take.samples[: count * frame].reshape(count, frame), axis=1, norm="ortho")
+    spectrum = dct(
+        take.samples[: count * frame].reshape(count, frame), axis=1, norm="ortho"
+    )
     step = rng.uniform(0.1, 0.5) * np.abs(spectrum).mean(axis=1, keepdims=True) + 1e-9
     spectrum = np.round(spectrum / step) * step
     spectrum[:, int(rng.uniform(4000, 12000) / RATE * 2 * frame) :] = 0
@@ -128,17 +142,33 @@ def simulated_take(seed):
         return tonal_take(seed)
     if seed % 4 == 2:
         noisy = settling_take(seed, snr_db=(8, 15))
-        return Take(noisy.samples, noisy.exponent, noisy.t_end, noisy.rate_at_1s, "noisy")
+        return Take(
+            noisy.samples, noisy.exponent, noisy.t_end, noisy.rate_at_1s, "noisy"
+        )
     return compressed_take(seed)
 
 
-def train(rate_of_time, duration, rng, lead=0.6, tail=0.8, level_of_time=None, jitter=0.02):
+def intervals_hold(take, run):
+    """Return which intervals of a run, of exponent, end and rate, contain the truth of its take."""
+    left = min(1.0, take.t_end - run.start)
+    truths = (take.exponent, take.t_end, take.rate_at_1s * left**-take.exponent)
+    estimates = (run.exponent, run.t_end, run.rate_at_1s)
+    return [
+        one.low < truth < one.high for one, truth in zip(estimates, truths, strict=True)
+    ]
+
+
+def train(
+    rate_of_time, duration, rng, lead=0.6, tail=0.8, level_of_time=None, jitter=0.02
+):
     """Return a train of clicks with a given rate [Hz] as a function of time [s], which stops
     suddenly."""
     grid = np.linspace(0, duration, 20000)
     phase = np.concatenate([[0], np.cumsum(rate_of_time(grid[:-1]) * np.diff(grid))])
     count = int(phase[-1])
-    times = np.interp(np.arange(1, count + 1) + rng.normal(size=count) * jitter, phase, grid)
+    times = np.interp(
+        np.arange(1, count + 1) + rng.normal(size=count) * jitter, phase, grid
+    )
     levels = np.ones(count) if level_of_time is None else level_of_time(times)
     levels = levels * 10 ** (rng.normal(size=count) * rng.uniform(0, 2) / 20)
     sound = clicks(lead + times, levels, lead + duration + tail, rng)
@@ -202,7 +232,9 @@ def random_clicks(seed):
     rng = np.random.default_rng(seed)
     times = np.cumsum(rng.exponential(1 / rng.uniform(8, 40), size=400))
     times = 0.3 + times[times < rng.uniform(1, 4)]
-    sound = clicks(times, 10 ** (rng.normal(size=len(times)) * 4 / 20), times[-1] + 0.8, rng)
+    sound = clicks(
+        times, 10 ** (rng.normal(size=len(times)) * 4 / 20), times[-1] + 0.8, rng
+    )
     return with_noise(sound, rng.uniform(20, 40), rng)
 
 
@@ -211,7 +243,9 @@ def engine(seed):
     in modulated noise."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(4 * RATE)) / RATE
-    rate = rng.uniform(15, 30) + rng.uniform(10, 60) * (1 - np.exp(-t / rng.uniform(0.3, 2)))
+    rate = rng.uniform(15, 30) + rng.uniform(10, 60) * (
+        1 - np.exp(-t / rng.uniform(0.3, 2))
+    )
     phase = 2 * np.pi * np.cumsum(rate) / RATE
     tones = sum(np.cos(h * phase + rng.uniform(0, 6)) / h for h in range(1, 12))
     noise = rng.normal(size=len(t)) * np.maximum(1 + np.cos(phase), 0) ** 3
@@ -238,7 +272,9 @@ def modulated_noise(seed):
     """Return noise of slowly varying loudness that stops."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(4 * RATE)) / RATE
-    slow = sosfilt(butter(2, rng.uniform(10, 40), fs=RATE, output="sos"), rng.normal(size=len(t)))
+    slow = sosfilt(
+        butter(2, rng.uniform(10, 40), fs=RATE, output="sos"), rng.normal(size=len(t))
+    )
     sound = rng.normal(size=len(t)) * np.exp(slow / slow.std()) * (t < 3)
     return with_noise(sound, rng.uniform(20, 40), rng)
 

@@ -27,4 +27,6 @@ refused."""
 def found(path) -> pa.Table:
     """Return what a table holds but for the times that the runs took."""
     table, _ = read_table(path)
-    return table.select([name for name in table.column_names if not name.startswith("seconds")])
+    return table.select(
+        [name for name in table.column_names if not name.startswith("seconds")]
+    )

@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
+from contact_scenes import slope_of_contact, steady_precession_rate
 from scipy.interpolate import CubicSpline
 
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
@@ -10,7 +11,6 @@ from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import energy
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
-from dynamics.steady_motion import steady_precession
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal import surface_modes
 
@@ -22,10 +22,12 @@ def standing(scene, rate, friction, *modes, damps=True):
     modal mass)."""
     names = "order", "frequency", "damping_ratio", "modal_mass"
     surface = ModesSurface(
-        modes=tuple(SurfaceMode(**dict(zip(names, mode, strict=True))) for mode in modes)
+        modes=tuple(
+            SurfaceMode(**dict(zip(names, mode, strict=True))) for mode in modes
+        )
     )
     table = LawTable(law=contact_law(scene))
-    scale = np.ones(7)
+    scale = np.ones(len(LAW_COLUMNS))
     scale[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]] = 1e9
     scale[LAW_COLUMNS.loss_coefficient] = float(damps)
     table.__dict__["spline"] = CubicSpline(table.grid, table.spline(table.grid) * scale)
@@ -35,20 +37,30 @@ def standing(scene, rate, friction, *modes, damps=True):
     return CompliantModel(table=table, friction=friction, rate=rate, modes=known)
 
 
-def steady(disk, beta):
+def steady(law, beta):
     """Return the columns of the steady motion, centre fixed, and its precession rate [rad/s]."""
-    rate = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit
+    rate = steady_precession_rate(law, beta)
     w3 = rate * np.sin(beta)
-    return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]), rate
+    return np.array(
+        [0.0, beta, 0, 0, 0, 0, slope_of_contact(law, beta) * w3, w3, 0, 0, 0]
+    ), rate
 
 
 def run(model, y, every, stop):
     """Return the initial energy, times, states, losses of contact and the reason of the stop."""
-    waves = model.waves(y)
+    waves = model.supporting_modes(y)
     first = energy(model, y[None])[0]
     pieces = list(model.run(y, every, stop, waves=waves))
-    t, state = (np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state"))
-    return first, t, state, [loss for p in pieces for loss in p.losses], pieces[-1].why
+    t, state = (
+        np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state")
+    )
+    return (
+        first,
+        t,
+        state,
+        [loss for p in pieces for loss in p.losses],
+        pieces[-1].end_reason,
+    )
 
 
 MODE = "{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}"

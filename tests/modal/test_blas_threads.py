@@ -19,7 +19,9 @@ from sonify import run
 
 def blas_threads() -> set[int]:
     return {
-        library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"
+        library["num_threads"]
+        for library in threadpool_info()
+        if library["user_api"] == "blas"
     }
 
 
@@ -53,9 +55,14 @@ def ask(*_):
 
 @pytest.mark.parametrize(
     ("door", "work"),
-    [(eigenmodes, "modal.solve.check_solvable"), (run, "sonify.pipeline.plan_with_modes")],
+    [
+        (eigenmodes, "modal.solve.check_solvable"),
+        (run, "sonify.pipeline.plan_with_modes"),
+    ],
 )
-def test_one_thread_inside_and_as_many_as_before_outside(door, work, scene, monkeypatch):
+def test_one_thread_inside_and_as_many_as_before_outside(
+    door, work, scene, monkeypatch
+):
     monkeypatch.setattr(work, ask)
     with pytest.raises(Asked) as asked:
         door(scene)

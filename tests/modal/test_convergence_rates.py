@@ -12,19 +12,28 @@ import pytest
 from scipy.sparse.linalg import spsolve
 from skfem import ElementHex2
 
-from benchmarks.charts.stability_modes import bending_by_polynomials, bending_of_solid, free_disk
+from benchmarks.charts.stability_modes import (
+    bending_by_polynomials,
+    bending_of_solid,
+    free_disk,
+)
 from modal import FreeDisk, Material, Plate, Support
-from modal.elements.elastic import assemble, lowest_eigenpairs
+from modal.elements.elastic import assemble_solid, lowest_eigenpairs
 from modal.elements.patch import (
     held_modes,
     mesh_sizes,
     resolving_mesh_size,
-    solve_class,
-    solve_classes,
+    solve_symmetry_class,
+    solve_symmetry_classes,
 )
 from modal.mesh.half_disk import MeshSize, half_disk
 from modal.mesh.sector import extrude, hexahedra, sector
-from modal.mesh.symmetry import Mirror, free_unknowns, on_patch, symmetry_classes
+from modal.mesh.symmetry import (
+    Mirror,
+    admissible_displacements,
+    patch_node_mask,
+    symmetry_classes,
+)
 from modal.spectral.p_refinement import all_eigenpairs, displacement_amplitudes
 
 STEEL = Material(young=195e9, poisson=0.28)
@@ -49,7 +58,11 @@ def order(errors):
 
 def swings(rings):
     """Return relative errors of the lowest swing of the held disk on successively finer meshes."""
-    exact = FreeDisk(plate=DISK).held(HELD, 12e3)[symmetry_classes(True).index(SWING)].frequency[0]
+    exact = (
+        FreeDisk(plate=DISK)
+        .held(HELD, 12e3)[symmetry_classes(True).index(SWING)]
+        .frequency[0]
+    )
     found = []
     for split in SPLITS:
         part = sector(
@@ -58,9 +71,11 @@ def swings(rings):
             HELD,
             MeshSize(width=np.pi / 4, depth=0.5, rings=rings, split=split),
         )
-        solid = assemble(part.mesh, ElementHex2(), STEEL, DENSITY, 4)
-        held = on_patch(solid.points, DISK.radius, np.deg2rad(HELD.half_angle_deg), part.patch)
-        values = solve_class(
+        solid = assemble_solid(part.mesh, ElementHex2(), STEEL, DENSITY, 4)
+        held = patch_node_mask(
+            solid.points, DISK.radius, np.deg2rad(HELD.half_angle_deg), part.patch
+        )
+        values = solve_symmetry_class(
             solid, part, SWING, DISK, HELD, held, 0.0, below=np.inf, exact_count=1
         ).values
         found.append(np.sqrt(values[0]) / (2 * np.pi))
@@ -69,8 +84,12 @@ def swings(rings):
 
 def test_order_4_without_a_patch():
     """Quadratic elements without singularity converge as h^4."""
-    found = np.array([bending_of_solid(DISK, free_disk(DISK, "Q2", split)) for split in SPLITS])
-    assert order(found / bending_by_polynomials(DISK, (14, 8)) - 1) == pytest.approx(4, abs=0.1)
+    found = np.array(
+        [bending_of_solid(DISK, free_disk(DISK, "Q2", split)) for split in SPLITS]
+    )
+    assert order(found / bending_by_polynomials(DISK, (14, 8)) - 1) == pytest.approx(
+        4, abs=0.1
+    )
 
 
 def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
@@ -96,14 +115,23 @@ def on_neighbouring_points(size, mirror):
     plane = half_disk(size, MeshSize(width=np.pi / 8, depth=0.38, rings=0))
     heights = np.append(0.0, size * 2.0 ** np.arange(20))
     heights = np.append(
-        heights[heights < 0.7 * DISK.thickness / 2 / DISK.radius], DISK.thickness / 2 / DISK.radius
+        heights[heights < 0.7 * DISK.thickness / 2 / DISK.radius],
+        DISK.thickness / 2 / DISK.radius,
     )
     mesh = hexahedra(extrude(plane * DISK.radius, heights * DISK.radius))
-    solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
-    held = np.linalg.norm(solid.points - [DISK.radius, 0, 0], axis=1) < 0.6 * size * DISK.radius
-    free = free_unknowns(solid.points, held, ("radial", "tangential", "axial"), mirror, DISK.radius)
+    solid = assemble_solid(mesh, ElementHex2(), STEEL, DENSITY, 4)
+    held = (
+        np.linalg.norm(solid.points - [DISK.radius, 0, 0], axis=1)
+        < 0.6 * size * DISK.radius
+    )
+    free = admissible_displacements(
+        solid.points, held, ("radial", "tangential", "axial"), mirror, DISK.radius
+    )
     values, *_ = lowest_eigenpairs(
-        free.T @ solid.stiffness @ free, free.T @ solid.mass @ free, np.inf, exact_count=1
+        free.T @ solid.stiffness @ free,
+        free.T @ solid.mass @ free,
+        np.inf,
+        exact_count=1,
     )
     return np.sqrt(values[0]) / (2 * np.pi)
 
@@ -123,15 +151,23 @@ def static_far_rim(component, mirror):
     The mesh is that of the modes.
     """
     size = resolving_mesh_size(mesh_sizes("standard", DISK, Support())[0], DISK, 60e3)
-    part, solid, _ = solve_classes(DISK, Support(), size, {"below": 0.0, "exact_count": 1})
-    held = on_patch(solid.points, DISK.radius, np.deg2rad(Support().half_angle_deg), part.patch)
-    free = free_unknowns(solid.points, held, Support().held, mirror, DISK.radius)
+    part, solid, _ = solve_symmetry_classes(
+        DISK, Support(), size, {"below": 0.0, "exact_count": 1}
+    )
+    held = patch_node_mask(
+        solid.points, DISK.radius, np.deg2rad(Support().half_angle_deg), part.patch
+    )
+    free = admissible_displacements(
+        solid.points, held, Support().held, mirror, DISK.radius
+    )
     load = np.zeros((len(solid.points), 3))
     load[:, component] = 1.0
     answer = spsolve(
         (free.T @ solid.stiffness @ free).tocsc(), free.T @ (solid.mass @ load.ravel())
     )
-    far = np.argmin(np.linalg.norm(solid.points - [-DISK.radius, 0, DISK.thickness / 2], axis=1))
+    far = np.argmin(
+        np.linalg.norm(solid.points - [-DISK.radius, 0, DISK.thickness / 2], axis=1)
+    )
     return (free @ answer).reshape(-1, 3)[far, component]
 
 
@@ -145,7 +181,9 @@ def test_static_deflection_under_base_acceleration(component, mirror, expected):
     """
     modes = held_modes(DISK, Support(), 60e3, "standard")
     far = modes.at_rim([np.pi])[:, 0, component] * (1 if component == 2 else -1)
-    by_modes = (far * modes.participation[:, component] / (2 * np.pi * modes.frequency) ** 2).sum()
+    by_modes = (
+        far * modes.participation[:, component] / (2 * np.pi * modes.frequency) ** 2
+    ).sum()
     by_solve = static_far_rim(component, Mirror(y=mirror[0], z=mirror[1]))
     assert by_modes == pytest.approx(by_solve, rel=2e-3)
     assert by_solve == pytest.approx(expected, rel=0.02)
@@ -158,6 +196,8 @@ def test_static_deflection_of_the_free_disk():
     arc = np.deg2rad(5)
     for pairs in all_eigenpairs(DISK, 200e3, 1e-4):
         n = pairs.problem.n
-        axial = displacement_amplitudes(DISK, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
+        axial = (
+            displacement_amplitudes(DISK, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
+        )
         moved += (-1) ** n * np.sinc(n * arc / np.pi) * (axial**2 / pairs.values).sum()
     assert moved == pytest.approx(2.3030e-9, rel=5e-3)

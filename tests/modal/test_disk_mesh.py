@@ -17,7 +17,11 @@ from skfem.quadrature import get_quadrature
 from modal import Material, Plate, Support
 from modal.accuracy import COARSE_MESH, MIDDLE_MESH, NARROW_MESH, ROUGH_MESH, WIDE_MESH
 from modal.elements.patch import resolving_mesh_size
-from modal.elements.sample import locate, map_from_square, quadratic_shapes
+from modal.elements.sample import (
+    locate_in_cells,
+    map_from_unit_square,
+    quadratic_shape_functions,
+)
 from modal.mesh.half_disk import MeshSize, half_disk, singular_edge_blocks
 from modal.mesh.sector import sector
 
@@ -35,13 +39,20 @@ def interpolation_errors(block, power):
     u, v = np.meshgrid(np.linspace(0.05, 0.95, 7), np.linspace(0.05, 0.95, 7))
 
     def interpolated(values):
-        return np.einsum("abi,abj,ij->ab", quadratic_shapes(u), quadratic_shapes(v), values)
+        return np.einsum(
+            "abi,abj,ij->ab",
+            quadratic_shape_functions(u),
+            quadratic_shape_functions(v),
+            values,
+        )
 
     corners = nodes @ [1, 1j]
     z = interpolated(corners)
     error = np.abs(interpolated(corners**power) - z**power)
     slope = power * np.abs(z) ** (power - 1)
-    rounding = gamma(30) * (np.abs(corners**power).max() + slope * np.abs(corners).max())
+    rounding = gamma(30) * (
+        np.abs(corners**power).max() + slope * np.abs(corners).max()
+    )
     return error.max(), (error / rounding).max()
 
 
@@ -51,7 +62,12 @@ def test_squared_cells_hold_the_square_root_exactly():
     assert max(interpolation_errors(block, 0.5)[1] for block in inner) < 1
     assert max(interpolation_errors(block, 1)[1] for block in inner) < 1
     assert 1e-3 < max(interpolation_errors(block, 0.5)[0] for block in ring) < 0.03
-    assert max(interpolation_errors(block, 0.5)[0] for block in singular_edge_blocks(PLAIN)) > 0.1
+    assert (
+        max(
+            interpolation_errors(block, 0.5)[0] for block in singular_edge_blocks(PLAIN)
+        )
+        > 0.1
+    )
 
 
 def test_squared_cells_touch_the_edge_and_the_sides_it_parts():
@@ -76,7 +92,10 @@ PATCHES = [
     (0.5, 2, 0.05),
 ]
 DISK = Plate(
-    radius=0.03755, thickness=0.001, material=Material(young=195e9, poisson=0.28), density=7739.0
+    radius=0.03755,
+    thickness=0.001,
+    material=Material(young=195e9, poisson=0.28),
+    density=7739.0,
 )
 THIN = {
     f"thin, {name}": resolving_mesh_size(size, DISK, 2e4)
@@ -105,7 +124,9 @@ def sectors(half_angle_deg, aspect, share, size):
     for position in ("middle", "bottom")[
         : 1 if share == 1 else 2
     ]:  # over the whole height they are the same
-        support = Support(half_angle_deg=half_angle_deg, height=share * aspect, position=position)
+        support = Support(
+            half_angle_deg=half_angle_deg, height=share * aspect, position=position
+        )
         yield sector(1.0, aspect, support, size)
 
 
@@ -120,26 +141,34 @@ def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(
         on_rim = np.abs(np.hypot(x, y) - 1).max(axis=0) < 1e-9
         on_plane = np.abs(y).max(axis=0) < 1e-9
         levels = (mesh.p[2].min(), mesh.p[2].max())
-        on_face = np.min([np.abs(z - level).max(axis=0) for level in levels], axis=0) < 1e-9
+        on_face = (
+            np.min([np.abs(z - level).max(axis=0) for level in levels], axis=0) < 1e-9
+        )
         assert (on_rim | on_plane | on_face).all()
 
 
 LARGE = {((180, 1.2, 0.96), "thin, narrow"), ((0.5, 2, 0.05), "thin, narrow")}
 """Meshes that need seconds to compute a volume; the slow test suite includes them."""
 MESHES = [
-    pytest.param(*patch, size, marks=[pytest.mark.slow] if (patch, size) in LARGE else [])
+    pytest.param(
+        *patch, size, marks=[pytest.mark.slow] if (patch, size) in LARGE else []
+    )
     for patch, size in product([*PATCHES, *WHOLE], SIZES)
 ]
 
 
 @pytest.mark.parametrize(("half_angle_deg", "aspect", "share", "size"), MESHES)
-def test_no_cell_folds_and_the_volume_is_that_of_the_disk(half_angle_deg, aspect, share, size):
+def test_no_cell_folds_and_the_volume_is_that_of_the_disk(
+    half_angle_deg, aspect, share, size
+):
     for part in sectors(half_angle_deg, aspect, share, SIZES[size]):
         points, weights = get_quadrature(part.mesh.elem, 8)
         volume = part.mesh.mapping().detDF(points)
         assert volume.min() > 0
-        filled = part.copies * (volume @ weights).sum()
-        assert filled == pytest.approx(np.pi * aspect, rel=4e-3 if size == "coarse" else 5e-4)
+        filled = part.mirror_image_count * (volume @ weights).sum()
+        assert filled == pytest.approx(
+            np.pi * aspect, rel=4e-3 if size == "coarse" else 5e-4
+        )
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -148,8 +177,11 @@ def test_every_point_of_a_face_is_found_in_a_cell_that_holds_it(half_angle_deg, 
     """A point in the wrong cell would have the displacement of another point."""
     cells = half_disk(np.deg2rad(half_angle_deg), SIZES[size])
     places = np.random.default_rng(0).random((len(cells), 20, 2))
-    points = map_from_square(cells[:, None], places)[0].reshape(-1, 2)
-    cell, place = locate(points, cells)
+    points = map_from_unit_square(cells[:, None], places)[0].reshape(-1, 2)
+    cell, place = locate_in_cells(points, cells)
     assert (
-        np.abs(map_from_square(cells[cell][:, None], place[:, None])[0][:, 0] - points).max() < 1e-7
+        np.abs(
+            map_from_unit_square(cells[cell][:, None], place[:, None])[0][:, 0] - points
+        ).max()
+        < 1e-7
     )

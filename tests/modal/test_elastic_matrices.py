@@ -22,14 +22,20 @@ from skfem.models.elasticity import linear_elasticity
 
 from modal import Material
 from modal.accuracy import COARSE_MESH
-from modal.elements.elastic import assemble, lame_constants
+from modal.elements.elastic import assemble_solid, lame_constants
 from modal.mesh.half_disk import half_disk
 from modal.mesh.sector import extrude, hexahedra
 
 STEEL, DENSITY, ORDER = Material(young=195e9, poisson=0.28), 7737.27, 4
-CURVED = hexahedra(extrude(half_disk(np.pi, COARSE_MESH)[:6] * 0.03755, np.array([0.0, 0.0128])))
+CURVED = hexahedra(
+    extrude(half_disk(np.pi, COARSE_MESH)[:6] * 0.03755, np.array([0.0, 0.0128]))
+)
 STRAIGHT = MeshHex(CURVED.doflocs[:, : CURVED.t.max() + 1], CURVED.t)
-MESHES = [(CURVED, ElementHex2), (STRAIGHT, ElementHex1), (STRAIGHT.to_meshtet(), ElementTetP1)]
+MESHES = [
+    (CURVED, ElementHex2),
+    (STRAIGHT, ElementHex1),
+    (STRAIGHT.to_meshtet(), ElementTetP1),
+]
 MESHES += [(STRAIGHT.to_meshtet(), ElementTetP2)]
 
 
@@ -40,7 +46,7 @@ def test_matrices_are_those_of_scikit_fem(mesh, element):
     A term is at most the root of the product of the diagonal entries, and ten times that when
     Lame's first constant exceeds the second.
     """
-    solid = assemble(mesh, element(), STEEL, DENSITY, intorder=ORDER)
+    solid = assemble_solid(mesh, element(), STEEL, DENSITY, intorder=ORDER)
     basis = Basis(mesh, ElementVector(element()), intorder=ORDER)
     assert basis.doflocs.T.reshape(-1, 3, 3) == pytest.approx(
         np.repeat(solid.points[:, None], 3, axis=1), abs=1e-15

@@ -25,7 +25,10 @@ from modal.elements.elastic import inverse_at
 from modal.mesh.symmetry import Mirror
 
 DISK = Plate(
-    radius=0.03755, thickness=0.0128, material=Material(young=195e9, poisson=0.28), density=7737.27
+    radius=0.03755,
+    thickness=0.0128,
+    material=Material(young=195e9, poisson=0.28),
+    density=7737.27,
 )
 EXACT = bending_by_polynomials(DISK)
 
@@ -58,7 +61,9 @@ def test_straight_sides_err_by_the_volume_they_leave_out():
         for split in (1, 2)
         for curved in (False, True)
     }
-    frequency = {key: bending_of_solid(DISK, solid) / EXACT - 1 for key, solid in solids.items()}
+    frequency = {
+        key: bending_of_solid(DISK, solid) / EXACT - 1 for key, solid in solids.items()
+    }
     mass = {key: 4 * solid.total_mass / DISK.mass - 1 for key, solid in solids.items()}
     for split in (1, 2):
         assert frequency[split, False] > 5 * frequency[split, True] > 0
@@ -78,7 +83,12 @@ def about(shift, count=9):
     k = solid.stiffness
     m = solid.mass
     values, u = eigsh(
-        k, k=count, M=m, sigma=shift, OPinv=inverse_at(k, m, shift), v0=np.ones(k.shape[0])
+        k,
+        k=count,
+        M=m,
+        sigma=shift,
+        OPinv=inverse_at(k, m, shift),
+        v0=np.ones(k.shape[0]),
     )
     residual = np.linalg.norm(k @ u - (m @ u) * values, axis=0) / np.linalg.norm(
         m @ u * scale, axis=0
@@ -88,7 +98,10 @@ def about(shift, count=9):
 
 def test_the_shift_used_finds_six_rigid_modes_and_the_elastic_ones():
     values, residual = about(-(rate_below_elastic(DISK) ** 2))
-    assert (np.count_nonzero(np.abs(values) < 1e-6), np.count_nonzero(values > 0.5)) == (6, 3)
+    assert (
+        np.count_nonzero(np.abs(values) < 1e-6),
+        np.count_nonzero(values > 0.5),
+    ) == (6, 3)
     assert residual < 1e-9
     with suppress(RuntimeError):  # failure to converge also counts
         assert about(-1.0)[1] > 1e3 * residual

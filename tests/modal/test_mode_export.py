@@ -14,7 +14,15 @@ import pytest
 from click.testing import CliRunner
 from scipy.signal import lfilter
 
-from modal import Material, Plate, as_faust, as_faust_library, eigenmodes, plate_modes, write_uff
+from modal import (
+    Material,
+    Plate,
+    as_faust,
+    as_faust_library,
+    eigenmodes,
+    plate_modes,
+    write_uff,
+)
 from modal.export import STRIKE_PEAK
 from sonify.__main__ import main
 from sonify.export.modes import export_modes
@@ -34,7 +42,9 @@ def modes():
 
 
 def test_universal_file_keeps_shapes_and_frequencies(modes, tmp_path):
-    pyuff = pytest.importorskip("pyuff", reason="the optional package pyuff is not installed")
+    pyuff = pytest.importorskip(
+        "pyuff", reason="the optional package pyuff is not installed"
+    )
     write_uff(modes, tmp_path / "modes.uff")
     sets = pyuff.UFF(str(tmp_path / "modes.uff")).read_sets()
     nodes = sets[0]
@@ -78,7 +88,9 @@ int main() {
 needs_faust = pytest.mark.skipif(
     not shutil.which("faust"), reason="the Faust compiler is not installed"
 )
-needs_compiler = pytest.mark.skipif(not shutil.which("c++"), reason="there is no C++ compiler")
+needs_compiler = pytest.mark.skipif(
+    not shutil.which("c++"), reason="there is no C++ compiler"
+)
 SUPPORTS = {
     "patch": ("published", "support.kind=patch"),
     "free": ("published", "support.kind=free"),
@@ -99,11 +111,22 @@ def struck(folder, library, scales=(1.0, 1.0, 1.0)):
     """Return the response (4800,) of a compiled library at 48 kHz to a unit sample."""
     (folder / "disk.lib").write_text(library)
     (folder / "plain.cpp").write_text(PLAIN_CPP)
-    compiled(folder, f'process = library("disk.lib").disk{scales};', "-double", "-a", "plain.cpp")
-    subprocess.run(
-        ["c++", "-O1", "disk.cpp", "-o", "disk"], cwd=folder, check=True, capture_output=True
+    compiled(
+        folder,
+        f'process = library("disk.lib").disk{scales};',
+        "-double",
+        "-a",
+        "plain.cpp",
     )
-    printed = subprocess.run([folder / "disk"], capture_output=True, text=True, check=True).stdout
+    subprocess.run(
+        ["c++", "-O1", "disk.cpp", "-o", "disk"],
+        cwd=folder,
+        check=True,
+        capture_output=True,
+    )
+    printed = subprocess.run(
+        [folder / "disk"], capture_output=True, text=True, check=True
+    ).stdout
     return np.array(printed.split(), float)
 
 
@@ -123,7 +146,9 @@ def response(rate, decay, gain, scales=(1.0, 1.0, 1.0)):
     d = decay / t60_scale
     t = np.arange(4800)[:, None] / 48e3
     heard = gain * (v < np.pi * 48e3)
-    return loudness * (heard * np.exp(-d * t) * (np.cos(v * t) - d / v * np.sin(v * t))).sum(axis=1)
+    return loudness * (
+        heard * np.exp(-d * t) * (np.cos(v * t) - d / v * np.sin(v * t))
+    ).sum(axis=1)
 
 
 @pytest.fixture(scope="module", params=SUPPORTS)
@@ -152,7 +177,9 @@ def test_the_file_states_the_velocity_that_its_numbers_stand_for(exported):
     """At modal mass 1, an impulse of 1 N s gives the struck point the sum of squared shapes."""
     program, modes = exported
     mobility = np.square(modes.at_rim(np.pi)[:, 0, 2])
-    assert written(program)[2] == pytest.approx(STRIKE_PEAK * mobility / mobility.sum(), abs=1e-12)
+    assert written(program)[2] == pytest.approx(
+        STRIKE_PEAK * mobility / mobility.sum(), abs=1e-12
+    )
     stated = float(re.search(r'declare scale "1.0 = (\S+) m/s', program)[1])
     assert stated * STRIKE_PEAK == pytest.approx(mobility.sum(), rel=1e-5)
 
@@ -194,7 +221,9 @@ def test_faust_recursion_is_the_exact_response(modes):
     for w, d, g in written(as_faust(modes)).T:
         r = np.exp(-d * step)
         first = -r * (np.cos(w * step) + d / w * np.sin(w * step))
-        sounded += lfilter([g, g * first], [1, -2 * r * np.cos(w * step), r * r], strike)
+        sounded += lfilter(
+            [g, g * first], [1, -2 * r * np.cos(w * step), r * r], strike
+        )
     assert sounded == pytest.approx(response(*written(as_faust(modes))), abs=1e-9)
 
 
@@ -209,7 +238,9 @@ def test_a_strike_where_the_disk_cannot_move_is_refused_in_one_line(strike, tmp_
 
 
 def test_the_folder_of_a_run_is_a_scene(tmp_path):
-    scene = load_scene("published").replace("support.kind=free", "numerics.accuracy=draft")
+    scene = load_scene("published").replace(
+        "support.kind=free", "numerics.accuracy=draft"
+    )
     write_json({"scene": scene_record(scene)}, tmp_path / "run.json")
     paths = [
         export_modes(source, "faust", tmp_path / f"{i}.dsp")
@@ -219,17 +250,23 @@ def test_the_folder_of_a_run_is_a_scene(tmp_path):
 
 
 def test_a_strike_near_the_patch_and_anywhere_on_a_free_disk_is_taken(tmp_path):
-    free = load_scene("published").replace("support.kind=free", "numerics.accuracy=draft")
+    free = load_scene("published").replace(
+        "support.kind=free", "numerics.accuracy=draft"
+    )
     for scene, angle in (("published", 20.0), (free, 0.0)):
-        program = export_modes(scene, "faust", tmp_path / "disk.dsp", strike_deg=angle).read_text(
-            "utf-8"
-        )
+        program = export_modes(
+            scene, "faust", tmp_path / "disk.dsp", strike_deg=angle
+        ).read_text("utf-8")
         assert f"{angle:g} degrees from the contact" in program
-        assert np.abs(response(*written(program))).max() == pytest.approx(STRIKE_PEAK, rel=1e-9)
+        assert np.abs(response(*written(program))).max() == pytest.approx(
+            STRIKE_PEAK, rel=1e-9
+        )
 
 
 def test_the_library_refuses_the_held_arc_itself():
-    held = eigenmodes(load_scene("published").replace("numerics.accuracy=draft"), below=5e3)
+    held = eigenmodes(
+        load_scene("published").replace("numerics.accuracy=draft"), below=5e3
+    )
     with pytest.raises(ValueError, match="strike at 0 degrees: the disk is held there"):
         as_faust_library(held, 0.0)
 
@@ -242,7 +279,10 @@ def test_only_faust_is_struck(tmp_path):
 def test_a_disk_without_modes_is_not_written(modes):
     with pytest.raises(ValueError, match="no mode"):
         as_faust_library(
-            plate_modes(Plate(radius=0.001, thickness=0.001, material=STEEL, density=7737.27), 23e3)
+            plate_modes(
+                Plate(radius=0.001, thickness=0.001, material=STEEL, density=7737.27),
+                23e3,
+            )
         )
 
 
@@ -250,7 +290,9 @@ def test_an_overdamped_mode_is_not_written(modes):
     rate = 2 * np.pi * modes.frequency
     as_faust(modes.with_decay(0.99 * rate))
     for write in (as_faust, as_faust_library):
-        with pytest.raises(ValueError, match=r"mode 3 of 16997\.7 Hz does not oscillate"):
+        with pytest.raises(
+            ValueError, match=r"mode 3 of 16997\.7 Hz does not oscillate"
+        ):
             write(modes.with_decay(np.where(np.arange(len(modes)) == 2, rate, 1.0)))
 
 
@@ -270,7 +312,16 @@ def test_the_command_refuses_in_one_line_what_has_no_modes_and_writes_nothing(tm
     with pytest.raises(InputError, match="no mode"):
         export_modes(scene.replace("support.kind=free"), "faust", tmp_path / "none.dsp")
     told = CliRunner().invoke(
-        main, ["export", "modes", "nowhere", "--as", "vtu", "--out", str(tmp_path / "none.vtu")]
+        main,
+        [
+            "export",
+            "modes",
+            "nowhere",
+            "--as",
+            "vtu",
+            "--out",
+            str(tmp_path / "none.vtu"),
+        ],
     )
     assert (told.exit_code, len(told.stderr.splitlines())) == (2, 1)
     assert list(tmp_path.iterdir()) == []

@@ -13,14 +13,18 @@ import pytest
 
 from benchmarks.cases.modes_case import modes_case
 from benchmarks.methods.plain_finite_elements import plain_modes
-from benchmarks.peers.finite_element_programs import calculix, calculix_modes, ngsolve_modes
+from benchmarks.peers.finite_element_programs import (
+    calculix,
+    calculix_modes,
+    ngsolve_modes,
+)
 from benchmarks.timed_runs import Failure
 from modal import Support, eigenmodes
 from modal.accuracy import MIDDLE_MESH
 from modal.elements.patch import held_modes
 from modal.elements.unfold import whole_mesh
 from modal.mesh.sector import sector
-from modal.mesh.symmetry import on_patch
+from modal.mesh.symmetry import patch_node_mask
 
 needs_calculix = pytest.mark.skipif(
     not shutil.which("ccx"), reason="CalculiX (ccx) is not installed"
@@ -33,14 +37,23 @@ def graded(case, support):
     The mesh is that of the standard accuracy level.
     """
     part = sector(case.plate.radius, case.plate.thickness, support, MIDDLE_MESH)
-    points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
+    points, cells, _ = whole_mesh(
+        part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter
+    )
     held = np.zeros(0, int)
     if part.patch:
         held = np.flatnonzero(
-            on_patch(points, case.plate.radius, np.deg2rad(support.half_angle_deg), part.patch)
+            patch_node_mask(
+                points,
+                case.plate.radius,
+                np.deg2rad(support.half_angle_deg),
+                part.patch,
+            )
         )
     return np.array(
-        calculix(case, points, cells[:, :20], np.intersect1d(held, cells[:, :20])).values
+        calculix(
+            case, points, cells[:, :20], np.intersect1d(held, cells[:, :20])
+        ).values
     )
 
 
@@ -79,7 +92,9 @@ def test_ngsolve_is_as_near_as_its_mesh_allows(kind, refinements, tolerance):
     case = modes_case(kind)
     theirs = np.array(ngsolve_modes(case, "P3 tetrahedra", refinements, 1).values)
     assert theirs == pytest.approx(case.reference, rel=tolerance)
-    ours = eigenmodes(case.scene, below=1.1 * case.reference[-1]).frequency[: len(theirs)]
+    ours = eigenmodes(case.scene, below=1.1 * case.reference[-1]).frequency[
+        : len(theirs)
+    ]
     assert theirs == pytest.approx(ours, rel=0.02)
 
 

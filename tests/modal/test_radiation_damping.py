@@ -12,7 +12,7 @@ import pytest
 from scipy.special import j1
 
 from modal import Material, Plate, plate_modes, radiation_decay, with_radiation
-from modal.radiation import AIR_DENSITY, BOTTOM, SOUND_SPEED, TOP, directivity
+from modal.radiation import AIR_DENSITY, BOTTOM_FACE, SOUND_SPEED, TOP_FACE, directivity
 
 RADIUS = 0.03755
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=2e-4)
@@ -33,17 +33,22 @@ def test_two_faces_moving_as_pistons(modes):
 
 
 def test_each_face_takes_its_part(modes):
-    assert radiation_decay(modes, (TOP,)) + radiation_decay(modes, (BOTTOM,)) == pytest.approx(
-        radiation_decay(modes)
-    )
+    assert radiation_decay(modes, (TOP_FACE,)) + radiation_decay(
+        modes, (BOTTOM_FACE,)
+    ) == pytest.approx(radiation_decay(modes))
     still = modes.face_shape.copy()
-    still[:, TOP] = 0
-    assert np.abs(radiation_decay(replace(modes, face_shape=still), (TOP,))).max() == 0
+    still[:, TOP_FACE] = 0
+    assert (
+        np.abs(radiation_decay(replace(modes, face_shape=still), (TOP_FACE,))).max()
+        == 0
+    )
 
 
 def slowed(modes, frequency, shape):
     """Return the first mode with another frequency [Hz] and face motion (a, b)."""
-    one = {name: getattr(modes, name)[:1] for name in ("decay_rate", "order", "partner")}
+    one = {
+        name: getattr(modes, name)[:1] for name in ("decay_rate", "order", "partner")
+    }
     face = np.broadcast_to(shape, modes.face_shape[:1].shape).copy()
     return replace(modes, frequency=np.array([frequency]), face_shape=face, **one)
 
@@ -63,7 +68,9 @@ def test_long_waves_hear_a_tilt_as_a_dipole(modes, turn):
 
     D = k sin(t) cos(p) int w x dA.
     """
-    slow = slowed(modes, 20.0, np.outer(modes.face_radius / RADIUS, turn(modes.face_angle)))
+    slow = slowed(
+        modes, 20.0, np.outer(modes.face_radius / RADIUS, turn(modes.face_angle))
+    )
     rate = 2 * np.pi * 20.0
     square = 2 * np.pi / 3 * (rate / SOUND_SPEED) ** 2 * (np.pi * RADIUS**3 / 4) ** 2
     power = AIR_DENSITY * rate**2 / (8 * np.pi**2 * SOUND_SPEED) * square
@@ -85,7 +92,9 @@ def test_hankel_transforms_are_the_integral_summed_point_by_point(modes):
     azimuth = np.array([0.3, 2.1])
     parts = directivity(modes, sine)
     order = np.arange(parts.shape[1])
-    turns = np.stack([np.cos(np.outer(order, azimuth)), np.sin(np.outer(order, azimuth))])
+    turns = np.stack(
+        [np.cos(np.outer(order, azimuth)), np.sin(np.outer(order, azimuth))]
+    )
     ours = np.einsum("pnmfc,pna,n->mfca", parts, turns, 1j**order)
     area = modes.face_weight[:, None] * 2 * np.pi / len(modes.face_angle)
     k = 2 * np.pi * modes.frequency / SOUND_SPEED
@@ -103,7 +112,9 @@ def test_orders_that_the_face_angles_do_not_show_do_not_radiate(modes):
     assert len(modes.face_angle) == 64
     for order in (4, 31, 32, 60):
         shape = np.cos(order * modes.face_angle) + 0 * modes.face_radius[:, None]
-        decay = radiation_decay(replace(slowed(modes, 20e3, shape), order=np.array([order])))[0]
+        decay = radiation_decay(
+            replace(slowed(modes, 20e3, shape), order=np.array([order]))
+        )[0]
         assert (decay > 0) == (order < 32)
 
 

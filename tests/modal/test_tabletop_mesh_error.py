@@ -16,21 +16,21 @@ from skfem import MeshHex, MeshTet
 
 from modal.accuracy import ACCURACY_LEVELS
 from modal.elements.elastic import lowest_eigenpairs
-from modal.elements.mirrors import mirrors, symmetry_bases
+from modal.elements.mirrors import mirror_symmetries, symmetry_bases
 from modal.elements.user_mesh import (
     discretise,
     elastic_eigenpairs,
     lagrange_elements,
-    nodes_of_eighths,
+    nodes_of_subcells,
 )
 from modal.elements.user_mesh_error import (
-    CORNER_ERROR_RATIO,
+    CORNER_REMAINING_ERROR_RATIO,
     angles_about_edges,
     prolongation,
     relative_errors,
     singular_cells,
 )
-from modal.mesh.symmetry import free_unknowns
+from modal.mesh.symmetry import admissible_displacements
 from modal.modes import Material, Support
 from modal.tabletop.meshed import table_on_mesh
 from sonify import load_scene
@@ -43,7 +43,9 @@ def board(x, y, z, clamped):
     """Return a mesh of a board with the given sizes [m] and cell counts, and its clamped facets at
     the minimum x, if any."""
     mesh = MeshHex.init_tensor(*(np.linspace(0, size, n + 1) for size, n in (x, y, z)))
-    return mesh, mesh.facets_satisfying(lambda p: p[0] < 1e-9) if clamped else np.zeros(0, int)
+    return mesh, mesh.facets_satisfying(lambda p: p[0] < 1e-9) if clamped else np.zeros(
+        0, int
+    )
 
 
 def levels(mesh, facets):
@@ -51,7 +53,7 @@ def levels(mesh, facets):
     whole = lagrange_elements(mesh)[1]
     return [
         discretise(mesh, facets, whole, places, WOOD, 700.0)
-        for places in ([whole.doflocs.T], nodes_of_eighths(whole))
+        for places in ([whole.doflocs.T], nodes_of_subcells(whole))
     ]
 
 
@@ -60,7 +62,9 @@ def test_what_the_mesh_can_do_its_parts_can(kind):
     """Positions are displacements too: dividing cells moves no point."""
     mesh = kind.init_tensor(*[np.array([0.0, 0.4, 1.0])] * 3)
     coarse, fine = levels(mesh, np.zeros(0, int))
-    taken = prolongation(fine.solid, coarse, nodes_of_eighths(lagrange_elements(mesh)[1]))
+    taken = prolongation(
+        fine.solid, coarse, nodes_of_subcells(lagrange_elements(mesh)[1])
+    )
     assert taken @ coarse.solid.points.ravel() == pytest.approx(
         fine.solid.points.ravel(), abs=1e-14
     )
@@ -71,8 +75,8 @@ def test_mirrors_leave_the_modes_as_they_are(clamped):
     """A clamped board is symmetric in y only; a free board is symmetric in x and y."""
     mesh, facets = board((0.3, 3), (0.2, 2), (0.02, 1), clamped)
     given = levels(mesh, facets)[0]
-    assert len(mirrors(given)) == (1 if clamped else 2)
-    free = free_unknowns(given.solid.points, given.held, HELD)
+    assert len(mirror_symmetries(given)) == (1 if clamped else 2)
+    free = admissible_displacements(given.solid.points, given.held, HELD)
     bases = symmetry_bases(given, free)
     assert sum(b.shape[1] for b in bases) == free.shape[1]
     assert (
@@ -82,12 +86,14 @@ def test_mirrors_leave_the_modes_as_they_are(clamped):
     shift = 0.0 if clamped else -1e4
     found = elastic_eigenpairs(given, HELD, 2000.0, shift)[0]
     rigid = 0 if clamped else 6
-    k, m = (free.T @ matrix @ free for matrix in (given.solid.stiffness, given.solid.mass))
+    k, m = (
+        free.T @ matrix @ free for matrix in (given.solid.stiffness, given.solid.mass)
+    )
     whole = lowest_eigenpairs(k, m, np.inf, shift, exact_count=16)[0][rigid:]
     assert 2 < len(found) <= 10
     assert found == pytest.approx(whole[: len(found)], rel=1e-8)
     mesh.p[:, np.argmax(mesh.p.sum(axis=0))] += 0.01
-    assert not mirrors(levels(mesh, facets)[0])
+    assert not mirror_symmetries(levels(mesh, facets)[0])
 
 
 def test_cells_beside_an_edge_where_stress_is_endless_are_found():
@@ -97,7 +103,9 @@ def test_cells_beside_an_edge_where_stress_is_endless_are_found():
     assert angles_about_edges(mesh).max() == pytest.approx(2 * np.pi)
     assert singular_cells(mesh, facets).sum() == 2
     assert not singular_cells(mesh, np.zeros(0, int)).any()
-    corner = mesh.remove_elements(mesh.elements_satisfying(lambda p: (p[0] > 0.2) & (p[1] > 0.1)))
+    corner = mesh.remove_elements(
+        mesh.elements_satisfying(lambda p: (p[0] > 0.2) & (p[1] > 0.1))
+    )
     assert singular_cells(corner, np.zeros(0, int)).sum() == 3
 
 
@@ -117,14 +125,19 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
         facets,
         fine,
         coarse,
-        nodes_of_eighths(whole),
+        nodes_of_subcells(whole),
         values,
         shapes,
         shift,
-        CORNER_ERROR_RATIO,
+        CORNER_REMAINING_ERROR_RATIO,
     )
     finest = levels(*board(*zip(size, (2 * n for n in cells), strict=True), clamped))[1]
-    nearer = np.sqrt(values / elastic_eigenpairs(finest, HELD, 2000.0, shift)[0][: len(values)]) - 1
+    nearer = (
+        np.sqrt(
+            values / elastic_eigenpairs(finest, HELD, 2000.0, shift)[0][: len(values)]
+        )
+        - 1
+    )
     assert (nearer > 0).all()
     assert (stated > 1.2 * nearer / (1 - share)).all()
     assert (stated < 5 * nearer / (1 - 1 / 16)).all()
@@ -133,8 +146,12 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
 @pytest.mark.slow
 def test_the_wooden_table_is_right_to_a_percent_from_above():
     surface = load_scene("wood-table").surface
-    found = table_on_mesh(surface, 0.03755, 3500.0, ACCURACY_LEVELS["standard"].max_table_unknowns)
-    frequency, uncertainty = (np.array(KNOWN[name]) for name in ("frequency", "uncertainty"))
+    found = table_on_mesh(
+        surface, 0.03755, 3500.0, ACCURACY_LEVELS["standard"].max_table_unknowns
+    )
+    frequency, uncertainty = (
+        np.array(KNOWN[name]) for name in ("frequency", "uncertainty")
+    )
     frequency = frequency[: len(found)]
     uncertainty = uncertainty[: len(found)]
     error = found.frequency / frequency - 1

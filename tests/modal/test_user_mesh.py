@@ -24,13 +24,21 @@ from modal.mesh.sector import extrude, hexahedra
 RADIUS, THICKNESS, MASS = 0.03755, 0.0128, 0.4387
 DENSITY = MASS / (np.pi * RADIUS**2 * THICKNESS)
 STEEL = Material(young=195e9, poisson=0.28)
-SOLID = {"radius": RADIUS, "thickness": THICKNESS, "material": STEEL, "density": DENSITY}
+SOLID = {
+    "radius": RADIUS,
+    "thickness": THICKNESS,
+    "material": STEEL,
+    "density": DENSITY,
+}
 REFERENCE = np.array([800.52, 1080.07, 2261.27, 7266.64])
 
 
 def curved(rings=2):
     cells = (
-        half_disk(np.deg2rad(5), MeshSize(width=np.pi / 8, depth=0.38, rings=rings, lead_ratio=0.5))
+        half_disk(
+            np.deg2rad(5),
+            MeshSize(width=np.pi / 8, depth=0.38, rings=rings, lead_ratio=0.5),
+        )
         * RADIUS
     )
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
@@ -70,11 +78,14 @@ def test_the_mesh_written_with_the_modes_gives_them_back(tmp_path, support):
 
 def free_hexahedra(path, split, thickness=THICKNESS, layers=1):
     """Write curved hexahedra of the free disk, with split^2 cells per block in each layer."""
-    cells = half_disk(np.pi, MeshSize(width=np.pi / 4, depth=0.5, rings=0, split=split)) * RADIUS
-    cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
-    hexahedra(extrude(cells, np.linspace(-thickness / 2, thickness / 2, layers + 1))).save(
-        str(path)
+    cells = (
+        half_disk(np.pi, MeshSize(width=np.pi / 4, depth=0.5, rings=0, split=split))
+        * RADIUS
     )
+    cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
+    hexahedra(
+        extrude(cells, np.linspace(-thickness / 2, thickness / 2, layers + 1))
+    ).save(str(path))
 
 
 @pytest.mark.parametrize("refine", [True, False])
@@ -82,7 +93,12 @@ def test_the_error_estimate_bounds_the_error_of_a_free_disk(tmp_path, refine):
     exact = plate_modes(Plate(**SOLID), 30e3).frequency
     free_hexahedra(tmp_path / "disk.vtu", 1)
     modes = mesh_modes(
-        tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=24e3, refine=refine
+        tmp_path / "disk.vtu",
+        STEEL,
+        DENSITY,
+        Support(kind="free"),
+        below=24e3,
+        refine=refine,
     )
     error = modes.frequency / exact[: len(modes)] - 1
     assert len(modes) == np.count_nonzero(exact < 24e3)
@@ -95,8 +111,12 @@ def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
     """The mesh rotates the shapes of a pair arbitrarily; only the plane they span is unique."""
     exact = plate_modes(Plate(**SOLID), 12e3)
     free_hexahedra(tmp_path / "disk.vtu", 1)
-    modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=12e3)
-    ours, known = (np.linalg.qr(m.rim_shape[:2].reshape(2, -1).T)[0] for m in (modes, exact))
+    modes = mesh_modes(
+        tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=12e3
+    )
+    ours, known = (
+        np.linalg.qr(m.rim_shape[:2].reshape(2, -1).T)[0] for m in (modes, exact)
+    )
     assert np.linalg.svd(ours.T @ known, compute_uv=False).min() > 0.9995
     whole = np.einsum("apx,bpx->ab", modes.body.displacement, modes.body.displacement)
     assert abs(whole[0, 1]) < 1e-3 * whole[0, 0]
@@ -110,7 +130,9 @@ def test_the_error_estimate_bounds_the_error_on_a_patch(tmp_path, half_angle_deg
     disk = Plate(**SOLID)
     exact = FreeDisk(plate=disk).frequencies(support, 20e3)
     cells = (
-        half_disk(np.deg2rad(half_angle_deg), MeshSize(width=np.pi / 8, depth=0.38, rings=0))
+        half_disk(
+            np.deg2rad(half_angle_deg), MeshSize(width=np.pi / 8, depth=0.38, rings=0)
+        )
         * RADIUS
     )
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
@@ -129,11 +151,18 @@ def test_linear_tetrahedra_are_promoted_because_they_lock(tmp_path, suffix):
     tets = straight().to_meshtet()
     options = {"file_format": "gmsh"} if suffix == ".msh" else {}
     meshio.Mesh(tets.p.T, [("tetra", tets.t.T)]).write(path, **options)
-    assert frequencies(path, refine=False).frequency == pytest.approx(REFERENCE, rel=0.1)
+    assert frequencies(path, refine=False).frequency == pytest.approx(
+        REFERENCE, rel=0.1
+    )
     mesh = read_mesh(path)
     linear, quadratic = lagrange_elements(mesh)
     as_given = discretise(
-        mesh, patch_facets(mesh, Support()), linear, [quadratic.doflocs.T], STEEL, DENSITY
+        mesh,
+        patch_facets(mesh, Support()),
+        linear,
+        [quadratic.doflocs.T],
+        STEEL,
+        DENSITY,
     )
     assert (
         np.sqrt(elastic_eigenpairs(as_given, Support().held, 8e3, 0.0)[0][0])
@@ -163,7 +192,9 @@ def test_a_named_surface_holds_the_body(tmp_path):
 
 def test_a_free_mesh_has_six_rigid_modes_left_out(tmp_path):
     curved().save(str(tmp_path / "disk.vtu"))
-    modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=20e3)
+    modes = mesh_modes(
+        tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=20e3
+    )
     assert modes.order.tolist() == [2, 2, 0]
     assert modes.frequency == pytest.approx([10602.7, 10602.7, 16997.7], rel=0.01)
 
@@ -174,7 +205,12 @@ def test_a_free_mesh_has_six_rigid_modes_left_out(tmp_path):
 def test_a_body_without_modes_below_the_limit_gives_none(tmp_path, kind, refine):
     curved().save(str(tmp_path / "disk.vtu"))
     modes = mesh_modes(
-        tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind=kind), below=100, refine=refine
+        tmp_path / "disk.vtu",
+        STEEL,
+        DENSITY,
+        Support(kind=kind),
+        below=100,
+        refine=refine,
     )
     assert len(modes) == len(modes.error) == 0
     assert modes.rim_shape.shape == (0, 128, 3)
@@ -182,12 +218,19 @@ def test_a_body_without_modes_below_the_limit_gives_none(tmp_path, kind, refine)
 
 
 @pytest.mark.parametrize("aspect", [2, 3])
-def test_a_free_cylinder_thicker_than_its_radius_has_six_rigid_modes_too(tmp_path, aspect):
+def test_a_free_cylinder_thicker_than_its_radius_has_six_rigid_modes_too(
+    tmp_path, aspect
+):
     """Oracle: the spectral solution."""
     thick = Plate(**SOLID | {"thickness": aspect * RADIUS})
     free_hexahedra(tmp_path / "thick.vtu", 1, thick.thickness, layers=2 * aspect)
     modes = mesh_modes(
-        tmp_path / "thick.vtu", STEEL, DENSITY, Support(kind="free"), below=28e3, refine=False
+        tmp_path / "thick.vtu",
+        STEEL,
+        DENSITY,
+        Support(kind="free"),
+        below=28e3,
+        refine=False,
     )
     exact = plate_modes(thick, 30e3).frequency[: len(modes)]
     assert len(modes) >= 3
@@ -203,7 +246,10 @@ def test_a_patch_all_around_holds_the_facet_opposite_its_middle():
 
 def corners_and_edges(mesh):
     """Return the cells (c, 20) of a MeshHex2 in VTK's order."""
-    lattice = {tuple(node): i for i, node in enumerate(np.rint(2 * mesh.elem.doflocs).astype(int))}
+    lattice = {
+        tuple(node): i
+        for i, node in enumerate(np.rint(2 * mesh.elem.doflocs).astype(int))
+    }
     return mesh.dofs.element_dofs[[lattice[node] for node in VTK_HEXAHEDRON27[:20]]].T
 
 
@@ -215,7 +261,8 @@ def test_hexahedra_of_20_nodes_are_the_curved_ones(tmp_path, suffix):
         tmp_path / f"disk20{suffix}"
     )
     both = [
-        frequencies(tmp_path / name, refine=False) for name in ("disk27.vtu", f"disk20{suffix}")
+        frequencies(tmp_path / name, refine=False)
+        for name in ("disk27.vtu", f"disk20{suffix}")
     ]
     assert both[1].frequency == pytest.approx(both[0].frequency, rel=2e-4)
     assert both[1].mass == pytest.approx(MASS, rel=1e-3)
@@ -227,7 +274,9 @@ def test_curved_tetrahedra_are_cut_along_their_curves(tmp_path):
     mesh = skfem.MeshTet2.from_mesh(straight().to_meshtet())
     mesh.doflocs[2] *= 1 + 0.3 * (mesh.doflocs[0] / RADIUS) ** 2
     mesh.save(str(tmp_path / "disk.vtu"))
-    given, cut = (frequencies(tmp_path / "disk.vtu", refine=refine) for refine in (False, True))
+    given, cut = (
+        frequencies(tmp_path / "disk.vtu", refine=refine) for refine in (False, True)
+    )
     assert cut.mass == pytest.approx(given.mass, rel=1e-9)
     few = min(len(cut), len(given))
     assert (cut.frequency[:few] < given.frequency[:few]).all()
@@ -281,7 +330,12 @@ def test_meshes_that_will_not_do(tmp_path):
     refused(tmp_path, points, [("triangle", cells[:, :3])], "no volume cells")
     refused(tmp_path, points * [1, 1, 0], [("tetra", cells)], "flat or folded")
     two = np.concatenate([points, points + np.array([0.09, 0, 0])])
-    refused(tmp_path, two, [("tetra", np.concatenate([cells, cells + len(points)]))], "2 bodies")
+    refused(
+        tmp_path,
+        two,
+        [("tetra", np.concatenate([cells, cells + len(points)]))],
+        "2 bodies",
+    )
     flat = cells.copy()
     flat[7, 3] = flat[7, 2]
     refused(tmp_path, points, [("tetra", flat)], "flat or folded")
@@ -292,7 +346,7 @@ def test_meshes_that_will_not_do(tmp_path):
         tmp_path,
         points,
         [("hexahedron", bricks)],
-        "1 of 60 cells are numbered inside out, the first is 7",
+        "1 of 60 cells are numbered inside out; the first one is 7",
     )
     narrow = Support(half_angle_deg=0.01)
     refused(tmp_path, points, [("tetra", cells)], "no facet", support=narrow)

@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from dynamics.compliant.two_way_onset import may_be_two_way, needs_table_modes
+from dynamics.compliant.two_way_onset import may_be_two_way, must_compute_table_modes
 from modal import eigenmodes
 from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
@@ -40,7 +40,12 @@ BASES = {
         "release.inclination_deg=5.7",
         "numerics.time_limit=1.0",
     ),
-    "rough": ("contact.law=elastic", "roughness.rms=1e-7", "numerics.contact=full", *FLAT),
+    "rough": (
+        "contact.law=elastic",
+        "roughness.rms=1e-7",
+        "numerics.contact=full",
+        *FLAT,
+    ),
     "rattling": (
         "contact.law=elastic",
         "contact.restitution=0.8",
@@ -48,8 +53,18 @@ BASES = {
         "numerics.contact=many",
         *FLAT,
     ),
-    "filter": ("contact.law=elastic", "roughness.rms=1e-9", "numerics.contact=filter", *FLAT),
-    "wavy": ("contact.law=elastic", "imperfection.order=2", "imperfection.amplitude=1e-6", *FLAT),
+    "filter": (
+        "contact.law=elastic",
+        "roughness.rms=1e-9",
+        "numerics.contact=filter",
+        *FLAT,
+    ),
+    "wavy": (
+        "contact.law=elastic",
+        "imperfection.order=2",
+        "imperfection.amplitude=1e-6",
+        *FLAT,
+    ),
     "plate": (f"surface={{{PLATE}}}", "contact.law=elastic", *FLAT),
     "modes": (
         f"surface={{kind='modes', action='motion', modes=[{MODE}]}}",
@@ -59,7 +74,12 @@ BASES = {
     "endless": (f"surface={{kind='infinite', thickness=0.02, {SOLID}}}",),
     "film": ("air.film=acts", *FLAT),
     "vacuum": ("air.pressure=0.0",),
-    "shell": ("disk.shape=shell", "disk.wall=0.005", "disk.thickness=0.03", "support.kind=free"),
+    "shell": (
+        "disk.shape=shell",
+        "disk.wall=0.005",
+        "disk.thickness=0.03",
+        "support.kind=free",
+    ),
     "on contact": ("support.kind=contact",),
 }
 """Changes to the published scene, by name."""
@@ -97,6 +117,9 @@ VALUES = {
     "surface.ring_radius": "0.11",
     "surface.ring_stiffness": "2e6",
     "surface.place": "[0.01, 0.0]",
+    "surface.sag": "1e-3",
+    "surface.diameter": "0.3",
+    "surface.baffle": "true",
     "surface.modes": f"[{MODE.replace('600.0', '500.0')}]",
     "dissipation.power_coefficient": "1e-6",
     "dissipation.power_exponent": "3.0",
@@ -172,7 +195,11 @@ def modes_of(disk, material, support, numerics, below):
     """Return the modes of a patch or a free disk, which depend on no other section."""
     scene = load_scene("published")
     object.__setattr__(scene, "disk", disk)
-    for name, section in {"material": material, "support": support, "numerics": numerics}.items():
+    for name, section in {
+        "material": material,
+        "support": support,
+        "numerics": numerics,
+    }.items():
         object.__setattr__(scene, name, section)
     return eigenmodes(scene, below=below)
 
@@ -190,7 +217,9 @@ def stages(scene):
     plan, modes = plan_with_modes(scene, remembered)
     _, table = with_table(plan, scene)
     yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
-    motion = solve_motion(scene, table=table if needs_table_modes(scene) else None)
+    motion = solve_motion(
+        scene, table=table if must_compute_table_modes(scene) else None
+    )
     yield motion.t.tobytes() + motion.state.tobytes() + motion.force(motion.t).tobytes()
     renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm, table)
     yield np.ascontiguousarray(next(iter(renderer.blocks()))).tobytes()
@@ -209,7 +238,9 @@ def base_scene(base):
 
 def differs(scene, base):
     """Return True at the first stage of a scene that differs from that of a base."""
-    return any(one != other for one, other in zip(stages(scene), found_in(base), strict=True))
+    return any(
+        one != other for one, other in zip(stages(scene), found_in(base), strict=True)
+    )
 
 
 def allowed(base):
@@ -217,7 +248,9 @@ def allowed(base):
     known = check_solvable_scene(base_scene(base), None)
     for name, value in VALUES.items():
         try:
-            scene = check_solvable_scene(base_scene(base).replace(f"{name}={value}"), None)
+            scene = check_solvable_scene(
+                base_scene(base).replace(f"{name}={value}"), None
+            )
         except (
             SceneError
         ):  # the kind of table or support does not have it, or the numbers do not fit
@@ -242,7 +275,9 @@ def test_a_key_is_unused_or_changes_something(base):
         changes = differs(scene, base)
         if unused == changes and not (name in NOT_REACHED and not unused):
             wrong[name] = (
-                "listed, but changes a result" if unused else "changes nothing, but is not listed"
+                "listed, but changes a result"
+                if unused
+                else "changes nothing, but is not listed"
             )
     assert wrong == {}
 
@@ -283,7 +318,10 @@ def test_roughness_on_a_rigid_contact_is_listed_and_changes_no_byte(tmp_path):
         for scene, folder in ((brief, "one"), (rough, "two"))
     ]
     records = [json.loads((out / "run.json").read_text("utf-8")) for out in files]
-    assert [record["unused"] for record in records] == [[], ["roughness.rms", "contact.young"]]
+    assert [record["unused"] for record in records] == [
+        [],
+        ["roughness.rms", "contact.young"],
+    ]
     assert [line for line in notices if "unused" in line] == [
         "unused: roughness.rms, contact.young (no effect on this run)"
     ]
@@ -297,8 +335,12 @@ def test_roughness_on_a_rigid_contact_is_listed_and_changes_no_byte(tmp_path):
 def test_only_what_a_scene_sets_is_listed():
     published = load_scene("published")
     assert unused_keys(published) == ()
-    assert unused_keys(published.replace("contact.loss_factor=0.02")) == ()  # the default
-    elastic = published.replace("contact.law=elastic", "roughness.rms=1e-7", "contact.young=7e10")
+    assert (
+        unused_keys(published.replace("contact.loss_factor=0.02")) == ()
+    )  # the default
+    elastic = published.replace(
+        "contact.law=elastic", "roughness.rms=1e-7", "contact.young=7e10"
+    )
     assert unused_keys(elastic) == ()
 
 

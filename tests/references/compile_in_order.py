@@ -60,10 +60,15 @@ def main(names: list[str]) -> None:
     cases = {"table": table, "rough": rough, "portable": portable}
     found = {name: cases[name]() for name in names}
     for name, (motion, more) in sorted(found.items()):
-        hashes = [sha256(array.tobytes()).hexdigest() for array in (motion.t, motion.state, more)]
+        hashes = [
+            sha256(array.tobytes()).hexdigest()
+            for array in (motion.t, motion.state, more)
+        ]
         print(name, float(motion.t[-1]), *hashes)
     (assembly,) = step_motion.inspect_asm().values()
-    instructions = [words[0] for line in assembly.splitlines() if (words := line.split())]
+    instructions = [
+        words[0] for line in assembly.splitlines() if (words := line.split())
+    ]
     print(
         "march",
         sum("mul" in word for word in instructions),

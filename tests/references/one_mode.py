@@ -26,7 +26,11 @@ FLAT = 1e-5
 @njit
 def cross(a, b):
     return np.array(
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        [
+            a[1] * b[2] - a[2] * b[1],
+            a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0],
+        ]
     )
 
 
@@ -34,7 +38,11 @@ def cross(a, b):
 def rotated(n, turn):
     angle = np.sqrt(turn @ turn)
     k = turn / angle
-    return n * np.cos(angle) + cross(k, n) * np.sin(angle) + k * (k @ n) * (1 - np.cos(angle))
+    return (
+        n * np.cos(angle)
+        + cross(k, n) * np.sin(angle)
+        + k * (k @ n) * (1 - np.cos(angle))
+    )
 
 
 @njit
@@ -47,7 +55,9 @@ def gap(phi, z, n, p, R, H, A):
 def nearest(phi, scan, z, n, p, R, H, A):
     if scan:
         places = 2 * np.pi * np.arange(96) / 96
-        phi = places[np.argmin(np.array([gap(place, z, n, p, R, H, A) for place in places]))]
+        phi = places[
+            np.argmin(np.array([gap(place, z, n, p, R, H, A) for place in places]))
+        ]
     for _ in range(4):
         c = np.cos(phi)
         s = np.sin(phi)
@@ -152,14 +162,22 @@ def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
                 phi = nearest(phi, i % 8 == 0, x[2], n, p, R, H, A)
                 before = G
                 G = gap(phi, x[2], n, p, R, H, A)
-                N = max(0.0, STIFFNESS * max(0.0, -G) ** 1.5 * (1 - LOSS * (G - before) / h))
+                N = max(
+                    0.0, STIFFNESS * max(0.0, -G) ** 1.5 * (1 - LOSS * (G - before) / h)
+                )
         if N > 0:
             moments(L, n, np.cos(phi), np.sin(phi), arms, h * N, J1, E)
-            sliding = friction(v, L, n, r, m, J1, E, mus[0] * h * N, mus[1] * h * N, sliding)
+            sliding = friction(
+                v, L, n, r, m, J1, E, mus[0] * h * N, mus[1] * h * N, sliding
+            )
         elif lost < 0:
             lost = i * h
         if (i + 1) % every == 0:
-            out[i // every] = (i + 1) * h, np.sqrt(n[0] ** 2 + n[1] ** 2), np.arctan2(n[1], n[0])
+            out[i // every] = (
+                (i + 1) * h,
+                np.sqrt(n[0] ** 2 + n[1] ** 2),
+                np.arctan2(n[1], n[0]),
+            )
     return lost
 
 
@@ -185,7 +203,9 @@ def halt(rate, phase, stop):
     a2 = np.array([-np.sin(a), np.cos(a), 0.0])
     n = np.sin(beta) * a2 + [0, 0, np.cos(beta)]
     e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
-    v = np.cross(w1 * a1 + w2 * n + w3 * e3, H * n + R * e3) + motion.at([t])[0, 8:10] @ [a1, a2]
+    v = np.cross(w1 * a1 + w2 * n + w3 * e3, H * n + R * e3) + motion.at([t])[
+        0, 8:10
+    ] @ [a1, a2]
     w = 2 * np.pi * FREQUENCY
     along = ORDER * np.arctan2(n[1], n[0])
     q = (
@@ -196,16 +216,24 @@ def halt(rate, phase, stop):
     )
     p, pv = (np.array([c.real, c.imag]) for c in (q, 1j * ORDER * turning * q))
     rise = MASS**-0.5 * (np.exp(-1j * along) * q).real
-    x = np.array([0, 0, R * np.sin(beta) + H * np.cos(beta) - (N / STIFFNESS) ** (2 / 3) + rise])
+    x = np.array(
+        [0, 0, R * np.sin(beta) + H * np.cos(beta) - (N / STIFFNESS) ** (2 / 3) + rise]
+    )
     every = round(rate / 1e5)
     out = np.zeros((round(stop * rate) // every, 3))
     body = (m, J1, J2, R, H, disk.weight / m)
     arms = np.array([laws.arm_nutation, laws.arm_rolling, laws.arm_pivoting])
     mus = np.array([laws.mu_static, laws.mu_dynamic])
     L = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
-    lost = run(x, n, v, L, p, pv, body, mus, arms, 1 / rate, len(out) * every, every, out)
+    lost = run(
+        x, n, v, L, p, pv, body, mus, arms, 1 / rate, len(out) * every, every, out
+    )
     turns = np.abs(np.gradient(np.unwrap(out[:, 2]), out[:, 0])) / (2 * np.pi)
-    return out[np.argmax(turns > 300), 0], lost, out[np.flatnonzero(out[:, 1] > FLAT)[-1], 0]
+    return (
+        out[np.argmax(turns > 300), 0],
+        lost,
+        out[np.flatnonzero(out[:, 1] > FLAT)[-1], 0],
+    )
 
 
 if __name__ == "__main__":
@@ -214,4 +242,6 @@ if __name__ == "__main__":
         runs = [halt(rate, phase, 0.98) for phase in np.linspace(0.1, 6.2, 18)]
         for times, values in zip(found.values(), zip(*runs, strict=True), strict=True):
             times[f"{rate:g}"] = values
-    Path(__file__).with_suffix(".json").write_text(json.dumps(found, indent=1) + "\n", "utf-8")
+    Path(__file__).with_suffix(".json").write_text(
+        json.dumps(found, indent=1) + "\n", "utf-8"
+    )

@@ -33,19 +33,33 @@ def quarter():
     The symmetry planes and the patch are named; the cells are small at the edge of the patch.
     """
     body = Cylinder(Pnt(0, 0, 0), Z, r=1, h=HEIGHT) * HalfSpace(Pnt(0, 0, 0), -Y)
-    sector = body * HalfSpace(Pnt(0, 0, 0), Dir(-np.sin(HALF_ANGLE), np.cos(HALF_ANGLE), 0))
+    sector = body * HalfSpace(
+        Pnt(0, 0, 0), Dir(-np.sin(HALF_ANGLE), np.cos(HALF_ANGLE), 0)
+    )
     shape = Glue([body - sector, sector])
     for face in shape.faces:
         x, y, z = face.center
-        on_patch = x > 0.98 and 0 < np.arctan2(y, x) < HALF_ANGLE and 0 < z < HEIGHT - 1e-9
-        face.name = "z" if z < 1e-9 else "y" if abs(y) < 1e-9 else "patch" if on_patch else "free"
+        on_patch = (
+            x > 0.98 and 0 < np.arctan2(y, x) < HALF_ANGLE and 0 < z < HEIGHT - 1e-9
+        )
+        face.name = (
+            "z"
+            if z < 1e-9
+            else "y"
+            if abs(y) < 1e-9
+            else "patch"
+            if on_patch
+            else "free"
+        )
         if on_patch:
             face.maxh = NEAR
             for part in [*face.edges, *face.vertices]:
                 x, y, z = part.center if hasattr(part, "center") else part.p
                 at_side = abs(np.arctan2(y, x) - HALF_ANGLE) < 1e-6
                 at_top = abs(z - HEIGHT) < 1e-9
-                part.hpref = float(at_side and at_top if hasattr(part, "p") else at_side or at_top)
+                part.hpref = float(
+                    at_side and at_top if hasattr(part, "p") else at_side or at_top
+                )
     mesh = ngsolve.Mesh(OCCGeometry(shape).GenerateMesh(maxh=SIZE, grading=0.6))
     mesh.RefineHP(LEVELS, factor=FACTOR)
     return mesh
@@ -60,21 +74,37 @@ def frequencies(mesh, degree):
     strain, virtual = (ngsolve.Sym(ngsolve.Grad(field)) for field in (u, v))
     lam = POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
     mu = 1 / (2 * (1 + POISSON))
-    energy = lam * ngsolve.div(u) * ngsolve.div(v) + 2 * mu * ngsolve.InnerProduct(strain, virtual)
-    k, m = (ngsolve.BilinearForm(form * ngsolve.dx).Assemble().mat for form in (energy, u * v))
+    energy = lam * ngsolve.div(u) * ngsolve.div(v) + 2 * mu * ngsolve.InnerProduct(
+        strain, virtual
+    )
+    k, m = (
+        ngsolve.BilinearForm(form * ngsolve.dx).Assemble().mat
+        for form in (energy, u * v)
+    )
     return np.sort(
-        [f for y in (1, -1) for z in (1, -1) for f in of_class(mesh, degree, k, m, y, z)]
+        [
+            f
+            for y in (1, -1)
+            for z in (1, -1)
+            for f in of_class(mesh, degree, k, m, y, z)
+        ]
     )[:COUNT]
 
 
 def of_class(mesh, degree, k, m, y, z):
     """Return four frequencies [Hz] of the class that is even (1) or odd (-1) under y -> -y and z ->
     -z."""
-    zero = {"x": ["y"] * (y < 0) + ["z"] * (z < 0), "y": ["y"] * (y > 0) + ["z"] * (z < 0)}
+    zero = {
+        "x": ["y"] * (y < 0) + ["z"] * (z < 0),
+        "y": ["y"] * (y > 0) + ["z"] * (z < 0),
+    }
     zero["z"] = ["y"] * (y < 0) + ["z"] * (z > 0)
-    held = {f"dirichlet{axis}": "|".join(["patch", *names]) for axis, names in zero.items()}
+    held = {
+        f"dirichlet{axis}": "|".join(["patch", *names]) for axis, names in zero.items()
+    }
     factor = k.Inverse(
-        ngsolve.VectorH1(mesh, order=degree, **held).FreeDofs(), inverse="sparsecholesky"
+        ngsolve.VectorH1(mesh, order=degree, **held).FreeDofs(),
+        inverse="sparsecholesky",
     )
     load = k.CreateColVector()
     answer = k.CreateColVector()
@@ -86,7 +116,8 @@ def of_class(mesh, degree, k, m, y, z):
 
     size = k.height
     stiffness, mass = (
-        csr_matrix((a, i, p), shape=(size, size)) for a, i, p in (x.CSR() for x in (k, m))
+        csr_matrix((a, i, p), shape=(size, size))
+        for a, i, p in (x.CSR() for x in (k, m))
     )
     inverse = LinearOperator(stiffness.shape, matvec=solve, dtype=float)
     values = eigsh(
@@ -122,7 +153,9 @@ def main():
         "uncertainty": uncertainty.round(8).tolist(),
     }
     document["found"] = [f.round(4).tolist() for f in found]
-    Path(__file__).with_suffix(".json").write_text(json.dumps(document, indent=1) + "\n", "utf-8")
+    Path(__file__).with_suffix(".json").write_text(
+        json.dumps(document, indent=1) + "\n", "utf-8"
+    )
 
 
 if __name__ == "__main__":

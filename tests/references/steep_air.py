@@ -15,7 +15,11 @@ from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
 RADIUS, NUMBERS = 0.03755, (0.3, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.2, 4.0, 5.0)
 TOY, COIN, STONE = (0.0128 / 0.03755, 1.6 / 37.55), (0.1, 0.03), (0.8, 1.6 / 37.55)
 """Height and fillet of three disks, over the radius: the toy, a thinner and a thicker one."""
-INCLINATIONS = {TOY: (0.1, 0.2, 0.35, 0.6), COIN: (0.2, 0.35, 0.6), STONE: (0.2, 0.35, 0.6)}
+INCLINATIONS = {
+    TOY: (0.1, 0.2, 0.35, 0.6),
+    COIN: (0.2, 0.35, 0.6),
+    STONE: (0.2, 0.35, 0.6),
+}
 CLEAR = {0.1: 0.001, 0.2: 0.003, 0.35: 0.003, 0.6: 0.003}
 """Height of the lowest point over the table, by inclination [rad].
 
@@ -47,7 +51,9 @@ def meshed(body, gaps=(), least=0.02):
     body.faces.name = "body"
     ball = Sphere(Pnt(0, 0, 0), FAR)
     ball.faces.name = "far"
-    how = MeshingParameters(maxh=CELL, grading=0.4, segmentsperedge=1, curvaturesafety=1.0)
+    how = MeshingParameters(
+        maxh=CELL, grading=0.4, segmentsperedge=1, curvaturesafety=1.0
+    )
     for px, py, gap in gaps:
         if max(2 * gap, least) < CELL:
             how.RestrictH(x=px, y=py, z=gap / 2, h=max(2 * gap, least))
@@ -61,9 +67,14 @@ def wedge(height, beta, centre):
     s = np.sin(beta)
     c = np.cos(beta)
     places = [
-        (u, v) for u in np.linspace(-1, 1, 161) for v in np.linspace(0, 1, 81) if u * u + v * v <= 1
+        (u, v)
+        for u in np.linspace(-1, 1, 161)
+        for v in np.linspace(0, 1, 81)
+        if u * u + v * v <= 1
     ]
-    return [(u * c + height / 2 * s, v, u * s - height / 2 * c + centre) for u, v in places]
+    return [
+        (u * c + height / 2 * s, v, u * s - height / 2 * c + centre) for u, v in places
+    ]
 
 
 def size(degree, n):
@@ -75,7 +86,11 @@ def size(degree, n):
     )
 
 
-WAVES = [(degree, n) for degree in range(DEGREES + 1) for n in range(degree % 2, degree + 1, 2)]
+WAVES = [
+    (degree, n)
+    for degree in range(DEGREES + 1)
+    for n in range(degree % 2, degree + 1, 2)
+]
 
 
 def harmonic(degree, n):
@@ -107,11 +122,14 @@ def multipoles(mesh, accelerations, numbers):
 
     loads = [load(-(ng.CF(a) * normal) * q * ds("body")) for a in accelerations]
     loads += [
-        load(harmonic(*wave) * q * ds("far", bonus_intorder=DEGREES + 4)) / FAR**2 for wave in WAVES
+        load(harmonic(*wave) * q * ds("far", bonus_intorder=DEGREES + 4)) / FAR**2
+        for wave in WAVES
     ]
     loads = np.array(loads)
     forms = [grad(p) * grad(q) * dx, p * q * dx]
-    stiff, mass = (ng.BilinearForm(form, symmetric=True).Assemble().mat for form in forms)
+    stiff, mass = (
+        ng.BilinearForm(form, symmetric=True).Assemble().mat for form in forms
+    )
 
     def times(matrix, rows):
         given = matrix.CreateRowVector()
@@ -123,7 +141,11 @@ def multipoles(mesh, accelerations, numbers):
 
     basis = np.zeros((0, space.ndof))
     for shift in SHIFTS:
-        matrix = ng.BilinearForm(forms[0] - shift**2 * forms[1], symmetric=True).Assemble().mat
+        matrix = (
+            ng.BilinearForm(forms[0] - shift**2 * forms[1], symmetric=True)
+            .Assemble()
+            .mat
+        )
         inverse = matrix.Inverse(inverse="sparsecholesky")
         rows = loads
         for _ in range(LEVELS):
@@ -142,15 +164,23 @@ def multipoles(mesh, accelerations, numbers):
     of = len(accelerations)
     for k in numbers:
         G = B[of:] @ np.linalg.solve(K - k * k * M, B.T)
-        outwards = FAR**2 / np.pi * k * hankel(degree, k * FAR, True) / hankel(degree, k * FAR)
-        found.append(np.linalg.solve(np.eye(len(degree)) - G[:, of:] * outwards, G[:, :of]) / np.pi)
+        outwards = (
+            FAR**2 / np.pi * k * hankel(degree, k * FAR, True) / hankel(degree, k * FAR)
+        )
+        found.append(
+            np.linalg.solve(np.eye(len(degree)) - G[:, of:] * outwards, G[:, :of])
+            / np.pi
+        )
     return np.array(found)
 
 
 def heard(amplitudes, k, distance, elevation, azimuth):
     """Return the pressures (azimuths, a) at a distance."""
     degree = np.array(WAVES)[:, 0]
-    waves = [size(*w) * lpmv(w[1], w[0], np.sin(elevation)) * np.cos(w[1] * azimuth) for w in WAVES]
+    waves = [
+        size(*w) * lpmv(w[1], w[0], np.sin(elevation)) * np.cos(w[1] * azimuth)
+        for w in WAVES
+    ]
     return (
         np.array(waves).T * (hankel(degree, k * distance) / hankel(degree, k * FAR))
     ) @ amplitudes
@@ -160,7 +190,9 @@ def sphere(k=1.7, radius=0.8):
     """Return the ratio of the pressure at a distance of 5 to its closed form, for a half sphere
     moving along the table."""
     mesh = meshed(Sphere(Pnt(0, 0, 0), radius))
-    found = heard(multipoles(mesh, [(1, 0, 0)], [k])[0], k, 5.0, 0.0, np.array([0.0]))[0, 0]
+    found = heard(multipoles(mesh, [(1, 0, 0)], [k])[0], k, 5.0, 0.0, np.array([0.0]))[
+        0, 0
+    ]
     return found / (-hankel(1, 5 * k) / (k * hankel(1, k * radius, True)))
 
 
@@ -178,7 +210,9 @@ def levels(height, fillet, beta):
     azimuth = np.pi * (np.arange(72) + 0.5) / 72
     found = []
     for k, amplitudes in zip(
-        NUMBERS, multipoles(meshed(body, wedge(height, beta, centre)), moved, NUMBERS), strict=True
+        NUMBERS,
+        multipoles(meshed(body, wedge(height, beta, centre)), moved, NUMBERS),
+        strict=True,
     ):
         pressure = heard(amplitudes, k, 0.5 / RADIUS, np.pi / 4, azimuth) @ [1.0, tilt]
         found.append(10 * np.log10(np.mean(np.abs(pressure) ** 2)))
@@ -196,4 +230,6 @@ if __name__ == "__main__":
         }
         for shape, some in INCLINATIONS.items()
     ]
-    print(json.dumps({"number": NUMBERS, "disks": disks, "sphere_off_db": round(off, 4)}))
+    print(
+        json.dumps({"number": NUMBERS, "disks": disks, "sphere_off_db": round(off, 4)})
+    )

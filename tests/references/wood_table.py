@@ -24,7 +24,16 @@ SIDES = {
     (0, 0, -1): [(0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)],
     (0, 0, 1): [(0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)],
 }
-CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+CORNERS = [
+    (0, 0, 0),
+    (1, 0, 0),
+    (1, 1, 0),
+    (0, 1, 0),
+    (0, 0, 1),
+    (1, 0, 1),
+    (1, 1, 1),
+    (0, 1, 1),
+]
 NAMES = ("free", "feet", "x", "y")
 
 
@@ -33,7 +42,9 @@ def lines(cells, edges, levels):
     for _ in range(levels):
         more = []
         for a, b in pairwise(cells):
-            more += [a + (b - a) * TOWARDS] * (a in edges) + [b - (b - a) * TOWARDS] * (b in edges)
+            more += [a + (b - a) * TOWARDS] * (a in edges) + [b - (b - a) * TOWARDS] * (
+                b in edges
+            )
         cells = sorted([*cells, *more])
     return cells
 
@@ -41,7 +52,11 @@ def lines(cells, edges, levels):
 def quarter(levels, split):
     """Return the mesh of x > 0, y > 0 with cells of 40 mm over `split`."""
     even = np.round(np.arange(0, 0.3001, 0.04 / split), 12)
-    x = lines(sorted({0.0, *np.round(np.arange(0.02, 0.3001, 0.04 / split), 12)}), FOOT[0], levels)
+    x = lines(
+        sorted({0.0, *np.round(np.arange(0.02, 0.3001, 0.04 / split), 12)}),
+        FOOT[0],
+        levels,
+    )
     y = lines([v for v in even if v < 0.2001], FOOT[1], levels)
     z = lines([-0.04, -0.02, 0.0], (-0.04, -0.02), levels)
     middle = [(np.array(v[1:]) + v[:-1]) / 2 for v in (x, y, z)]
@@ -73,8 +88,12 @@ def quarter(levels, split):
         for step, side in SIDES.items():
             if tuple(np.add(cell, step)) not in cells:
                 low = [a == 0 and s < 0 for a, s in zip(cell, step, strict=True)]
-                name = "x" if low[0] else "y" if low[1] else "feet" if low[2] else "free"
-                mesh.Add(Element2D(faces[name], [corner(*np.add(cell, c)) for c in side]))
+                name = (
+                    "x" if low[0] else "y" if low[1] else "feet" if low[2] else "free"
+                )
+                mesh.Add(
+                    Element2D(faces[name], [corner(*np.add(cell, c)) for c in side])
+                )
     return ng.Mesh(mesh)
 
 
@@ -86,14 +105,18 @@ def frequencies(mesh, order, even, count):
         for c in "xyz":
             held[c] += [plane] * ((c == plane) == same)
     space = ng.VectorH1(
-        mesh, order=order, **{f"dirichlet{c}": "|".join(names) for c, names in held.items()}
+        mesh,
+        order=order,
+        **{f"dirichlet{c}": "|".join(names) for c, names in held.items()},
     )
     u, v = space.TnT()
     lam = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
     mu = YOUNG / 2 / (1 + POISSON)
     a, b = (ng.Sym(ng.Grad(w)) for w in (u, v))
     stiffness = (
-        ng.BilinearForm((2 * mu * ng.InnerProduct(a, b) + lam * ng.div(u) * ng.div(v)) * ng.dx)
+        ng.BilinearForm(
+            (2 * mu * ng.InnerProduct(a, b) + lam * ng.div(u) * ng.div(v)) * ng.dx
+        )
         .Assemble()
         .mat
     )
@@ -128,7 +151,10 @@ def frequencies(mesh, order, even, count):
 def table(levels, split, order, count):
     """Return ascending frequencies [Hz] of all four classes, up to the lowest of their maxima."""
     mesh = quarter(levels, split)
-    found = [frequencies(mesh, order, even, count)[0] for even in product((True, False), repeat=2)]
+    found = [
+        frequencies(mesh, order, even, count)[0]
+        for even in product((True, False), repeat=2)
+    ]
     every = np.sort(np.concatenate(found))
     return every[every <= min(f[-1] for f in found)]
 
@@ -147,5 +173,8 @@ def limit(coarse, fine):
 if __name__ == "__main__":
     frequency, uncertainty = limit(*(table(levels, 1, 3, 12) for levels in (1, 2)))
     about = "the table of the scene wood-table, by wood_table.py"
-    found = {"frequency": frequency.round(3).tolist(), "uncertainty": uncertainty.round(5).tolist()}
+    found = {
+        "frequency": frequency.round(3).tolist(),
+        "uncertainty": uncertainty.round(5).tolist(),
+    }
     print(json.dumps({"about": about, **found}, indent=1))

@@ -30,8 +30,8 @@ from sonify.report.animation import (
     MIN_DRAWN_INCLINATION,
     TAIL_DURATION,
     animate,
-    camera_of,
-    clip_of,
+    clip_camera,
+    final_clip,
 )
 from sonify.report.perspective import (
     TABLE_COLOUR,
@@ -79,7 +79,8 @@ def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, 
     h = 1e-6
     assert all(name.startswith("roll") for name in motion.regime(t))
     bodies = [
-        rim_points(motion.at(t + e), motion.at(t + e)[:, 1], scene.disk)[:, 0] for e in (-h, h)
+        rim_points(motion.at(t + e), motion.at(t + e)[:, 1], scene.disk)[:, 0]
+        for e in (-h, h)
     ]
     speed = np.linalg.norm(bodies[1] - bodies[0], axis=2) / (2 * h)
     nearest = bodies[0][:, :, 2].argmin(axis=1)
@@ -88,11 +89,17 @@ def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, 
 
 def test_the_camera_sees_its_target_in_the_middle_and_what_is_near_large():
     camera = Camera(
-        target=np.array([0.1, 0.2, 0.0]), distance=1.0, elevation=0.4, focal=100.0, size=(80, 60)
+        target=np.array([0.1, 0.2, 0.0]),
+        distance=1.0,
+        elevation=0.4,
+        focal=100.0,
+        size=(80, 60),
     )
     assert camera.project(camera.target) == pytest.approx([40, 30])
     right, up = camera.target + camera.axes[:2] * 0.01
-    assert camera.project(np.array([right, up])) == pytest.approx(np.array([[41, 30], [40, 29]]))
+    assert camera.project(np.array([right, up])) == pytest.approx(
+        np.array([[41, 30], [40, 29]])
+    )
     assert np.linalg.norm(camera.position - camera.target) == pytest.approx(1.0)
     near = camera.project(camera.target + 0.5 * camera.axes[2] + 0.01 * camera.axes[0])
     assert near == pytest.approx([42, 30])
@@ -109,11 +116,11 @@ def late(scene, motion):
 
 def test_the_disk_stays_in_the_picture(result, late):
     """The frame contains the disk at its steepest and at the end; the margin shows the table."""
-    for clip in (clip_of(result), clip_of(late)):
-        camera = camera_of(clip)
+    for clip in (final_clip(result), final_clip(late)):
+        camera = clip_camera(clip)
         disk = clip.result.scene.disk
         state = clip.states(np.linspace(*clip.span, 200))
-        bodies = rim_points(state, clip.inclination(state), disk)
+        bodies = rim_points(state, clip.drawn_inclination(state), disk)
         place = camera.project(bodies)
         assert np.all((place > 0) & (place < np.array(DISK_VIEW_SIZE)))
         image = draw_blurred_disk(camera, draw_table(camera, disk.radius), bodies[:1])
@@ -122,29 +129,39 @@ def test_the_disk_stays_in_the_picture(result, late):
 
 
 def test_a_small_inclination_is_drawn_larger_and_a_large_one_as_it_is(result, late):
-    early = clip_of(result)
-    clip = clip_of(late)
+    early = final_clip(result)
+    clip = final_clip(late)
     state = early.states(np.linspace(*early.span, 500))
-    assert early.inclination(state).max() == pytest.approx(state[:, 1].max(), rel=1e-3)
+    assert early.drawn_inclination(state).max() == pytest.approx(
+        state[:, 1].max(), rel=1e-3
+    )
     end = late.motion.t[-1]
     assert clip.span == pytest.approx((end - 7, end + 1))
-    assert clip.inclination(clip.states(np.linspace(*clip.span, 2000))).max() == pytest.approx(
-        MIN_DRAWN_INCLINATION
-    )
+    assert clip.drawn_inclination(
+        clip.states(np.linspace(*clip.span, 2000))
+    ).max() == pytest.approx(MIN_DRAWN_INCLINATION)
 
 
 def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
-    ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
+    ffmpeg = pytest.importorskip(
+        "imageio_ffmpeg", reason="the extra `animation` is not installed"
+    )
     done = []
     path = animate(result, done.append)
     assert done[-1] == pytest.approx(1.0)
-    with closing(ffmpeg.read_frames(path)) as reader:  # read to its end it would leave pipes open
+    with closing(
+        ffmpeg.read_frames(path)
+    ) as reader:  # read to its end it would leave pipes open
         about = next(reader)
     command = [ffmpeg.get_ffmpeg_exe(), "-v", "error", "-i", str(path)]
     raw = subprocess.run(
-        [*command, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, stdout=subprocess.PIPE
+        [*command, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+        check=True,
+        stdout=subprocess.PIPE,
     )
-    frames = np.frombuffer(raw.stdout, np.uint8).reshape(-1, FILM_SIZE[1], FILM_SIZE[0], 3)
+    frames = np.frombuffer(raw.stdout, np.uint8).reshape(
+        -1, FILM_SIZE[1], FILM_SIZE[0], 3
+    )
     assert about["codec"] == "h264"
     assert about["pix_fmt"].startswith("yuv420p")
     assert about["audio_codec"] == "aac"
@@ -165,10 +182,16 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
 
 def test_a_full_disk_leaves_no_half_film(result, monkeypatch):
     """A limit on the file size simulates the full storage device."""
-    pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
-    resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
+    pytest.importorskip(
+        "imageio_ffmpeg", reason="the extra `animation` is not installed"
+    )
+    resource = pytest.importorskip(
+        "resource", reason="this system cannot limit the size of files"
+    )
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    monkeypatch.setattr(animation, "write_clip_sound", lambda clip, path: result.out / "sound.wav")
+    monkeypatch.setattr(
+        animation, "write_clip_sound", lambda clip, path: result.out / "sound.wav"
+    )
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     (result.out / "animation.mp4").unlink(missing_ok=True)
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, before[1]))
@@ -184,7 +207,9 @@ def test_without_the_encoder_one_line_says_how_to_get_it_and_nothing_is_written(
     tmp_path, monkeypatch
 ):
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    asked = CliRunner().invoke(main, ["run", "--animation", "--out", str(tmp_path / "out")])
+    asked = CliRunner().invoke(
+        main, ["run", "--animation", "--out", str(tmp_path / "out")]
+    )
     assert asked.exit_code == 2
     assert len(asked.stderr.splitlines()) == 1
     assert "pip install" in asked.stderr

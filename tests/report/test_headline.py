@@ -10,14 +10,23 @@ from sonify.claims.provenance import registered_judges
 from sonify.report.headline import CLAUSES, headline
 
 
-def found(key, value, margin=0.0):
+def found(key, value, margin=0.0, cause=""):
     return Finding(
-        key=key, claim=key, value=value, unit="", at_least=0.0, margin=margin, source="a test"
+        key=key,
+        claim=key,
+        value=value,
+        unit="",
+        at_least=0.0,
+        margin=margin,
+        cause=cause,
+        source="a test",
     )
 
 
 def test_every_key_is_a_finding():
-    assert {key for words in CLAUSES.values() for key in words} <= registered_judges().keys()
+    assert {
+        key for words in CLAUSES.values() for key in words
+    } <= registered_judges().keys()
 
 
 @pytest.mark.parametrize(
@@ -43,6 +52,18 @@ def test_every_key_is_a_finding():
         (
             [found("pitch_rises", 1.0), found("carrier_rises", -1.0)],
             "The pitch does not rise.",
+        ),
+        (
+            [
+                found("heard_through_film", -1.0),
+                found("contact_kept", -1.0),
+                found("carried_by_air", 1.0, cause="film"),
+            ],
+            "The motion of the disk is inaudible, and finally the air carries it.",
+        ),
+        (
+            [found("contact_kept", 1.0), found("carried_by_air", 1.0)],
+            "The disk never leaves the table.",
         ),
     ],
 )

@@ -17,16 +17,20 @@ from sonify import load_scene
 from sonify.__main__ import main
 from sonify.export.gltf import body_poses, disk_mesh, rim_sides
 from sonify.export.motion import export_motion
-from sonify.report.write import finite, scene_record, write_json
-from sonify.scene import SCENES as SCENES_FOLDER
+from sonify.report.write import json_safe, scene_record, write_json
+from sonify.scene import SHIPPED_SCENES_FOLDER as SCENES_FOLDER
 from sonify.scene_errors import InputError
-from sonify.sound.sources.tabletop import contact_place
+from sonify.sound.sources.tabletop import contact_position
 
 SCENES = {
     "published": ("numerics.accuracy=draft", "numerics.time_limit=3.0"),
     "coin-polished": ("numerics.accuracy=draft", "numerics.time_limit=0.2"),
     "hoop": ("numerics.accuracy=draft", "numerics.time_limit=1.0"),
-    "glass-plate": ("numerics.accuracy=draft", "numerics.time_limit=0.3", "surface.action=sound"),
+    "glass-plate": (
+        "numerics.accuracy=draft",
+        "numerics.time_limit=0.3",
+        "surface.action=sound",
+    ),
 }
 COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
 TYPES = {5126: "<f4", 5125: "<u4"}
@@ -39,7 +43,9 @@ def values(model, number):
     blob = model.binary_blob() or model.get_data_from_buffer_uri(model.buffers[0].uri)
     start = view.byteOffset + (accessor.byteOffset or 0)
     width = COMPONENTS[accessor.type]
-    flat = np.frombuffer(blob, TYPES[accessor.componentType], accessor.count * width, start)
+    flat = np.frombuffer(
+        blob, TYPES[accessor.componentType], accessor.count * width, start
+    )
     return flat.reshape(accessor.count, width) if width > 1 else flat
 
 
@@ -60,7 +66,9 @@ def mesh_points(model, name):
     """Return the vertices of the mesh of a node."""
     (node,) = [node for node in model.nodes if node.name == name]
     primitives = model.meshes[node.mesh].primitives
-    return np.concatenate([values(model, p.attributes.POSITION) for p in primitives]).astype(float)
+    return np.concatenate(
+        [values(model, p.attributes.POSITION) for p in primitives]
+    ).astype(float)
 
 
 @pytest.fixture(scope="module", params=SCENES)
@@ -109,7 +117,7 @@ def test_the_pose_is_that_of_the_motion(exported):
     scene, motion, _, track = exported
     t = np.minimum(track["t"], motion.t[-1])
     state = motion.at(t)
-    x, y = contact_place(state, scene.disk).T
+    x, y = contact_position(state, scene.disk).T
     expected = np.column_stack([x, 0 * x, -y])
     assert track["contact", "translation"] == pytest.approx(expected, abs=1e-6)
     assert track["disk", "translation"][:, [0, 2]] == pytest.approx(
@@ -129,10 +137,16 @@ def test_the_body_turns_with_its_angular_velocity():
     t = np.linspace(0.1, 5.0, 50)
     _, before = body_poses(motion.at(t - step), motion.disk)
     _, after = body_poses(motion.at(t + step), motion.disk)
-    turn = (Rotation.from_quat(after) * Rotation.from_quat(before).inv()).as_rotvec() / (2 * step)
+    turn = (
+        Rotation.from_quat(after) * Rotation.from_quat(before).inv()
+    ).as_rotvec() / (2 * step)
     omega = motion.at(t)[:, 5:8]
-    assert np.linalg.norm(turn, axis=1) == pytest.approx(np.linalg.norm(omega, axis=1), rel=1e-4)
-    axis = Rotation.from_quat(body_poses(motion.at(t), motion.disk)[1]).apply([0.0, 1.0, 0.0])
+    assert np.linalg.norm(turn, axis=1) == pytest.approx(
+        np.linalg.norm(omega, axis=1), rel=1e-4
+    )
+    axis = Rotation.from_quat(body_poses(motion.at(t), motion.disk)[1]).apply(
+        [0.0, 1.0, 0.0]
+    )
     assert np.einsum("ki,ki->k", turn, axis) == pytest.approx(omega[:, 1], abs=1e-3)
 
 
@@ -216,8 +230,10 @@ def test_the_table_is_the_frame_of_the_motion(tmp_path, form, rate):
 
 
 def test_a_run_is_exported_from_its_folder_and_from_its_record(tmp_path):
-    scene = load_scene("published").replace("numerics.time_limit=0.2", "friction.mu_static=0.4")
-    write_json({"scene": finite(scene_record(scene))}, tmp_path / "run.json")
+    scene = load_scene("published").replace(
+        "numerics.time_limit=0.2", "friction.mu_static=0.4"
+    )
+    write_json({"scene": json_safe(scene_record(scene))}, tmp_path / "run.json")
     paths = [
         export_motion(source, "parquet", tmp_path / f"{i}.parquet")
         for i, source in enumerate([scene, tmp_path, tmp_path / "run.json"])
@@ -245,11 +261,17 @@ def test_the_command_writes_whole_files_and_names_them(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("motion", "--as is missing: the format of the motion, one of gltf, parquet, csv"),
-        ("motion --as vtu", "--as = 'vtu': the motion can be exported as gltf, parquet, csv"),
-        ("modes --as gltf", "--as = 'gltf': the modes can be exported as faust, uff, vtu"),
-        ("modes --as vtu --rate 9", "--rate = 9.0: does not apply to the modes"),
-        ("motion --as csv --strike 9", "--strike = 9.0: does not apply to the motion"),
+        (
+            "motion",
+            "--as is missing: give the format of the motion, one of gltf, parquet, csv",
+        ),
+        (
+            "motion --as vtu",
+            "--as = 'vtu': motion can be exported as gltf, parquet, csv",
+        ),
+        ("modes --as gltf", "--as = 'gltf': modes can be exported as faust, uff, vtu"),
+        ("modes --as vtu --rate 9", "--rate = 9.0: does not apply to modes"),
+        ("motion --as csv --strike 9", "--strike = 9.0: does not apply to motion"),
         ("motion --as csv --rate 0", "--rate = 0: must be greater than 0"),
         ("motion --as csv --rate nan", "--rate = nan: must be greater than 0"),
         ("motion nowhere --as csv", "nowhere: no such scene"),
@@ -266,6 +288,6 @@ def test_wrong_arguments_are_one_line(arguments, message, tmp_path, monkeypatch)
 
 def test_too_many_rows_are_refused(tmp_path):
     scene = load_scene("published").replace("numerics.time_limit=0.1")
-    with pytest.raises(InputError, match="gives more than 20000000 rows"):
+    with pytest.raises(InputError, match="would produce more than 20000000 rows"):
         export_motion(scene, "csv", tmp_path / "no.csv", rate=1e9)
     assert list(tmp_path.iterdir()) == []

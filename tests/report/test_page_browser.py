@@ -12,14 +12,21 @@ import threading
 import time
 import tomllib
 
+import numpy as np
 import pytest
+import soundfile
+from scipy.signal import sosfilt
 
 from sonify import load_scene, run
 from sonify.serve import serve
+from sonify.sound.playback import a_weighting
 
-playwright = pytest.importorskip("playwright.sync_api", reason="needs the extra `browser`")
+playwright = pytest.importorskip(
+    "playwright.sync_api", reason="needs the extra `browser`"
+)
 CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
+    None,
 )
 pytestmark = [
     pytest.mark.slow,
@@ -105,7 +112,9 @@ def open_page(browser, folder):
         page.on(
             "console",
             lambda message: (
-                said.append(message.text) if message.type in ("error", "warning") else None
+                said.append(message.text)
+                if message.type in ("error", "warning")
+                else None
             ),
         )
         page.on("pageerror", lambda error: said.append(str(error)))
@@ -159,7 +168,9 @@ def test_slow_play_takes_its_time(page, keep):
     assert page.evaluate(LOUDEST) > 1e-4
     page.wait_for_timeout(1000)
     after = page.evaluate(clocks)
-    assert (after[0] - before[0]) / (after[1] - before[1]) == pytest.approx(0.1, abs=0.01)
+    assert (after[0] - before[0]) / (after[1] - before[1]) == pytest.approx(
+        0.1, abs=0.01
+    )
 
 
 def test_stems_are_muted_and_heard_alone(page):
@@ -174,7 +185,9 @@ def test_stems_are_muted_and_heard_alone(page):
     assert page.evaluate(LOUDEST) == 0.0
     page.click(f'[data-stem="{names[1]}"] button:has-text("solo")')
     assert page.evaluate(LOUDEST) > 1e-4
-    assert page.locator(f'[data-stem="{names[1]}"] .level').inner_text().endswith("dB(A)")
+    assert (
+        page.locator(f'[data-stem="{names[1]}"] .level').inner_text().endswith("dB(A)")
+    )
 
 
 def test_click_drag_and_button_land_where_they_say(page):
@@ -191,12 +204,16 @@ def test_click_drag_and_button_land_where_they_say(page):
     page.mouse.move(x + 3 * area["width"] / 4, y, steps=4)
     page.mouse.up()
     span = page.evaluate("sonify.timeline.span")
-    assert span == pytest.approx([whole / 2, 3 * whole / 4], abs=2 * whole / area["width"])
+    assert span == pytest.approx(
+        [whole / 2, 3 * whole / 4], abs=2 * whole / area["width"]
+    )
     page.click("#end")
     end = page.evaluate("sonify.runs[0].source_end")
     assert page.evaluate("sonify.timeline.span") == pytest.approx([end - 1, end + 0.1])
     page.evaluate("sonify.timeline.show(18.0, 18.0)")
-    assert page.evaluate("sonify.timeline.span[1] - sonify.timeline.span[0]") == pytest.approx(1e-3)
+    assert page.evaluate(
+        "sonify.timeline.span[1] - sonify.timeline.span[0]"
+    ) == pytest.approx(1e-3)
 
 
 def test_the_spectrogram_shows_the_mode_where_it_is(page):
@@ -215,8 +232,75 @@ def test_the_spectrogram_shows_the_mode_where_it_is(page):
     assert min(abs(frequency - f) - 2 * 24 - 0.02 * f for f in modes) < 0
 
 
+def test_a_zoomed_spectrogram_keeps_its_colours(page):
+    """A mode that rings after the end is the loudest of the zoomed view, but no brighter there.
+
+    Its level changes by 2 dB of 65 within the longer window, and the colours have 510 steps in all.
+    """
+    brightest = """([from, to, time]) => {
+      sonify.timeline.show(from, to)
+      return sonify.spectrograms[0].done.then(() => {
+        const c = sonify.spectrograms[0].canvas
+        const x = Math.round(((time - from) / (to - from)) * c.width)
+        const copy = new OffscreenCanvas(1, c.height).getContext('2d')
+        copy.drawImage(c, -x, 0)
+        const d = copy.getImageData(0, 0, 1, c.height).data
+        return Math.max(...Array.from({ length: c.height }, (_, i) => d[4 * i] + d[4 * i + 1]))
+      }) }"""
+    whole = page.evaluate("[0, sonify.player.duration, 21]")
+    seen = page.evaluate(brightest, whole)
+    assert 100 < seen < 480
+    assert page.evaluate(brightest, [20, 22, 21]) == pytest.approx(seen, abs=40)
+
+
+def test_the_spectrogram_is_that_of_the_audible_mix(page):
+    """Without any cause it is black, and with all again what it was."""
+    names = page.evaluate("sonify.player.names")
+    page.evaluate("sonify.spectrograms[0].done")
+    canvas = page.locator(".spectrogram canvas").first
+    whole = canvas.evaluate(PIXELS)
+    for name in names:
+        page.click(f'[data-stem="{name}"] button:has-text("mute")')
+    page.evaluate("sonify.spectrograms[0].done")
+    assert len(set(canvas.evaluate(PIXELS))) <= 4
+    page.click(f'[data-stem="{names[-1]}"] button:has-text("solo")')
+    page.evaluate("sonify.spectrograms[0].done")
+    alone = canvas.evaluate(PIXELS)
+    assert len(set(alone)) > 4
+    assert alone != whole
+    page.click(f'[data-stem="{names[-1]}"] button:has-text("solo")')
+    for name in names:
+        page.click(f'[data-stem="{name}"] button:has-text("mute")')
+    page.evaluate("sonify.spectrograms[0].done")
+    assert canvas.evaluate(PIXELS) == whole
+
+
+def test_the_page_weights_as_the_program_does(page, folder):
+    """The A-weighted stems add up to the copy with natural dynamics, to 16 bits for each stem."""
+    run_data = "sonify.runs[0].sounds"
+    full_scale = page.evaluate(f"{run_data}.weighting.full_scale")
+    first, last = 480_000, 500_000
+    heard = page.evaluate(
+        f"""sonify.player.samples(0, 'audible').then((stems) => {{
+        const sum = new Array({last - first}).fill(0)
+        for (const {{ channels }} of stems)
+          for (let i = {first}; i < {last}; i++) sum[i - {first}] += channels[0][i]
+        return sum }})"""
+    )
+    pressure, rate = soundfile.read(folder / "pressure.wav")
+    expected = sosfilt(a_weighting(rate), pressure)[first:last] / full_scale
+    step = page.evaluate(f"{run_data}.full_scale") / full_scale / 2**15
+    assert np.abs(np.array(heard) - expected).max() < 2 * 4 * step
+    assert np.abs(expected).max() > 100 * step
+
+
 def test_keys_do_what_the_page_says(page):
-    page.locator(".spectrogram").first.evaluate("(e) => { e.tabIndex = 0; e.focus() }")
+    """Tab reaches the spectrogram; a stretch is chosen, looped and left without a pointer."""
+    for _ in range(20):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.classList.contains('spectrogram')"):
+            break
+    assert page.evaluate("document.activeElement.getAttribute('role')") == "slider"
     page.keyboard.press("End")
     assert page.evaluate("sonify.player.time") == pytest.approx(
         page.evaluate("sonify.player.duration")
@@ -226,24 +310,52 @@ def test_keys_do_what_the_page_says(page):
     assert page.evaluate("sonify.timeline.span") == pytest.approx(
         [0, page.evaluate("sonify.player.duration / 2")]
     )
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("sonify.player.time") > 0
+    page.focus("#loop")
+    page.keyboard.press("Enter")
+    assert page.evaluate("sonify.player.loop") == page.evaluate("sonify.timeline.span")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    assert page.evaluate("sonify.player.loop") is None
+    assert page.evaluate("sonify.timeline.span[1]") == page.evaluate(
+        "sonify.player.duration"
+    )
+    page.focus(".claims summary")
+    page.keyboard.press("Enter")
+    assert page.locator(".claims details").first.evaluate("(claim) => claim.open")
+
+
+def pixels_when(canvas, condition):
+    """Return the pixels of a canvas once they meet a condition, or after a minute."""
+    deadline = time.monotonic() + 60
+    while (
+        not condition(pixels := canvas.evaluate(PIXELS)) and time.monotonic() < deadline
+    ):
+        canvas.page.wait_for_timeout(100)
+    return pixels
 
 
 def test_disk_and_modes_move(page):
-    for canvas, change in (("#disks canvas", "sonify.player.seek(10.05)"), ("#mode-canvas", "0")):
+    for canvas, change in (
+        ("#disks canvas", "sonify.player.seek(10.05)"),
+        ("#mode-canvas", "0"),
+    ):
         handle = page.locator(canvas)
         handle.scroll_into_view_if_needed()
-        page.wait_for_timeout(300)
-        before = handle.evaluate(PIXELS)
-        page.evaluate(change)
-        page.wait_for_timeout(500)
-        after = handle.evaluate(PIXELS)
+        before = pixels_when(handle, lambda pixels: len(set(pixels)) > 20)
         assert len(set(before)) > 20
-        assert sum(a != b for a, b in zip(before, after, strict=True)) > 100
-    picked = page.locator("#mode-canvas").evaluate(PIXELS)
+
+        def moved(pixels, before=before):
+            return sum(a != b for a, b in zip(before, pixels, strict=True)) > 100
+
+        page.evaluate(change)
+        assert moved(pixels_when(handle, moved))
     page.uncheck("#swing")
+    canvas = page.locator("#mode-canvas")
+    picked = canvas.evaluate(PIXELS)
     page.select_option("#mode", index=3)
-    page.wait_for_timeout(500)
-    assert page.locator("#mode-canvas").evaluate(PIXELS) != picked
+    assert pixels_when(canvas, lambda pixels: pixels != picked) != picked
 
 
 @pytest.mark.parametrize("width", WIDTHS)
@@ -284,29 +396,38 @@ def test_a_selected_stretch_loops_and_stays_in_view(page):
     assert not page.evaluate("sonify.timeline.looping")
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_it_can_be_used_by_everyone(open_page, scheme):
+@pytest.mark.parametrize(("scheme", "width"), [("light", 390), ("dark", 1280)])
+def test_it_can_be_used_by_everyone(open_page, scheme, width):
     axe = pytest.importorskip(
         "axe_playwright_python.sync_playwright", reason="needs the extra `browser`"
     )
-    page = open_page(color_scheme=scheme)
+    page = open_page(width, color_scheme=scheme)
     page.wait_for_function(READY, timeout=60_000)
-    found = axe.Axe().run(page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]})
-    assert [(v["id"], v["nodes"][0]["html"][:200]) for v in found.response["violations"]] == []
+    page.evaluate(
+        "document.querySelectorAll('details').forEach((part) => (part.open = true))"
+    )
+    found = axe.Axe().run(
+        page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]}
+    )
+    assert [
+        (v["id"], v["nodes"][0]["html"][:200]) for v in found.response["violations"]
+    ] == []
 
 
 def test_scene_and_command_are_copied(open_page, folder):
     page = open_page(permissions=["clipboard-read", "clipboard-write"])
     page.wait_for_function(READY, timeout=60_000)
-    page.evaluate("document.querySelectorAll('details').forEach((part) => (part.open = true))")
+    page.evaluate(
+        "document.querySelectorAll('details').forEach((part) => (part.open = true))"
+    )
     for place in ("scene", "command"):
         page.click(f'button[data-copy="#{place}"]')
         page.wait_for_selector("button:has-text('copied')")
         held = page.evaluate("navigator.clipboard.readText()")
         assert held == page.locator(f"#{place}").inner_text().strip()
-    assert load_scene("published").replace("numerics.accuracy=draft").document == tomllib.loads(
-        page.locator("#scene").inner_text()
-    )
+    assert load_scene("published").replace(
+        "numerics.accuracy=draft"
+    ).document == tomllib.loads(page.locator("#scene").inner_text())
 
 
 @pytest.fixture(scope="module")
@@ -340,10 +461,14 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     page.click("#play")
     until(page, "sonify.player.playing")
     assert page.evaluate(LOUDEST) > 1e-4
-    page.evaluate("document.querySelectorAll('details').forEach((part) => (part.open = true))")
+    page.evaluate(
+        "document.querySelectorAll('details').forEach((part) => (part.open = true))"
+    )
     page.locator("figure img").first.scroll_into_view_if_needed()  # loads once visible
     until(page, "document.querySelector('figure img').naturalWidth > 0")
-    refused = [text for text in said if "Content Security Policy" in text or "violates" in text]
+    refused = [
+        text for text in said if "Content Security Policy" in text or "violates" in text
+    ]
     assert refused == []
     outside = "fetch('http://127.0.0.1:9/').then(() => 'sent', (error) => error.name)"
     assert page.evaluate(outside) == "TypeError"
@@ -366,7 +491,14 @@ def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder, address
     assert page.evaluate(LOUDEST) > 1e-3
     assert before < page.evaluate("sonify.player.time") < before + 10
     assert (
-        len(set(page.evaluate("sonify.timeline.panels.map((panel) => panel.head.style.left)"))) == 1
+        len(
+            set(
+                page.evaluate(
+                    "sonify.timeline.panels.map((panel) => panel.head.style.left)"
+                )
+            )
+        )
+        == 1
     )
     page.close()
 
@@ -390,7 +522,9 @@ def test_a_browser_without_3d_says_so(open_page):
 
 
 def test_a_browser_that_keeps_silent_says_so(open_page):
-    page = open_page(script="AudioContext.prototype.resume = () => new Promise(() => {})")
+    page = open_page(
+        script="AudioContext.prototype.resume = () => new Promise(() => {})"
+    )
     page.wait_for_function(READY, timeout=60_000)
     page.click("#play")
     page.wait_for_selector("#notice:not([hidden])", timeout=60_000)

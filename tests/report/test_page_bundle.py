@@ -23,11 +23,18 @@ def test_the_bundle_is_what_its_sources_build(tmp_path):
     web = tmp_path / "web"
     shutil.copytree(REPORT / "web", web, ignore=shutil.ignore_patterns("node_modules"))
     subprocess.run(
-        [NPM, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=web, check=True, timeout=300
+        [NPM, "ci", "--ignore-scripts", "--no-audit", "--no-fund"],
+        cwd=web,
+        check=True,
+        timeout=300,
     )
-    subprocess.run(["node", "build.mjs", str(tmp_path)], cwd=web, check=True, timeout=300)
+    subprocess.run(
+        ["node", "build.mjs", str(tmp_path)], cwd=web, check=True, timeout=300
+    )
     for name in ("page.js", "page.css", "page.licenses.txt"):
-        assert (tmp_path / name).read_bytes() == (REPORT / "templates" / name).read_bytes(), name
+        assert (tmp_path / name).read_bytes() == (
+            REPORT / "templates" / name
+        ).read_bytes(), name
 
 
 def test_the_page_says_under_which_licences_its_libraries_stand():

@@ -18,7 +18,7 @@ from readable import assert_readable, figures
 from scenes import scene
 
 from dynamics import simulate
-from dynamics.observables import drawn_rates
+from dynamics.observables import plotted_rates
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.report import maps, pictures, sound
 from sonify.report import motion as motion_pictures
@@ -103,7 +103,10 @@ def bands(tmp_path_factory):
     """Spectrograms of two seconds of noise, in the bands of the rates and of the modes."""
     path = tmp_path_factory.mktemp("sound") / "noise.wav"
     soundfile.write(
-        path, 0.1 * np.random.default_rng(0).standard_normal(96_000), 48_000, subtype="FLOAT"
+        path,
+        0.1 * np.random.default_rng(0).standard_normal(96_000),
+        48_000,
+        subtype="FLOAT",
     )
     return {
         "low": spectrogram(path, WINDOW_RATES).band(*RATES),
@@ -112,19 +115,27 @@ def bands(tmp_path_factory):
 
 
 @pytest.mark.parametrize("table", [(), (320.0, 912.0)])
-def test_a_spectrogram_names_its_axes_and_the_level_that_its_colour_is(drawn, bands, short, table):
-    time, *rates = drawn_rates(short)
+def test_a_spectrogram_names_its_axes_and_the_level_that_its_colour_is(
+    drawn, bands, short, table
+):
+    time, *rates = plotted_rates(short)
     marks = {
         "frequencies": [800.5, 7266.6],
         "table": table,
         "carrier": (np.arange(3.0), np.full(3, 2000.0)),
     }
     spans = [(0.0, 2.0), (1.0, 2.0)]
-    one = drawn(sound.draw_spectrogram, **bands, spans=spans, time=time, rates=rates, **marks)
+    one = drawn(
+        sound.draw_spectrogram, **bands, spans=spans, time=time, rates=rates, **marks
+    )
     assert_readable(one)
-    assert [panel.get_ylabel() for panel in one.axes[4:]] == 2 * ["level of a sine [dB re 20 µPa]"]
+    assert [panel.get_ylabel() for panel in one.axes[4:]] == 2 * [
+        "level of a sine [dB re 20 µPa]"
+    ]
     beside = {text.get_text() for text in one.axes[1].texts}
-    assert beside == {f"{f:.0f} Hz" for f in table}, "a label of a line that is not drawn"
+    assert beside == {f"{f:.0f} Hz" for f in table}, (
+        "a label of a line that is not drawn"
+    )
 
 
 def test_a_recording_names_its_axes_and_the_level_that_its_colour_is(drawn, bands):
@@ -155,9 +166,21 @@ def test_causes_of_sound_are_drawn_beside_their_legend(drawn):
 def test_energies_are_drawn_beside_their_legend(drawn):
     left = np.geomspace(1, 1e-4, 50)
     held = dict.fromkeys(("disk", "modes of the table", "modes of the disk"), left)
-    causes = ("contact", "creep", "slip", "moments", "table", "film", "body", "sound of the table")
+    causes = (
+        "contact",
+        "creep",
+        "slip",
+        "moments",
+        "table",
+        "film",
+        "body",
+        "sound of the table",
+    )
     one = drawn(
-        motion_pictures.draw_energy, left=left, held=held, lost=dict.fromkeys(causes, 2 - left)
+        motion_pictures.draw_energy,
+        left=left,
+        held=held,
+        lost=dict.fromkeys(causes, 2 - left),
     )
     assert_readable(one)
     shown = [text.get_text() for text in one.axes[1].get_legend().get_texts()]
@@ -176,7 +199,7 @@ def test_a_map_names_its_axes_and_what_its_colour_is(drawn, x, name):
     what = maps.Map(
         x="a.x",
         y="a.y",
-        of="t_end",
+        drawn_column="t_end",
         columns=columns,
         logs={"a.x", "a.y"},
         units={"a.x": "m", "t_end": "s"},
@@ -184,4 +207,8 @@ def test_a_map_names_its_axes_and_what_its_colour_is(drawn, x, name):
     one = drawn(lambda path: maps.draw_map(what, path))
     assert_readable(one)
     panel, bar = one.axes
-    assert (panel.get_xlabel(), panel.get_ylabel(), bar.get_ylabel()) == (name, "a.y", "t_end [s]")
+    assert (panel.get_xlabel(), panel.get_ylabel(), bar.get_ylabel()) == (
+        name,
+        "a.y",
+        "t_end [s]",
+    )

@@ -43,7 +43,9 @@ def motion():
 
 @pytest.fixture(scope="module")
 def brief():
-    scene = load_scene("published").replace("numerics.time_limit=0.5", "numerics.accuracy=draft")
+    scene = load_scene("published").replace(
+        "numerics.time_limit=0.5", "numerics.accuracy=draft"
+    )
     return simulate(scene)
 
 
@@ -55,7 +57,11 @@ def test_every_key_is_a_finding():
 @pytest.mark.parametrize("value", [1.0, -1.0])
 def test_there_are_five_sentences_for_any_verdicts(motion, value):
     keys = [*LOUDEST_PARTS, *PITCH_KEYS, "contact_is_lost", "contact_kept"]
-    sets = [[], [found(key, value) for key in keys], [found(key, value, 2.0) for key in keys]]
+    sets = [
+        [],
+        [found(key, value) for key in keys],
+        [found(key, value, 2.0) for key in keys],
+    ]
     for findings in sets:
         sentences = plain_explanation(motion, findings)
         assert len(sentences) == 5
@@ -96,11 +102,21 @@ def test_the_turns_are_those_of_the_motion(motion, brief):
         ),
         ([], 2, "was not decided in this run."),
         ([found("contact_kept", 1.0)], 3, "The disk never leaves the table"),
-        ([found("contact_kept", -1.0)], 3, "The disk leaves the table for moments"),
+        (
+            [found("contact_kept", -1.0), found("carried_by_air", 1.0, cause="film")],
+            3,
+            "The disk rolls on the table until the air under it carries its weight.",
+        ),
+        ([found("heard_through_film", -1.0)], 2, "too faint to hear."),
+        (
+            [found("contact_kept", -1.0)],
+            3,
+            "The disk leaves the table for brief moments",
+        ),
         (
             [found("contact_is_lost", 1.0), found("contact_kept", 1.0)],
             3,
-            "The disk leaves the table for moments",
+            "The disk leaves the table for brief moments",
         ),
         (
             [found("what_ends", 0.687, cause="moments")],

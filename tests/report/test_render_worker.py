@@ -18,7 +18,7 @@ import pytest
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.report import pictures
-from sonify.report.render_worker import Painter, drawn
+from sonify.report.render_worker import Painter, draw_png
 
 ROWS = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
 CURVES = {
@@ -35,7 +35,7 @@ def painter():
 
 
 def test_both_processes_draw_the_same_bytes_also_once_one_is_dead(painter):
-    here = drawn("motion", "draw_motion", CURVES)
+    here = draw_png("motion", "draw_motion", CURVES)
     assert here.startswith(b"\x89PNG")
     assert painter.draw("motion", "draw_motion", lambda: CURVES).result() == here
     painter.close()
@@ -53,7 +53,7 @@ def test_a_process_that_is_ended_leaves_no_pipe():
 
 def test_where_no_process_can_be_had_this_one_draws(monkeypatch):
     monkeypatch.setattr(sys, "executable", "")
-    assert Painter().draw("motion", "draw_motion", lambda: CURVES).result() == drawn(
+    assert Painter().draw("motion", "draw_motion", lambda: CURVES).result() == draw_png(
         "motion", "draw_motion", CURVES
     )
 
@@ -72,7 +72,9 @@ def test_the_modes_of_a_disk_are_drawn_once_however_it_moves(monkeypatch):
     )
     scene = load_scene("published")
     plan = SimpleNamespace(accuracy="draft", highest_mode=2e4)
-    found = SimpleNamespace(scene=scene, plan=plan, modes=np.arange(3.0), table=None, motion=None)
+    found = SimpleNamespace(
+        scene=scene, plan=plan, modes=np.arange(3.0), table=None, motion=None
+    )
     slides = scene.replace("friction.mu_static=0.4")
     other = np.arange(4.0)
     pictures._mode_picture_future.cache_clear()
@@ -80,7 +82,9 @@ def test_the_modes_of_a_disk_are_drawn_once_however_it_moves(monkeypatch):
         pictures._picture_future("modes", SimpleNamespace(**vars(found) | {"scene": s}))
         for s in (scene, slides)
     )
-    third = pictures._picture_future("modes", SimpleNamespace(**vars(found) | {"modes": other}))
+    third = pictures._picture_future(
+        "modes", SimpleNamespace(**vars(found) | {"modes": other})
+    )
     pictures._mode_picture_future.cache_clear()
     assert first is again
     assert first is not third
@@ -122,11 +126,15 @@ END
 def test_a_script_without_a_guard_draws_and_leaves_no_process(end, tmp_path):
     script = tmp_path / "script.py"
     script.write_text(SCRIPT.replace("END", end), encoding="utf-8")
-    done = subprocess.run([sys.executable, script], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, script], capture_output=True, text=True, check=False
+    )
     pid, size = map(int, done.stdout.split())
     assert size > 1000
     assert not done.stderr
     deadline = time.monotonic() + 60
-    while psutil.pid_exists(pid) and psutil.Process(pid).status() != psutil.STATUS_ZOMBIE:
+    while (
+        psutil.pid_exists(pid) and psutil.Process(pid).status() != psutil.STATUS_ZOMBIE
+    ):
         assert time.monotonic() < deadline
         time.sleep(0.05)

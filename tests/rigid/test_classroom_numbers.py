@@ -27,7 +27,9 @@ ROWS = [
 def scene_of(cell):
     """Return the scene of a cell with the arguments of --set."""
     arguments = shlex.split(cell.strip("`"))
-    repeated = [word for word in _repeat_set_option(["--set", *arguments]) if word != "--set"]
+    repeated = [
+        word for word in _repeat_set_option(["--set", *arguments]) if word != "--set"
+    ]
     return load_scene("toy").replace(*repeated)
 
 
@@ -46,7 +48,9 @@ def test_a_row_is_the_run(row):
     lasts, at_first, before_the_end = map(float, row[2:])
     assert motion.t[-1] == pytest.approx(lasts, rel=0.005)
     assert turns_per_second(motion, 0.5) == pytest.approx(at_first, abs=0.06)
-    assert turns_per_second(motion, motion.t[-1] - 1) == pytest.approx(before_the_end, rel=0.02)
+    assert turns_per_second(motion, motion.t[-1] - 1) == pytest.approx(
+        before_the_end, rel=0.02
+    )
     assert motion.outcome is Outcome.AIRBORNE
     weight = re.search(r"([\d.]+) kg", row[0])
     if weight:

@@ -2,25 +2,26 @@
 solutions.
 
 Source: Appell and Korteweg (1900); O'Reilly (1996); Cushman, Hermans & Kemppainen (1996); (5.3) of
-the paper. Oracle: dynamics/theory/exact.py, which does not use the simulator: hypergeometric
+the paper. Oracle: tests/helpers/exact_motion.py, which does not use the simulator: hypergeometric
 functions, quadrature, linearisation.
 """
 
 from dataclasses import replace
 from math import pi, radians, sqrt
 
+import exact_motion as theory
 import numpy as np
 import pytest
 from arithmetic import gamma, walk
 from scenes import conservative, scene, whirling
 
 from dynamics import Outcome, simulate
+from dynamics.equations import disk_constants
 from dynamics.hybrid import run_events
 from dynamics.regime import PRECESSION, X
 from dynamics.rolling import RollingDisk
-from dynamics.simulation import chosen_integrator, disk_constants, initial_state
-from dynamics.steady_motion import flat_square, steady_precession
-from dynamics.theory import exact as theory
+from dynamics.simulation import chosen_integrator, initial_state
+from dynamics.steady_motion import squared_rate_times_inclination, steady_precession
 
 SOLIDS = [
     {},
@@ -49,14 +50,17 @@ def test_for_no_thickness_the_solutions_are_legendre_functions():
     from mpmath import diff, legenp, legenq, mp, sin
 
     order = (-1 + mp.sqrt(1 - 16 / mp.mpf(3))) / 2  # n (n + 1) = -4/(K + 2), K = 1
-    basis = [lambda a: legenp(order, 0, sin(a)), lambda a: legenq(order, 0, sin(a), type=2)]
+    basis = [
+        lambda a: legenp(order, 0, sin(a)),
+        lambda a: legenq(order, 0, sin(a), type=2),
+    ]
     values = mp.matrix([[f(1.0) for f in basis], [diff(f, 1.0) for f in basis]])
     _, b, _ = theory.appell(0.0, 1.0)
     weights = mp.lu_solve(values, mp.matrix([0.1, b * -1.0]))
     expected = sum((w * f(1.2) for w, f in zip(weights, basis, strict=True)), mp.mpc(0))
-    assert theory.rolling_velocities(1.2, 1.0, 0.1, -1.0, 1e-13, 1.0)[0] == pytest.approx(
-        float(expected.real), rel=1e-10
-    )
+    assert theory.rolling_velocities(1.2, 1.0, 0.1, -1.0, 1e-13, 1.0)[
+        0
+    ] == pytest.approx(float(expected.real), rel=1e-10)
 
 
 def test_turning_angle_and_period_of_the_published_release():
@@ -64,10 +68,15 @@ def test_turning_angle_and_period_of_the_published_release():
     disk = motion.disk
     turn, period = theory.nutation(1.0, 0.0, -1.0, disk.aspect, disk.gyration)
     slope = (
-        theory.nutation_rate_squared(turn - 1e-6, 1.0, 0.0, -1.0, disk.aspect, disk.gyration) / 1e-6
+        theory.nutation_rate_squared(
+            turn - 1e-6, 1.0, 0.0, -1.0, disk.aspect, disk.gyration
+        )
+        / 1e-6
     )
     energy = motion.energy(0.0)[0] / (disk.mass * (disk.radius / disk.time_unit) ** 2)
-    assert pi / 2 - turn == pytest.approx(0.44837097707011868, abs=gamma(100) * energy / slope)
+    assert pi / 2 - turn == pytest.approx(
+        0.44837097707011868, abs=gamma(100) * energy / slope
+    )
     assert period == pytest.approx(2.8739671849286171, abs=1e-9)
     after = motion.at(np.array([0.5, 1.0]) * period * disk.time_unit)
     np.testing.assert_allclose(after[:, 1], [pi / 2 - turn, pi / 2 - 1], rtol=1e-9)
@@ -83,7 +92,9 @@ def test_energy_is_conserved_for_a_thousand_nutations():
 
 @pytest.mark.parametrize("disk", SOLIDS, ids=["published", "thin", "thick", "shell"])
 @pytest.mark.parametrize("inclination", [0.01, 0.3, 1.0])
-def test_steady_motion_stays_and_its_nutation_has_the_linear_frequency(disk, inclination):
+def test_steady_motion_stays_and_its_nutation_has_the_linear_frequency(
+    disk, inclination
+):
     steady = whirling(inclination, disk=disk, numerics={"time_limit": 0.2})
     h = steady.disk.aspect
     K = steady.disk.gyration
@@ -99,7 +110,9 @@ def test_steady_motion_stays_and_its_nutation_has_the_linear_frequency(disk, inc
     deviation = nudged.at(t)[:, 1] - inclination
     size = kick / sqrt(abs(square))
     tau = t / chi
-    exact = -size * (np.sin(sqrt(square) * tau) if square > 0 else np.sinh(sqrt(-square) * tau))
+    exact = -size * (
+        np.sin(sqrt(square) * tau) if square > 0 else np.sinh(sqrt(-square) * tau)
+    )
     small = np.abs(exact) < 20 * size
     np.testing.assert_allclose(deviation[small], exact[small], atol=1e-2 * size)
 
@@ -119,7 +132,9 @@ def test_steady_precession_in_closed_form_and_its_flat_limit(h, K):
         assert steady_precession(beta, h, K) == pytest.approx(
             theory.steady_precession(beta, h, K), rel=rel
         )
-    assert steady_precession(1e-9, h, K) ** 2 * 1e-9 == pytest.approx(flat_square(h, K), rel=1e-5)
+    assert steady_precession(1e-9, h, K) ** 2 * 1e-9 == pytest.approx(
+        squared_rate_times_inclination(h, K), rel=1e-5
+    )
     with pytest.raises(ValueError, match="no steady motion"):
         steady_precession(1.3, 0.2, K)
 
@@ -131,7 +146,10 @@ def test_flat_limits_of_precession_and_nutation():
         pytest.approx(0.791865, abs=2e-6),
     )
     square, ratio = theory.flat_limit(1e-9, 1.0)
-    assert (square, ratio) == (pytest.approx(5, abs=2e-6), pytest.approx(sqrt(3 / 5), abs=2e-6))
+    assert (square, ratio) == (
+        pytest.approx(5, abs=2e-6),
+        pytest.approx(sqrt(3 / 5), abs=2e-6),
+    )
 
 
 def test_a_thin_disk_that_spins_upright_is_stable_above_the_critical_rate():
@@ -154,7 +172,8 @@ def test_slope_of_the_root_of_the_inclination_under_rolling_friction(inclination
     t = np.linspace(0, motion.t[-1], 4000)
     fitted = -np.polyfit(t / disk.time_unit, np.sqrt(motion.at(t)[:, 1]), 1)[0]
     assert fitted == pytest.approx(
-        theory.rolling_friction_slope(k2, inclination, disk.aspect, disk.gyration), rel=2e-3
+        theory.rolling_friction_slope(k2, inclination, disk.aspect, disk.gyration),
+        rel=2e-3,
     )
     centred = theory.centred_slope(k2, disk.aspect, disk.gyration)
     assert fitted / centred == pytest.approx(0.94, abs=0.01), (
@@ -165,12 +184,16 @@ def test_slope_of_the_root_of_the_inclination_under_rolling_friction(inclination
 def test_the_self_similar_end():
     """The intervals of the last slips are a geometric sequence; inclination ~ time squared."""
     motion = simulate(scene({"final_inclination": 1e-10}))
-    slips = np.array([s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")])
+    slips = np.array(
+        [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
+    )
     gaps = np.diff(slips)
     ratios = gaps[-60:] / gaps[-61:-1]
     np.testing.assert_allclose(ratios, 0.94432, atol=5e-6)
     end = slips[-1] + gaps[-1] * ratios[-1] / (1 - ratios[-1])
-    exponent = np.polyfit(np.log(end - slips[-80:]), np.log(motion.at(slips[-80:])[:, 1]), 1)[0]
+    exponent = np.polyfit(
+        np.log(end - slips[-80:]), np.log(motion.at(slips[-80:])[:, 1]), 1
+    )[0]
     assert exponent == pytest.approx(2, abs=1e-5)
     assert motion.t_end == pytest.approx(end, abs=1e-5)
 
@@ -178,28 +201,37 @@ def test_the_self_similar_end():
 @pytest.mark.parametrize("turn", [0.5, -2.0])
 def test_turning_the_release_about_the_vertical_turns_the_path(turn):
     start = scene()
-    straight, _ = run_events(system_of(start), initial_state(start.disk, start.release), 20.0)
+    straight, _ = run_events(
+        system_of(start), initial_state(start.disk, start.release), 20.0
+    )
     y = initial_state(start.disk, start.release)
     y[PRECESSION] = turn
     turned, _ = run_events(system_of(start), y, 20.0)
     a, b = (
-        np.concatenate([block[:, 0] for block in path.coefficients]) for path in (straight, turned)
+        np.concatenate([block[:, 0] for block in path.coefficients])
+        for path in (straight, turned)
     )
     rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
     np.testing.assert_allclose(b[:, X : X + 2], a[:, X : X + 2] @ rotation, atol=1e-12)
     np.testing.assert_allclose(b[:, PRECESSION] - turn, a[:, PRECESSION], atol=1e-9)
-    np.testing.assert_allclose(b[:, :PRECESSION], a[:, :PRECESSION], rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(
+        b[:, :PRECESSION], a[:, :PRECESSION], rtol=1e-9, atol=1e-12
+    )
 
 
 def system_of(wanted):
     """Return the hybrid system of a scene, as built by `simulate`."""
     integrate = chosen_integrator("auto")[1]
-    return RollingDisk(disk_constants(wanted.disk, wanted.friction), None, 1e-5, integrate, 1e-16)
+    return RollingDisk(
+        disk_constants(wanted.disk, wanted.friction), None, 1e-5, integrate, 1e-16
+    )
 
 
 def test_the_mirror_image_of_a_motion_is_a_motion():
     right = scene(numerics={"time_limit": 6.0})
-    left = replace(right, release=replace(right.release, omega=(0.0, 0.0, -right.release.omega[2])))
+    left = replace(
+        right, release=replace(right.release, omega=(0.0, 0.0, -right.release.omega[2]))
+    )
     t = np.linspace(0, 6, 500)
     a = simulate(right).at(t)
     b = simulate(left).at(t)

@@ -32,7 +32,10 @@ LAWS = {
 def decline(request):
     dissipation, exponent = LAWS[request.param]
     thin = whirling(
-        0.005, disk={"thickness": 1e-6}, dissipation=dissipation, numerics={"time_limit": 60.0}
+        0.005,
+        disk={"thickness": 1e-6},
+        dissipation=dissipation,
+        numerics={"time_limit": 60.0},
     )
     return simulate(thin), dissipation, exponent
 
@@ -93,9 +96,13 @@ def test_bildstens_coefficient():
     nu = 1.5e-5
     rho = 1.2
     beta = 0.01
-    ((c, b),) = power_laws(Dissipation(boundary_layer_viscosity=nu, air_density=rho), disk)
+    ((c, b),) = power_laws(
+        Dissipation(boundary_layer_viscosity=nu, air_density=rho), disk
+    )
     omega = (4 * GRAVITY / (disk.radius * beta)) ** 0.5
-    expected = 4 * (nu * rho**2) ** 0.5 * GRAVITY**1.25 * disk.radius**2.75 * beta**-1.25
+    expected = (
+        4 * (nu * rho**2) ** 0.5 * GRAVITY**1.25 * disk.radius**2.75 * beta**-1.25
+    )
     assert c * omega**b == pytest.approx(expected, rel=gamma(60))
 
 
@@ -121,7 +128,11 @@ def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
         ((c, b),) = power_laws(Dissipation(**law), disk)
         rate = (4 * GRAVITY / (disk.radius * beta)) ** 0.5
         w3 = rate * disk.time_unit * np.sin(beta)
-        return film.powers(beta, (0.0, 0.0, w3))[0] * unit / (c * rate**b)
+        return (
+            film.rotation_and_fall_powers(beta, (0.0, 0.0, w3))[0]
+            * unit
+            / (c * rate**b)
+        )
 
     assert ratio(papers[0], 1e-4) == pytest.approx(1.63, rel=0.01)
     assert 1 / ratio(papers[1], 0.5) == pytest.approx(4.9, rel=0.1)
@@ -147,7 +158,11 @@ def test_contour_friction_that_stops_the_precession_has_a_name():
 
 def test_contour_friction_has_no_direction_without_precession():
     with pytest.raises(ImpossibleContactError, match="without precession"):
-        simulate(scene(release={"omega": (1.0, 0.0, 0.0)}, dissipation={"contour_moment": 1e-4}))
+        simulate(
+            scene(
+                release={"omega": (1.0, 0.0, 0.0)}, dissipation={"contour_moment": 1e-4}
+            )
+        )
 
 
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
@@ -155,7 +170,9 @@ def test_energy_and_work_add_up_while_a_law_takes_all_speed_at_once(integrator):
     """The law stops the disk in less time than the first step of a slide with friction alone."""
     release = {"inclination_deg": 0.02, "omega": (0.0, 0.0, 0.5)}
     law = {"air_viscosity": 0.18}
-    motion = simulate(scene({"integrator": integrator}, release=release, dissipation=law))
+    motion = simulate(
+        scene({"integrator": integrator}, release=release, dissipation=law)
+    )
     total = motion.energy(motion.t) + motion.state[:, 10]
     assert np.ptp(total) < 1e-11 * total[0]
 
@@ -165,10 +182,14 @@ def test_laws_add_up():
     two = {"viscous_moment": 1e-7, "viscous_force": 1e-4}
     t = 0.02
     works = [
-        simulate(whirling(0.05, dissipation=d, numerics={"time_limit": t})).state[-1, 10]
+        simulate(whirling(0.05, dissipation=d, numerics={"time_limit": t})).state[
+            -1, 10
+        ]
         for d in (one, two)
     ]
-    both = simulate(whirling(0.05, dissipation=one | two, numerics={"time_limit": t})).state[-1, 10]
+    both = simulate(
+        whirling(0.05, dissipation=one | two, numerics={"time_limit": t})
+    ).state[-1, 10]
     assert both == pytest.approx(sum(works), rel=1e-3)
     assert min(works) > 0
 

@@ -32,12 +32,22 @@ def random_states(n=6):
         )
 
 
-def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5):
-    law = DiskConstants(h, K, 1.0, MU, *ARMS)
+def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5, fillet=0.0):
+    law = DiskConstants(h, K, 1.0, MU, *ARMS, fillet=fillet)
     direction = u / np.hypot(*u)
     slip = u if sliding else np.zeros(2)
     return solve_contact(
-        beta, *w, *slip, *direction, sliding, False, False, False, *senses, law, Loads(*loads)
+        beta,
+        *w,
+        *slip,
+        *direction,
+        sliding,
+        False,
+        False,
+        False,
+        *senses,
+        law,
+        Loads(*loads),
     )
 
 
@@ -45,23 +55,33 @@ def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5):
 def newton_euler():
     """Derive the residuals of (4.1), (4.2) in Cartesian vectors with symbolic differentiation."""
     t = sp.symbols("t")
-    h, K, g = sp.symbols("h K g")
+    h, K, g, fillet = sp.symbols("h K g fillet")
     names = "theta alpha psi x y"
     theta, alpha, psi, x, y = (sp.Function(n)(t) for n in names.split())
-    F1, F2, N, m1, m2, m3, G1, G2, M1, M2, M3 = sp.symbols("F1 F2 N m1 m2 m3 G1 G2 M1 M2 M3")
+    F1, F2, N, m1, m2, m3, G1, G2, M1, M2, M3 = sp.symbols(
+        "F1 F2 N m1 m2 m3 G1 G2 M1 M2 M3"
+    )
     a = sp.Matrix(
-        [[sp.cos(theta), sp.sin(theta), 0], [-sp.sin(theta), sp.cos(theta), 0], [0, 0, 1]]
+        [
+            [sp.cos(theta), sp.sin(theta), 0],
+            [-sp.sin(theta), sp.cos(theta), 0],
+            [0, 0, 1],
+        ]
     )
     e = (
         sp.Matrix(
-            [[1, 0, 0], [0, sp.cos(alpha), sp.sin(alpha)], [0, -sp.sin(alpha), sp.cos(alpha)]]
+            [
+                [1, 0, 0],
+                [0, sp.cos(alpha), sp.sin(alpha)],
+                [0, -sp.sin(alpha), sp.cos(alpha)],
+            ]
         )
         * a
     )
     a1, a2, a3 = (a[i, :].T for i in range(3))
     e1, e2, e3 = (e[i, :].T for i in range(3))
     omega = theta.diff(t) * a3 + alpha.diff(t) * e1 + psi.diff(t) * e2
-    arm = -h * e2 - e3
+    arm = -(h - fillet) * e2 - (1 - fillet) * e3 - fillet * a3
     centre = sp.Matrix([x, y, -arm[2]])  # the contact point is on the plane
     velocity = centre.diff(t)
     slip = velocity + omega.cross(arm)
@@ -70,7 +90,9 @@ def newton_euler():
     spin = J1 * (omega.dot(e1) * e1 + omega.dot(e3) * e3) + J2 * omega.dot(e2) * e2
     force = F1 * a1 + F2 * a2 + N * a3
     momentum = velocity.diff(t) - force - G1 * a1 - G2 * a2 + g * a3
-    moment = arm.cross(force) - m1 * a1 - m2 * a2 - m3 * a3 + M1 * e1 + M2 * e2 + M3 * e3
+    moment = (
+        arm.cross(force) - m1 * a1 - m2 * a2 - m3 * a3 + M1 * e1 + M2 * e2 + M3 * e3
+    )
     angular = spin.diff(t) - moment
     kinematics = {
         "omega": [omega.dot(b) for b in (e1, e2, e3)],
@@ -81,7 +103,7 @@ def newton_euler():
         "dslip": [slip.dot(a1).diff(t), slip.dot(a2).diff(t)],
     }
     loads = (F1, F2, N, m1, m2, m3, G1, G2, M1, M2, M3)
-    return t, (theta, alpha, psi, x, y), (h, K, g), loads, kinematics
+    return t, (theta, alpha, psi, x, y), (h, K, g, fillet), loads, kinematics
 
 
 @cache
@@ -98,7 +120,8 @@ def compiled():
     first = {f.diff(t): r for f, r in zip(q, rates, strict=True)}
     at = dict(zip(q, places, strict=True))
     plain = {
-        name: [x.subs(second).subs(first).subs(at) for x in rows] for name, rows in laws.items()
+        name: [x.subs(second).subs(first).subs(at) for x in rows]
+        for name, rows in laws.items()
     }
     groups = (accelerations, rates, places, constants, loads)
     return {name: sp.lambdify(groups, rows, cse=True) for name, rows in plain.items()}
@@ -111,14 +134,20 @@ def root(affine, goal):
     return np.linalg.solve(matrix, goal - start)
 
 
-def evaluate(h, K, beta, w, u, c, loads):
+def evaluate(h, K, beta, w, u, c, loads, fillet):
     """Insert a state and our solution into the derivation; return the residuals of all laws."""
     laws = compiled()
     coordinates = (0.7, math.pi / 2 - beta, 0.0, 0.0, 0.0)
-    numbers = coordinates, (h, K, (K + 4) / 4), (c.F1, c.F2, c.Phi, c.m1, c.m2, c.m3, *loads)
+    numbers = (
+        coordinates,
+        (h, K, (K + 4) / 4, fillet),
+        (c.F1, c.F2, c.Phi, c.m1, c.m2, c.m3, *loads),
+    )
 
     def of(names, accelerations, rates):
-        return np.concatenate([laws[name](accelerations, rates, *numbers) for name in names])
+        return np.concatenate(
+            [laws[name](accelerations, rates, *numbers) for name in names]
+        )
 
     still = np.zeros(5)
     rates = root(lambda r: of(("omega", "slip"), still, r), [*w, *u])
@@ -127,12 +156,14 @@ def evaluate(h, K, beta, w, u, c, loads):
     return of(("momentum", "angular"), accelerations, rates)
 
 
+@pytest.mark.parametrize("roundness", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("sliding", [True, False])
 @pytest.mark.parametrize("case", range(6))
-def test_the_solution_satisfies_newton_and_euler(case, sliding):
+def test_the_solution_satisfies_newton_and_euler(case, sliding, roundness):
     h, K, beta, w, u, senses, loads = list(random_states())[case]
-    c = contact(h, K, beta, w, u, senses, sliding, loads)
-    residuals = evaluate(h, K, beta, w, u if sliding else np.zeros(2), c, loads)
+    fillet = roundness * min(h, 1.0)
+    c = contact(h, K, beta, w, u, senses, sliding, loads, fillet)
+    residuals = evaluate(h, K, beta, w, u if sliding else np.zeros(2), c, loads, fillet)
     np.testing.assert_allclose(residuals, 0, atol=1e-10 * max(1.0, abs(c.Phi)))
 
 

@@ -27,7 +27,11 @@ class Ball:
         landing = speed + np.sqrt(speed**2 + 2 * height)
         t = min(landing, span)
         series = np.array([[[height, speed], [speed, -1.0], [-0.5, 0.0]]])
-        end = [0.0, speed - t] if landing <= span else [height + speed * t - t * t / 2, speed - t]
+        end = (
+            [0.0, speed - t]
+            if landing <= span
+            else [height + speed * t - t * t / 2, speed - t]
+        )
         return Arc(np.array([t]), series, end, "impact" if landing <= span else None)
 
     def switch(self, y, regime, guard):
@@ -62,7 +66,9 @@ def test_where_impacts_pile_up_time_stands_still_and_the_end_has_a_name():
     assert path.t == pytest.approx(
         np.sqrt(2 * HEIGHT) * (1 + RESTITUTION) / (1 - RESTITUTION), rel=1e-14
     )
-    assert [event.t for event in path.crossings][:40] == pytest.approx(impacts(40), rel=1e-14)
+    assert [event.t for event in path.crossings][:40] == pytest.approx(
+        impacts(40), rel=1e-14
+    )
 
 
 class AheadBall(Ball):
@@ -71,11 +77,15 @@ class AheadBall(Ball):
     def switch(self, y, regime, guard):
         after = super().switch(y, regime, guard)
         first = self.advance(after.state, regime, np.inf)
-        second = self.advance(super().switch(first.end, regime, first.guard).state, regime, np.inf)
+        second = self.advance(
+            super().switch(first.end, regime, first.guard).state, regime, np.inf
+        )
         times = np.append(first.times, first.times + second.times)
         series = np.concatenate([first.coefficients, second.coefficients])
         return after._replace(
-            ahead=Arc(times, series, second.end, second.guard, ((1, "impact", regime),))
+            next_arc=Arc(
+                times, series, second.end, second.guard, ((1, "impact", regime),)
+            )
         )
 
 
@@ -85,7 +95,9 @@ def test_what_is_integrated_ahead_is_the_path_that_is_integrated_in_turn(span):
     plain, _ = run_events(Ball(), [HEIGHT, 0.0], span)
     assert ended is None
     assert path.t == span
-    assert np.concatenate(path.times) == pytest.approx(np.concatenate(plain.times), rel=1e-14)
+    assert np.concatenate(path.times) == pytest.approx(
+        np.concatenate(plain.times), rel=1e-14
+    )
     assert np.concatenate(path.coefficients) == pytest.approx(
         np.concatenate(plain.coefficients), abs=1e-14
     )
@@ -111,7 +123,9 @@ class Wheel:
 
         falls.terminal = True
         rates = lambda t, y: [y[1], np.sin(y[0])]  # noqa: E731
-        solved = solve_ivp(rates, (0, span), y, "DOP853", events=falls, rtol=1e-13, atol=1e-13)
+        solved = solve_ivp(
+            rates, (0, span), y, "DOP853", events=falls, rtol=1e-13, atol=1e-13
+        )
         theta, rate = solved.y[:, :-1]
         series = np.array([[theta, rate], [rate, np.sin(theta)]]).transpose(2, 0, 1)
         return Arc(
@@ -134,7 +148,9 @@ def rates_after(rate, n):
     """
     rates = []
     for _ in range(n):
-        rate = np.cos(2 * HALF_ANGLE) * np.sqrt(rate**2 + 4 * np.sin(HALF_ANGLE) * np.sin(SLOPE))
+        rate = np.cos(2 * HALF_ANGLE) * np.sqrt(
+            rate**2 + 4 * np.sin(HALF_ANGLE) * np.sin(SLOPE)
+        )
         rates.append(rate)
     return np.array(rates)
 

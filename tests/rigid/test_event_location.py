@@ -17,8 +17,8 @@ from scenes import scene
 
 from dynamics import Outcome, simulate
 from dynamics.disk import Release
-from dynamics.monotonicity import largest_fall
-from dynamics.regime import ARRAY_FORMULAS, STOP_SPEED, V1, V2, Branch
+from dynamics.monotonicity import largest_decrease
+from dynamics.regime import ARRAY_FORMULAS, STOP_SLIP_SPEED, V1, V2, Branch
 from sonify import load_scene
 from sonify.claims.checks import dissipation_never_falls
 
@@ -43,13 +43,21 @@ def lowest_guards(motion):
         of_kind = y[:, motion.regime_of_piece == kind].T
         branch = Branch.of(regime, motion.law, motion.loads)
         contact = ARRAY_FORMULAS.contact(of_kind, branch, regime.senses, motion.law)
-        guards = ARRAY_FORMULAS.guards(of_kind, contact, branch, regime.senses, motion.law, 0.0)
+        guards = ARRAY_FORMULAS.guards(
+            of_kind, contact, branch, regime.senses, motion.law, 0.0
+        )
         if "grip" in guards:
-            speed = guards.pop("grip") + STOP_SPEED
-            slip = (of_kind[V1 : V2 + 1] / speed)[:, speed.max(axis=1) > STOP_SPEED]
-            guards["slip keeps its side"] = (slip[:, :, :1] * slip[:, :, 1:]).sum(axis=0)
+            speed = guards.pop("grip") + STOP_SLIP_SPEED
+            slip = (of_kind[V1 : V2 + 1] / speed)[
+                :, speed.max(axis=1) > STOP_SLIP_SPEED
+            ]
+            guards["slip keeps its side"] = (slip[:, :, :1] * slip[:, :, 1:]).sum(
+                axis=0
+            )
         for name, value in guards.items():
-            lowest[name] = np.minimum(lowest.get(name, np.inf), np.min(value, initial=np.inf))
+            lowest[name] = np.minimum(
+                lowest.get(name, np.inf), np.min(value, initial=np.inf)
+            )
     return lowest
 
 
@@ -62,10 +70,19 @@ def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
     )
     numerics = replace(wanted.numerics, time_limit=0.02)
     motion = simulate(replace(wanted, release=release, numerics=numerics))
-    assert [e.guard for e in motion.transitions][:3] == ["slip", "grip", "nutation reverses"]
-    assert motion.transitions[1].t - motion.transitions[0].t == pytest.approx(45.2e-6, rel=1e-2)
+    assert [e.guard for e in motion.transitions][:3] == [
+        "slip",
+        "grip",
+        "nutation reverses",
+    ]
+    assert motion.transitions[1].t - motion.transitions[0].t == pytest.approx(
+        45.2e-6, rel=1e-2
+    )
     assert dissipation_never_falls(motion).passed
-    assert np.ptp(motion.energy(motion.t) + motion.state[:, 10]) < 1e-11 * motion.energy(0.0)[0]
+    assert (
+        np.ptp(motion.energy(motion.t) + motion.state[:, 10])
+        < 1e-11 * motion.energy(0.0)[0]
+    )
     assert min(lowest_guards(motion).values()) > -ROUNDING
 
 
@@ -91,7 +108,9 @@ def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
     )
     motion = simulate(wanted)
     assert motion.outcome is Outcome.TIME_LIMIT
-    passing = [e for e in motion.transitions if e.guard == "grip" and e.before == e.after]
+    passing = [
+        e for e in motion.transitions if e.guard == "grip" and e.before == e.after
+    ]
     assert len(passing) == 1
     total = motion.energy(motion.t) + motion.state[:, 10]
     assert np.abs(total / total[0] - 1).max() < 1e-11
@@ -100,26 +119,39 @@ def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
 @pytest.mark.parametrize(
     "friction",
     [{}, {"mu_static": 0.3}, {"mu_static": 0.31}, {"k1": 0.01}, {"k3": 0.1}],
-    ids=["published", "equal frictions", "nearly equal", "nutation sticks", "pivoting sticks"],
+    ids=[
+        "published",
+        "equal frictions",
+        "nearly equal",
+        "nutation sticks",
+        "pivoting sticks",
+    ],
 )
 def test_every_guard_is_positive_while_its_regime_holds(friction):
     motion = simulate(scene({"time_limit": 40 * scene().disk.time_unit}, **friction))
     lowest = lowest_guards(motion)
-    assert {"lift-off", "nutation reverses", "slip", "slip keeps its side"} <= set(lowest)
+    assert {"lift-off", "nutation reverses", "slip", "slip keeps its side"} <= set(
+        lowest
+    )
     assert {name: value for name, value in lowest.items() if value < -ROUNDING} == {}
     assert dissipation_never_falls(motion).passed
 
 
 def test_the_largest_fall_is_that_of_the_extrema_between_the_ends():
     """For x^3 - 3 x on [-2, 0] and [0, 2] the function falls from 2 at -1 to -2 at 1."""
-    cubic = [Polynomial([0, -3, 0, 1])(Polynomial([start, 1])).coef[::-1] for start in (-2.0, 0.0)]
+    cubic = [
+        Polynomial([0, -3, 0, 1])(Polynomial([start, 1])).coef[::-1]
+        for start in (-2.0, 0.0)
+    ]
     c = np.transpose(cubic)
     x = np.array([-2.0, 0.0, 2.0])
-    assert largest_fall(c, x) == pytest.approx(4.0, rel=gamma(20))
-    assert largest_fall(c[:, :1], x[:2]) == pytest.approx(2.0, rel=gamma(20))
-    assert largest_fall(-c, x) == pytest.approx(4.0, rel=gamma(20))
+    assert largest_decrease(c, x) == pytest.approx(4.0, rel=gamma(20))
+    assert largest_decrease(c[:, :1], x[:2]) == pytest.approx(2.0, rel=gamma(20))
+    assert largest_decrease(-c, x) == pytest.approx(4.0, rel=gamma(20))
     assert (
-        largest_fall(np.array([[1.0, 1.0], [0.0, 2.0], [0.0, 3.0]]), np.array([0.0, 1.0, 2.0]))
+        largest_decrease(
+            np.array([[1.0, 1.0], [0.0, 2.0], [0.0, 3.0]]), np.array([0.0, 1.0, 2.0])
+        )
         == 0.0
     )
-    assert largest_fall(np.zeros((3, 2)), np.array([0.0, 1.0, 2.0])) == 0.0
+    assert largest_decrease(np.zeros((3, 2)), np.array([0.0, 1.0, 2.0])) == 0.0

@@ -19,7 +19,9 @@ STATE = [0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0]
 def guards_of(regime):
     branch = Branch.of(regime, LAW, None)
     contact = FLOAT_FORMULAS.contact(STATE, branch, regime.senses, LAW)
-    return FLOAT_FORMULAS.guards(STATE, contact, branch, regime.senses, LAW, 1e-5), contact
+    return FLOAT_FORMULAS.guards(
+        STATE, contact, branch, regime.senses, LAW, 1e-5
+    ), contact
 
 
 @pytest.mark.parametrize("guard", ALL_GUARDS)
@@ -32,8 +34,14 @@ def test_a_guard_travels_and_stays_what_it_is(guard):
 def test_each_turning_has_the_guard_of_its_state():
     named, contact = guards_of(Regime(False, (True, False, False), (1.0, 1.0, -1.0)))
     kinds = {guard.axis: guard.kind for guard in named if guard.axis is not None}
-    assert kinds == {0: GuardKind.UNSTICKS, 1: GuardKind.REVERSES, 2: GuardKind.REVERSES}
-    assert named["nutation unsticks"] == pytest.approx(contact.Phi**2 - (contact.m1 / LAW.k1) ** 2)
+    assert kinds == {
+        0: GuardKind.UNSTICKS,
+        1: GuardKind.REVERSES,
+        2: GuardKind.REVERSES,
+    }
+    assert named["nutation unsticks"] == pytest.approx(
+        contact.Phi**2 - (contact.m1 / LAW.k1) ** 2
+    )
     assert named["slip"] == pytest.approx(
         (LAW.mu_static * contact.Phi) ** 2 - contact.F1**2 - contact.F2**2
     )

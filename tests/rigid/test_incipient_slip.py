@@ -12,7 +12,7 @@ import pytest
 
 from dynamics.dissipation import Resistance
 from dynamics.equations import DiskConstants
-from dynamics.incipient_slip import slip_push
+from dynamics.incipient_slip import slip_acceleration
 from dynamics.regime import FLOAT_FORMULAS, Branch, Regime
 
 LOADS = Resistance(((0.01, 1.0),), 0.02, 0.03, False)
@@ -36,7 +36,9 @@ def cases():
             draw.uniform(0.05, 2),
             *draw.uniform(0, 0.05, 3),
         )
-        regime = Regime(True, tuple(draw.random(3) < 0.3), tuple(draw.choice([-1.0, 1.0], 3)))
+        regime = Regime(
+            True, tuple(draw.random(3) < 0.3), tuple(draw.choice([-1.0, 1.0], 3))
+        )
         yield y, regime, Branch.of(regime, law, LOADS if i % 2 else None), law
 
 
@@ -57,14 +59,16 @@ def bar(push, inertia):
     """Return a bound on the rounding error, with cancellation in the terms and in the inertia."""
     return ROUNDING * (
         1
-        + sum(map(abs, push[2:])) / abs(inertia) * (1 + (abs(push.a) + abs(push.b)) / abs(inertia))
+        + sum(map(abs, push[2:]))
+        / abs(inertia)
+        * (1 + (abs(push.a) + abs(push.b)) / abs(inertia))
     )
 
 
 @pytest.mark.parametrize("added", [0j, 0.3 - 0.2j])
 def test_every_direction_follows_from_three(added):
     for y, regime, branch, law in cases():
-        push = slip_push(y, branch, regime.senses, law).with_added_rate(added)
+        push = slip_acceleration(y, branch, regime.senses, law).with_added_rate(added)
         angles = np.linspace(-3, 3, 7)
         for angle, contact in zip(
             angles, accelerations(y, regime, branch, law, angles), strict=True
@@ -82,7 +86,7 @@ def test_every_direction_along_its_own_acceleration_is_found():
     grid = np.linspace(-math.pi, math.pi, 1001)
     several = 0
     for y, regime, branch, law in cases():
-        push = slip_push(y, branch, regime.senses, law)
+        push = slip_acceleration(y, branch, regime.senses, law)
         found = np.array(
             sorted(math.remainder(nu, 2 * math.pi) for nu in push.aligned_directions())
         )
@@ -101,7 +105,9 @@ def test_every_direction_along_its_own_acceleration_is_found():
             assert ((found > grid[turn] - 1e-9) & (found < grid[turn + 1] + 1e-9)).any()
         assert len(found) >= len(turns) > 0
         several += len(turns) > 2
-        for nu, contact in zip(found, accelerations(y, regime, branch, law, found), strict=True):
+        for nu, contact in zip(
+            found, accelerations(y, regime, branch, law, found), strict=True
+        ):
             across = contact.du2 * math.cos(nu) - contact.du1 * math.sin(nu)
             assert across == pytest.approx(0.0, abs=bar(push, contact.inertia))
     assert several
@@ -111,7 +117,7 @@ def test_the_direction_that_stops_a_slip_points_against_it():
     """In these directions, on either side, the acceleration has no component across the slip."""
     for y, regime, branch, law in cases():
         axis = math.atan2(y[5], y[4])
-        push = slip_push(y, branch, regime.senses, law)
+        push = slip_acceleration(y, branch, regime.senses, law)
         for angle in push.directions_parallel_to(axis):
             contact = next(accelerations(y, regime, branch, law, [angle]))
             across = contact.du2 * math.cos(axis) - contact.du1 * math.sin(axis)

@@ -22,7 +22,7 @@ from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 from sonify.claims.checks import energy_balance
 from sonify.claims.rigid_motion import motion_findings
-from sonify.claims.sound import rates_heard
+from sonify.claims.sound import tone_rate_findings
 
 
 def total_energy_spread(motion):
@@ -31,38 +31,55 @@ def total_energy_spread(motion):
 
 
 @pytest.mark.parametrize(
-    ("name", "module", "factor"), [("FIRST_STEP", switching, 0.3), ("STOP_SPEED", regime, 10.0)]
+    ("name", "module", "factor"),
+    [("FIRST_SLIDE_STEP", switching, 0.3), ("STOP_SLIP_SPEED", regime, 10.0)],
 )
 def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
     span = {"time_limit": 50 * scene().disk.time_unit, "integrator": "dop853"}
     t = np.linspace(0, 49.9 * scene().disk.time_unit, 100)
     before = simulate(scene(span)).at(t)
-    for owner in (module, __import__("dynamics.rolling", fromlist=["x"]), switching, regime):
+    for owner in (
+        module,
+        __import__("dynamics.rolling", fromlist=["x"]),
+        switching,
+        regime,
+    ):
         if hasattr(owner, name):
             monkeypatch.setattr(
                 owner,
                 name,
-                getattr(module, name) * factor if owner is module else getattr(module, name),
+                getattr(module, name) * factor
+                if owner is module
+                else getattr(module, name),
             )
     monkeypatch.setattr(
         "dynamics.integrators.dop853.compile_branch", cache(compile_branch.__wrapped__)
-    )  # the compiled flow holds STOP_SPEED
+    )  # the compiled flow holds STOP_SLIP_SPEED
     after = simulate(scene(span)).at(t)
     np.testing.assert_allclose(after, before, rtol=1e-9, atol=1e-9)
 
 
 def test_upright_is_a_named_end():
-    motion = simulate(scene(release={"inclination_deg": 89.9, "omega": (-1.0, 0.0, -10.0)}))
+    motion = simulate(
+        scene(release={"inclination_deg": 89.9, "omega": (-1.0, 0.0, -10.0)})
+    )
     assert motion.outcome is Outcome.UPRIGHT
     moved = motion.t[-1] * abs(motion.state[-1, 5])
-    assert motion.state[-1, 1] == pytest.approx(pi / 2, abs=gamma(50) * (pi / 2 + moved))
+    assert motion.state[-1, 1] == pytest.approx(
+        pi / 2, abs=gamma(50) * (pi / 2 + moved)
+    )
 
 
 @pytest.mark.parametrize("rate", [-1e-12, -1e-9, -1e-6, -1e-4])
 def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed(rate):
     """A missed reversal would let the moment drive the disk, and the energy would rise."""
     motion = simulate(
-        scene(release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)}, k1=0.03, k2=0.0, k3=0.0)
+        scene(
+            release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)},
+            k1=0.03,
+            k2=0.0,
+            k3=0.0,
+        )
     )
     assert motion.outcome is Outcome.FELL
     assert motion.law.k1 * np.ptp(motion.state[:, 1]) > 1e-3, (
@@ -73,19 +90,24 @@ def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed
 
 
 def test_lift_off_is_an_outcome_with_its_time():
-    fast = scene(release={"inclination_deg": 60.0, "omega": (0.0, 0.5 / 0.06917, -4 / 0.06917)})
+    fast = scene(
+        release={"inclination_deg": 60.0, "omega": (0.0, 0.5 / 0.06917, -4 / 0.06917)}
+    )
     motion = simulate(fast)
     assert motion.outcome is Outcome.LIFTED_OFF
     before, after = motion.normal_load(motion.t[-1] - [1e-4, 0])
     slope = (before - after) / 1e-4
     assert after == pytest.approx(0, abs=gamma(50) * (1 + motion.t[-1] * slope))
-    assert motion.t_end == motion.t[-1], "an inclination that rises has no time at which it is zero"
+    assert motion.t_end == motion.t[-1], (
+        "an inclination that rises has no time at which it is zero"
+    )
     assert motion.normal_load(np.linspace(0, motion.t[-1] * 0.999, 500)).min() > 0
 
 
 def test_a_release_that_leaves_the_plane_at_once_is_refused():
     with pytest.raises(
-        ImpossibleContactError, match=r"at t = 0 s: inclination 0\.52.*leaves the plane at once"
+        ImpossibleContactError,
+        match=r"at t = 0 s: inclination 0\.52.*leaves the plane at once",
     ):
         simulate(scene(release={"inclination_deg": 30.0, "omega": (40.0, 0.0, 0.0)}))
 
@@ -100,7 +122,9 @@ def test_a_contact_that_jams_is_named():
         y, regime.Branch.of(slide, law, None), slide.senses, law
     )
     assert contact.inertia < 0
-    with pytest.raises(ImpossibleContactError, match=r"inclination 1\.047 rad.*slip \(-?0, -1\.02"):
+    with pytest.raises(
+        ImpossibleContactError, match=r"inclination 1\.047 rad.*slip \(-?0, -1\.02"
+    ):
         switching.next_regime(y, law, None, frozenset(), frozenset(), (1.0,) * 3, None)
     system = RollingDisk(law, None, 1e-5, chosen_integrator("dop853")[1], 1e-12)
     with pytest.raises(ImpossibleContactError, match="jams"):
@@ -132,7 +156,9 @@ def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
 def test_equal_coefficients_slide_without_a_jump_of_the_force():
     """With mu_static = mu_dynamic a slide starts without acceleration or jump of the force."""
     motion = simulate(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
-    starts = [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
+    starts = [
+        s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")
+    ]
     assert len(starts) > 10
     jumps = motion.jumps
     for t in starts:
@@ -146,7 +172,7 @@ def test_what_a_steady_motion_cannot_tell_is_not_judged():
     motion = simulate(whirling(radians(8), numerics={"time_limit": 5.0}))
     assert len(nutation_frequency(motion)[0]) == 0
     tone = SimpleNamespace(time=np.linspace(0.1, 4.9, 50), frequency=np.full(50, 10.0))
-    assert rates_heard(tone, motion, SimpleNamespace(source_end=5.0)) == []
+    assert tone_rate_findings(tone, motion, SimpleNamespace(source_end=5.0)) == []
     claims = " ".join(finding.claim for finding in motion_findings(motion))
     assert "energy" in claims
     assert "frequency" not in claims
@@ -157,20 +183,22 @@ def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
     motion = simulate(scene({"time_limit": 6.0}))
     assert len(nutation_frequency(motion)[0]) > 0
     tone = SimpleNamespace(time=np.linspace(2.5, 4.5, 50), frequency=np.full(50, 10.0))
-    assert rates_heard(tone, motion, SimpleNamespace(source_end=6.0)) == []
-    late = rates_heard(tone, motion, SimpleNamespace(source_end=5.0))
+    assert tone_rate_findings(tone, motion, SimpleNamespace(source_end=6.0)) == []
+    late = tone_rate_findings(tone, motion, SimpleNamespace(source_end=5.0))
     assert [finding.claim[:18] for finding in late] == ["In the last second"]
 
 
 SPAN = 5 * scene().disk.time_unit
 STIFF = [
     ("integrators.slow_slides.MAX_STEPS_PER_CALL", 0, {"mu_dynamic": 0.5}),
-    ("incipient_slip.SlipPush.aligned_direction_near", lambda *_: None, {}),
+    ("incipient_slip.SlipAcceleration.aligned_direction_near", lambda *_: None, {}),
 ]
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "friction"), STIFF, ids=["no step is short enough", "no direction"]
+    ("name", "value", "friction"),
+    STIFF,
+    ids=["no step is short enough", "no direction"],
 )
 def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(
     monkeypatch, name, value, friction
@@ -184,8 +212,13 @@ def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(
     assert total_energy_spread(motion) < 1e-11
 
 
-def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state(monkeypatch):
-    monkeypatch.setattr("dynamics.incipient_slip.SlipPush.aligned_direction_near", lambda *_: None)
+def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state(
+    monkeypatch,
+):
+    monkeypatch.setattr(
+        "dynamics.incipient_slip.SlipAcceleration.aligned_direction_near",
+        lambda *_: None,
+    )
     with pytest.raises(
         ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"
     ):
@@ -195,14 +228,16 @@ def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state
 def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
     motion = simulate(conservative(numerics={"time_limit": 5.0}))
     assert motion.transitions == ()
-    assert not motion.state[:, 10].any(), "without an arm nothing is dissipated, not even round-off"
+    assert not motion.state[:, 10].any(), (
+        "without an arm nothing is dissipated, not even round-off"
+    )
 
 
 def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
     monkeypatch.setattr("dynamics.solver_settings.find_spec", lambda name: None)
     assert chosen_integrator("auto")[0] == "dop853"
     assert simulate(scene({"time_limit": 0.1})).integrator == "dop853"
-    with pytest.raises(ValueError, match="needs heyoka, which is not installed"):
+    with pytest.raises(ValueError, match="requires heyoka, which is not installed"):
         chosen_integrator("taylor")
 
 
@@ -223,7 +258,10 @@ def test_a_disk_released_at_rest_falls_as_without_a_law_that_has_no_series_there
     """
     still = {"inclination_deg": 12.0, "omega": (0.0, 0.0, 0.0)}
     resisted = {"power_coefficient": 4e-9, "power_exponent": 2.5}
-    motions = [simulate(scene(release=still, **more)) for more in ({}, {"dissipation": resisted})]
+    motions = [
+        simulate(scene(release=still, **more))
+        for more in ({}, {"dissipation": resisted})
+    ]
     assert {motion.outcome for motion in motions} == {Outcome.FELL}
     assert motions[1].t[-1] == pytest.approx(motions[0].t[-1], rel=1e-12)
     assert total_energy_spread(motions[1]) < 1e-13

@@ -22,12 +22,17 @@ from paths import REFERENCES, ROOT
 from dynamics.numba_kernels import kernel, outermost
 
 FILES = sorted(
-    file for package in ("dynamics", "modal", "sonify") for file in (ROOT / package).rglob("*.py")
+    file
+    for package in ("dynamics", "modal", "sonify")
+    for file in (ROOT / package).rglob("*.py")
 )
 LOOSE = re.compile(
-    r"^.*(?: (?:contract|reassoc|arcp|afn|fast) |llvm\.fmuladd|llvm\.fma\.).*$", re.MULTILINE
+    r"^.*(?: (?:contract|reassoc|arcp|afn|fast) |llvm\.fmuladd|llvm\.fma\.).*$",
+    re.MULTILINE,
 )
-FUSED = re.compile(r"^\s*(?:vf?n?m(?:add|sub)[0-9a-z]*|fn?m(?:add|sub|la|ls))\b.*$", re.MULTILINE)
+FUSED = re.compile(
+    r"^\s*(?:vf?n?m(?:add|sub)[0-9a-z]*|fn?m(?:add|sub|la|ls))\b.*$", re.MULTILINE
+)
 
 
 def product_and_sum(x, y, z):
@@ -67,7 +72,9 @@ def test_products_and_sums_are_not_fused():
     assert "fadd" in llvm
     assert LOOSE.findall(llvm) == []
     assert FUSED.findall(assembly) == []
-    loose_llvm, _ = machine_code(njit(fastmath={"contract", "reassoc"})(product_and_sum))
+    loose_llvm, _ = machine_code(
+        njit(fastmath={"contract", "reassoc"})(product_and_sum)
+    )
     assert LOOSE.findall(loose_llvm)  # the pattern detects loose arithmetic
 
 
@@ -94,7 +101,12 @@ def test_bytes_do_not_depend_on_what_was_compiled_before(tmp_path):
         }
         command = [sys.executable, str(script), *order]
         done = subprocess.run(
-            command, capture_output=True, text=True, check=True, cwd=ROOT, env=environment
+            command,
+            capture_output=True,
+            text=True,
+            check=True,
+            cwd=ROOT,
+            env=environment,
         )
         found.append(done.stdout.splitlines())
     assert found[0] == found[1]

@@ -17,9 +17,11 @@ from hypothesis import strategies as st
 from scenes import proves_its_outcome, scene
 
 from dynamics import ImpossibleContactError, simulate
-from dynamics.switching import FIRST_STEP
+from dynamics.switching import FIRST_SLIDE_STEP
 
-needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+needs_heyoka = pytest.mark.skipif(
+    not find_spec("heyoka"), reason="heyoka is not installed"
+)
 arms = st.one_of(st.just(0.0), st.floats(1e-5, 0.05))
 
 
@@ -33,11 +35,16 @@ def scenes(draw, integrator="auto", span=15.0):
     mu = draw(st.floats(0.05, 1.0))
     friction = {"mu_static": mu, "mu_dynamic": mu * draw(st.floats(0.3, 0.95))}
     friction |= {"k1": draw(arms), "k2": draw(arms), "k3": draw(arms)}
-    omega = tuple(draw(st.floats(low, high)) for low, high in ((-3, 3), (-8, 8), (-20, 20)))
+    omega = tuple(
+        draw(st.floats(low, high)) for low, high in ((-3, 3), (-8, 8), (-20, 20))
+    )
     release = {"inclination_deg": draw(st.floats(3, 70)), "omega": omega}
     chi = scene(disk=disk).disk.time_unit
     return scene(
-        {"integrator": integrator, "time_limit": span * chi}, disk=disk, release=release, **friction
+        {"integrator": integrator, "time_limit": span * chi},
+        disk=disk,
+        release=release,
+        **friction,
     )
 
 
@@ -51,34 +58,55 @@ def solved(wanted):
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@settings(
+    max_examples=40,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+    derandomize=True,
+)
 @given(scenes())
 def test_energy_load_and_cone(wanted):
     motion = solved(wanted)
     assert proves_its_outcome(motion, wanted.numerics.time_limit)
     energy = motion.energy(motion.t)
-    bar = gamma(50) + 50 * FIRST_STEP**3  # round-off, and the first step of a slide from rest
+    bar = (
+        gamma(50) + 50 * FIRST_SLIDE_STEP**3
+    )  # round-off, and the first step of a slide from rest
     assert np.diff(energy).max(initial=0.0) <= bar * energy[0]
     assert np.ptp(energy + motion.state[:, 10]) <= 1e-10 * energy[0]
     force = motion.force((motion.t[1:] + motion.t[:-1]) / 2)
     weight = motion.disk.weight
     assert force[:, 2].min() >= -1e-9 * weight
     friction = np.hypot(force[:, 0], force[:, 1])
-    sliding = np.char.startswith(motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide")
-    limit = np.where(sliding, wanted.friction.mu_dynamic, wanted.friction.mu_static) * force[:, 2]
+    sliding = np.char.startswith(
+        motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide"
+    )
+    limit = (
+        np.where(sliding, wanted.friction.mu_dynamic, wanted.friction.mu_static)
+        * force[:, 2]
+    )
     assert (friction - limit).max() <= 1e-8 * weight
-    np.testing.assert_allclose(friction[sliding], limit[sliding], rtol=1e-9, atol=1e-9 * weight)
+    np.testing.assert_allclose(
+        friction[sliding], limit[sliding], rtol=1e-9, atol=1e-9 * weight
+    )
 
 
 @pytest.mark.slow
 @needs_heyoka
-@settings(max_examples=10, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@settings(
+    max_examples=10,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+    derandomize=True,
+)
 @given(scenes(integrator="taylor", span=4.0))
 def test_both_integrators_agree(wanted):
     from dataclasses import replace
 
     ours = solved(wanted)
-    other = simulate(replace(wanted, numerics=replace(wanted.numerics, integrator="dop853")))
+    other = simulate(
+        replace(wanted, numerics=replace(wanted.numerics, integrator="dop853"))
+    )
     assert ours.outcome is other.outcome
     assert [s[1:] for s in ours.transitions] == [s[1:] for s in other.transitions]
     t = np.linspace(0, min(ours.t[-1], other.t[-1]), 50)[:-1]
@@ -95,7 +123,9 @@ def test_each_order_of_the_series_gains_e_squared_through_transitions():
 
     def run(tolerance):
         return simulate(
-            scene({"integrator": "taylor", "tolerance": tolerance, "time_limit": 40 * chi})
+            scene(
+                {"integrator": "taylor", "tolerance": tolerance, "time_limit": 40 * chi}
+            )
         )
 
     exact = run(1e-16)

@@ -23,7 +23,10 @@ def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
     some = range(0, len(at), MIN_COMPILED_TIMES // 2)
     few = np.hstack(
         [
-            path(at[i : i + MIN_COMPILED_TIMES // 2], piece[i : i + MIN_COMPILED_TIMES // 2])
+            path(
+                at[i : i + MIN_COMPILED_TIMES // 2],
+                piece[i : i + MIN_COMPILED_TIMES // 2],
+            )
             for i in some
         ]
     )

@@ -19,13 +19,18 @@ from scipy.optimize import brentq
 from dynamics.dissipation import Resistance
 from dynamics.equations import DiskConstants
 from dynamics.integrators.branch_formulas import branch_to_compile, flow_constants
-from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE, compile_branch, machine_code
+from dynamics.integrators.codegen import (
+    ARRAY_TYPE,
+    FLOW_SIGNATURE,
+    compile_branch,
+    compiled_function,
+)
 from dynamics.integrators.runge_kutta import (
     DENSE_OUTPUT,
     INTEGRATE_SIGNATURE,
     STAGE_WEIGHTS,
     evaluate_polynomial,
-    integrate,
+    integrate_dop853,
 )
 from dynamics.regime import FLOAT_FORMULAS, Branch, FlowFormulas, Regime
 
@@ -35,7 +40,9 @@ LOADS = [None, Resistance(((1e-3, 0.25), (1e-3, 1.0)), 1e-3, 2e-3, False)]
 SENSES, END = (1.0, -1.0, 1.0), 1e-5
 EXACT = {"flow": FlowFormulas(mp.sin, mp.cos, mp.sqrt, mp.power), "number": mp.mpf}
 BOUNDED = {
-    "flow": FlowFormulas(arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__),
+    "flow": FlowFormulas(
+        arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__
+    ),
     "number": rounded,
 }
 
@@ -48,10 +55,12 @@ def flow_of(sliding, stuck=(False,) * 3, loads=None):
     )
 
 
-def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT_FORMULAS, number=float):
+def by_formula(
+    y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT_FORMULAS, number=float
+):
     """Return rates (11,) and guards by name at y (11,), for a number type and its flow."""
     y = [number(x) for x in y]
-    law = DiskConstants(*map(number, LAW))
+    law = DiskConstants(*map(number, LAW[:-1]), LAW.pivoting)
     senses = [number(sense) for sense in SENSES]
     branch = Branch.of(Regime(sliding, stuck, SENSES), LAW, loads)
     contact = flow.contact(y, branch, senses, law)
@@ -69,7 +78,9 @@ def bounded_step(y, h, sliding):
     rates = np.empty((16, len(y)), dtype=object)
     for i in range(16):
         rates[i] = by_formula(states[i], sliding, **BOUNDED)[0]
-        states.append(states[0] + h * (STAGE_WEIGHTS[min(i + 1, 15), : i + 1] @ rates[: i + 1]))
+        states.append(
+            states[0] + h * (STAGE_WEIGHTS[min(i + 1, 15), : i + 1] @ rates[: i + 1])
+        )
     c = h * (DENSE_OUTPUT @ rates)
     c[0] = states[0]
     return states[12], c
@@ -84,7 +95,7 @@ def by_code(y, *case):
     flow, names, numbers = flow_of(*case)
     rates = np.empty(11)
     guards = np.empty(16)
-    machine_code(ask, VOID(FunctionType(FLOW_SIGNATURE), *[ARRAY_TYPE] * 4))(
+    compiled_function(ask, VOID(FunctionType(FLOW_SIGNATURE), *[ARRAY_TYPE] * 4))(
         flow, y, numbers, rates, guards
     )
     return rates, dict(zip(names, guards, strict=False))
@@ -111,12 +122,18 @@ def test_rates_and_guards_are_those_of_the_formulas(stuck, loads):
 
 def test_a_step_and_its_dense_output_are_those_of_scipy():
     flow, _, numbers = flow_of(sliding=True)
-    times, c, end, fired = machine_code(integrate, INTEGRATE_SIGNATURE)(
+    times, c, end, fired = compiled_function(integrate_dop853, INTEGRATE_SIGNATURE)(
         flow, STATE, numbers, 0, 0.1, 1.0
     )
     assert (times.tolist(), fired) == ([0.1], -1)
     scipys = DOP853(
-        lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1
+        lambda _, y: by_formula(y, True)[0],
+        0.0,
+        STATE,
+        0.1,
+        rtol=1.0,
+        atol=1.0,
+        first_step=0.1,
     )
     scipys.step()
     curve = scipys.dense_output()
@@ -139,7 +156,7 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
     def end(steps):
         y = STATE
         for _ in range(steps):
-            y = machine_code(integrate, INTEGRATE_SIGNATURE)(
+            y = compiled_function(integrate_dop853, INTEGRATE_SIGNATURE)(
                 flow, y, numbers, 0, span / steps, 1.0
             )[2]
         return y
@@ -153,12 +170,14 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 def test_it_stops_where_a_guard_falls_through_zero():
     """The nutation reverses: its guard is omega_1, which is zero where the integration stops."""
     flow, names, numbers = flow_of(sliding=False)
-    times, coefficients, end, fired = machine_code(integrate, INTEGRATE_SIGNATURE)(
-        flow, STATE, numbers, len(names), 10.0, 1e-13
-    )
+    times, coefficients, end, fired = compiled_function(
+        integrate_dop853, INTEGRATE_SIGNATURE
+    )(flow, STATE, numbers, len(names), 10.0, 1e-13)
     assert names[fired] == "nutation reverses"
     assert abs(end[1]) <= gamma(20) * np.abs(coefficients[-1][:, 1]).max()
-    free = machine_code(integrate, INTEGRATE_SIGNATURE)(flow, STATE, numbers, 0, 10.0, 1e-13)
+    free = compiled_function(integrate_dop853, INTEGRATE_SIGNATURE)(
+        flow, STATE, numbers, 0, 10.0, 1e-13
+    )
     piece = np.searchsorted(free[0], times[-1])
     start = free[0][piece - 1]
     y = np.empty(11)
@@ -167,4 +186,6 @@ def test_it_stops_where_a_guard_falls_through_zero():
         evaluate_polynomial(free[1][piece], t - start, y)
         return y[1]
 
-    assert times[-1] == pytest.approx(brentq(swing, start, free[0][piece], xtol=1e-15), abs=1e-12)
+    assert times[-1] == pytest.approx(
+        brentq(swing, start, free[0][piece], xtol=1e-15), abs=1e-12
+    )

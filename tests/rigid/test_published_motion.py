@@ -19,7 +19,8 @@ from sonify import load_scene
 
 REFERENCE = json.loads((REFERENCES / "motion.json").read_text())
 taylor = pytest.param(
-    "taylor", marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+    "taylor",
+    marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed"),
 )
 
 
@@ -33,7 +34,11 @@ def samples(motion, last):
     some = [s for s in REFERENCE["samples"] if s["tau"] <= last]
     t = np.array([s["tau"] for s in some]) * motion.disk.time_unit
     unit = motion.disk.mass * (motion.disk.radius / motion.disk.time_unit) ** 2
-    ours = {"beta": motion.at(t)[:, 1], "Phi": motion.normal_load(t), "E": motion.energy(t) / unit}
+    ours = {
+        "beta": motion.at(t)[:, 1],
+        "Phi": motion.normal_load(t),
+        "E": motion.energy(t) / unit,
+    }
     return some, ours
 
 
@@ -41,7 +46,9 @@ def samples(motion, last):
 def test_inclination_load_and_energy(motion, last, tolerance):
     some, ours = samples(motion, last)
     for name, values in ours.items():
-        np.testing.assert_allclose(values, [s[name] for s in some], rtol=tolerance, err_msg=name)
+        np.testing.assert_allclose(
+            values, [s[name] for s in some], rtol=tolerance, err_msg=name
+        )
 
 
 def test_velocities_angles_and_path(motion):
@@ -49,7 +56,14 @@ def test_velocities_angles_and_path(motion):
     chi = motion.disk.time_unit
     radius = motion.disk.radius
     state = motion.at(np.array([s["tau"] for s in some]) * chi)
-    scales = {"theta": 1, "x": radius, "y": radius, "w1": 1 / chi, "w2": 1 / chi, "w3": 1 / chi}
+    scales = {
+        "theta": 1,
+        "x": radius,
+        "y": radius,
+        "w1": 1 / chi,
+        "w2": 1 / chi,
+        "w3": 1 / chi,
+    }
     columns = {"theta": 0, "x": 3, "y": 4, "w1": 5, "w2": 6, "w3": 7, "u1": 8, "u2": 9}
     for name, column in columns.items():
         ours = state[:, column] / scales.get(name, radius / chi)
@@ -83,8 +97,13 @@ def test_at_a_jump_the_force_is_the_one_after_it(motion):
 
 
 def test_counts_of_slips(motion):
-    slips = np.array([s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")])
-    counts = [int(np.sum(slips < tau * motion.disk.time_unit)) for tau in (50, 100, 150, 200, 250)]
+    slips = np.array(
+        [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
+    )
+    counts = [
+        int(np.sum(slips < tau * motion.disk.time_unit))
+        for tau in (50, 100, 150, 200, 250)
+    ]
     assert counts == [3, 6, 11, 19, 36]
 
 
@@ -105,9 +124,17 @@ def test_the_shipped_scene_is_the_published_case():
     ours = scene()
     assert shipped.disk == ours.disk
     assert shipped.release == ours.release
-    k = [shipped.friction.arm_nutation, shipped.friction.arm_rolling, shipped.friction.arm_pivoting]
-    np.testing.assert_allclose(np.array(k) / shipped.disk.radius, [1e-4, 8e-4, 8e-3], rtol=gamma(4))
-    state = simulate(shipped.replace("numerics.time_limit=9.0")).at(100 * shipped.disk.time_unit)
+    k = [
+        shipped.friction.arm_nutation,
+        shipped.friction.arm_rolling,
+        shipped.friction.arm_pivoting,
+    ]
+    np.testing.assert_allclose(
+        np.array(k) / shipped.disk.radius, [1e-4, 8e-4, 8e-3], rtol=gamma(4)
+    )
+    state = simulate(shipped.replace("numerics.time_limit=9.0")).at(
+        100 * shipped.disk.time_unit
+    )
     assert state[0, 1] == pytest.approx(
         next(s["beta"] for s in REFERENCE["samples"] if s["tau"] == 100), rel=1e-8
     )

@@ -42,20 +42,27 @@ def impatient():
 
 
 def written(motion) -> bytes:
-    return motion.path.x.tobytes() + motion.path.c.tobytes() + motion.regime_of_piece.tobytes()
+    return (
+        motion.path.x.tobytes()
+        + motion.path.c.tobytes()
+        + motion.regime_of_piece.tobytes()
+    )
 
 
 @pytest.mark.parametrize("threads", [2, 4])
 def test_threads_write_the_same_bytes(integrator, impatient, threads):
     numerics = {"integrator": integrator, "time_limit": 2.0}
     scenes = [
-        scene(numerics, k2=k2, mu_static=mu) for k2, mu in ((8e-4, 0.4), (2e-3, 0.35), (4e-4, 0.31))
+        scene(numerics, k2=k2, mu_static=mu)
+        for k2, mu in ((8e-4, 0.4), (2e-3, 0.35), (4e-4, 0.31))
     ] * 2
     with ThreadPoolExecutor(threads) as pool:
         together = list(pool.map(simulate, scenes))
     alone = [simulate(one) for one in scenes[:3]] * 2
     assert len(alone[0].transitions) > 10
-    assert [written(motion) for motion in together] == [written(motion) for motion in alone]
+    assert [written(motion) for motion in together] == [
+        written(motion) for motion in alone
+    ]
 
 
 def numbers(i: int, integrator: str):
@@ -73,7 +80,7 @@ def numbers(i: int, integrator: str):
 
 
 def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(integrator):
-    name = {"taylor": "compiled_taylor", "dop853": "compile_branch"}[integrator]
+    name = {"taylor": "compiled_taylor_future", "dop853": "compile_branch"}[integrator]
     compiled = chosen_integrator(integrator)[1].__globals__[name]
     process = Process()
     ends = set()
@@ -98,7 +105,7 @@ class Drag(OwnLaw):
 
 
 def test_numbers_of_a_law_of_ones_own_are_not_compiled_in(integrator):
-    name = {"taylor": "compiled_taylor", "dop853": "compile_branch"}[integrator]
+    name = {"taylor": "compiled_taylor_future", "dop853": "compile_branch"}[integrator]
     compiled = chosen_integrator(integrator)[1].__globals__[name]
     ends = []
     for factor in (1e-3, 2e-3):
@@ -110,16 +117,18 @@ def test_numbers_of_a_law_of_ones_own_are_not_compiled_in(integrator):
 
 
 def test_what_most_motions_need_is_compiled_before_they_ask():
-    taylor = pytest.importorskip("dynamics.taylor", reason="heyoka is not installed")
+    taylor = pytest.importorskip(
+        "dynamics.integrators.taylor", reason="heyoka is not installed"
+    )
     wanted = scene(
         {"tolerance": 1e-10, "time_limit": 1.5, "integrator": "taylor"},
         dissipation={"viscous_force": 1e-9},
     )
-    before = taylor.compiled_taylor.cache_info().misses
+    before = taylor.compiled_taylor_future.cache_info().misses
     compile_in_background(wanted)
-    assert taylor.compiled_taylor.cache_info().misses == before + 2
+    assert taylor.compiled_taylor_future.cache_info().misses == before + 2
     assert {t.after for t in simulate(wanted).transitions} == {"roll", "slide"}
-    assert taylor.compiled_taylor.cache_info().misses == before + 2
+    assert taylor.compiled_taylor_future.cache_info().misses == before + 2
 
 
 def test_a_wait_for_the_compiler_is_announced(integrator):

@@ -13,13 +13,18 @@ from arithmetic import gamma
 from scenes import scene
 
 from dynamics import Outcome, simulate
-from dynamics.regime import ARRAY_FORMULAS, Branch, projections
+from dynamics.regime import ARRAY_FORMULAS, Branch, contact_axis_rates
 
 CASES = {
     "k1 = 0.01": ({"k1": 0.01}, "nutation sticks", 27.5595, 28.3098),
     "k1 = 0.05": ({"k1": 0.05}, "nutation sticks", 1.51, None),
     "k3 = 0.1": ({"k3": 0.1}, "pivoting sticks", 30.66, None),
-    "no slip": ({"mu_static": np.inf, "mu_dynamic": np.inf}, "pivoting sticks", 188.06, None),
+    "no slip": (
+        {"mu_static": np.inf, "mu_dynamic": np.inf},
+        "pivoting sticks",
+        188.06,
+        None,
+    ),
 }
 
 
@@ -35,7 +40,9 @@ def test_first_sticking(case):
     onset = next(i for i, s in enumerate(motion.transitions) if what in s.after)
     assert motion.transitions[onset].t / chi == pytest.approx(start, abs=5e-3)
     if end:
-        leaving = next(s for s in motion.transitions[onset + 1 :] if what not in s.after)
+        leaving = next(
+            s for s in motion.transitions[onset + 1 :] if what not in s.after
+        )
         assert leaving.t / chi == pytest.approx(end, abs=5e-5)
 
 
@@ -53,17 +60,19 @@ def test_what_sticks_stays_at_zero_with_a_multiplier_in_range(case):
         regime = motion.regimes[kind]
         if not any(regime.stuck):
             continue
-        y = motion.path(motion.path.x[piece : piece + 2].mean(keepdims=True), [piece])[:, 0]
+        y = motion.path(motion.path.x[piece : piece + 2].mean(keepdims=True), [piece])[
+            :, 0
+        ]
         contact = ARRAY_FORMULAS.contact(
             y, Branch.of(regime, motion.law, None), regime.senses, motion.law
         )
-        turns = projections(y[0] ** 2, *y[1:4], np.sin, np.cos)
+        turns = contact_axis_rates(y[0] ** 2, *y[1:4], np.sin, np.cos)
         for i in np.flatnonzero(regime.stuck):
             seen += 1
             assert abs(turns[i]) < gamma(10) * np.abs(y[1:4]).max()
-            assert abs((contact.m1, contact.m2, contact.m3)[i]) <= arms[i] * contact.Phi * (
-                1 + 1e-9
-            )
+            assert abs((contact.m1, contact.m2, contact.m3)[i]) <= arms[
+                i
+            ] * contact.Phi * (1 + 1e-9)
     assert seen > 0
 
 
@@ -92,7 +101,10 @@ def test_without_pivoting_friction_the_disk_runs_past_tau_1000():
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 def test_both_integrators_stick_alike():
     span = {"time_limit": 40 * scene().disk.time_unit}
-    a, b = (simulate(scene({"integrator": name, **span}, k1=0.01)) for name in ("taylor", "dop853"))
+    a, b = (
+        simulate(scene({"integrator": name, **span}, k1=0.01))
+        for name in ("taylor", "dop853")
+    )
     assert [s[1:] for s in a.transitions] == [s[1:] for s in b.transitions]
     np.testing.assert_allclose(
         [s.t for s in a.transitions], [s.t for s in b.transitions], rtol=1e-9
@@ -102,7 +114,9 @@ def test_both_integrators_stick_alike():
 
 
 def test_several_surfaces_stick_at_once():
-    motion = simulate(scene(k1=0.05, k2=0.05, k3=0.05, mu_static=np.inf, mu_dynamic=np.inf))
+    motion = simulate(
+        scene(k1=0.05, k2=0.05, k3=0.05, mu_static=np.inf, mu_dynamic=np.inf)
+    )
     both = [s for s in motion.transitions if s.after.count("sticks") >= 2]
     assert both
     assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
@@ -114,7 +128,10 @@ def test_a_reversal_soon_after_another_is_not_missed(k1):
     """Two reversals of the nutation may be less than a step apart; the event function of the first
     is zero at the start of that step."""
     span = {"time_limit": 8 * scene().disk.time_unit}
-    runs = [simulate(scene({"integrator": name, **span}, k1=k1)) for name in ("taylor", "dop853")]
+    runs = [
+        simulate(scene({"integrator": name, **span}, k1=k1))
+        for name in ("taylor", "dop853")
+    ]
     ours, other = ([(e.guard, e.after) for e in run.transitions] for run in runs)
     assert ours == other
     assert any(guard == "nutation reverses" for guard, _ in ours)

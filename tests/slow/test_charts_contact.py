@@ -20,7 +20,9 @@ def test_every_way_through_the_impact_tends_to_its_closed_form():
             for rate in (1e6, 8e6)
         ]
         assert np.log2(errors[0] / errors[1]) / 3 > 0.8 * order
-    assert contact_case.explicit_impact(contact_case.explicit_euler, 1e6).values[1] > 1.001
+    assert (
+        contact_case.explicit_impact(contact_case.explicit_euler, 1e6).values[1] > 1.001
+    )
     depth, kept = contact_case.full_model_impact(8e5).values
     half_step = (
         contact_case.IMPACT_SPEED / 8e5 / 2 / contact_case.hertz_impact()[1]
@@ -40,8 +42,12 @@ def test_where_each_ends():
         contact_case.filter_rms(6e3)
     with pytest.raises(Failure, match="one ellipse"):
         contact_case.relative_energy(3e-8)
-    assert contact_case.contact_shift(1e-6) == pytest.approx(100 * contact_case.contact_shift(1e-8))
-    rigid = next(work for work in contact_chart.works(quick=True) if work.family == "rigid")
+    assert contact_case.contact_shift(1e-6) == pytest.approx(
+        100 * contact_case.contact_shift(1e-8)
+    )
+    rigid = next(
+        work for work in contact_chart.works(quick=True) if work.family == "rigid"
+    )
     assert measure(rigid).failure == "wrong by 1e+02 %"
 
 
@@ -55,7 +61,9 @@ def test_the_conclusion_names_what_its_records_hold():
         )
     ]  # fmt: skip
     said = " ".join(contact_chart.conclusion(records))
-    assert all(number in said for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04"))
+    assert all(
+        number in said for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04")
+    )
     assert "fails" not in said
     torn = Record(
         family="filter",
@@ -65,4 +73,6 @@ def test_the_conclusion_names_what_its_records_hold():
         error=np.inf,
         failure="wrong",
     )
-    assert "from rms(z'') R/beta = 1.4 on" in " ".join(contact_chart.conclusion([*records, torn]))
+    assert "from rms(z'') R/beta = 1.4 on" in " ".join(
+        contact_chart.conclusion([*records, torn])
+    )

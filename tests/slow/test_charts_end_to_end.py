@@ -9,7 +9,13 @@ import csv
 import pytest
 from click.testing import CliRunner
 
-from benchmarks.charts.end_to_end_chart import ACCURACY, CHOICE, PREDICTED, conclusion, decibel
+from benchmarks.charts.end_to_end_chart import (
+    ACCURACY,
+    CHOICE,
+    PREDICTED,
+    conclusion,
+    decibel,
+)
 from benchmarks.timed_runs import Record
 from sonify.__main__ import main
 
@@ -17,7 +23,9 @@ from sonify.__main__ import main
 @pytest.fixture(scope="module")
 def records(tmp_path_factory):
     folder = tmp_path_factory.mktemp("charts")
-    done = CliRunner().invoke(main, ["chart", "end-to-end", "--quick", "--out", str(folder)])
+    done = CliRunner().invoke(
+        main, ["chart", "end-to-end", "--quick", "--out", str(folder)]
+    )
     assert done.exit_code == 0, done.output
     assert (folder / "end_to_end.png").stat().st_size > 10_000
     assert "predicted" in (folder / "end_to_end.md").read_text("utf-8")
@@ -55,16 +63,25 @@ def test_the_plan_foresees_the_error(records, support):
     found = errors(records, ACCURACY, case)
     foreseen = errors(records, PREDICTED, case)
     assert foreseen.keys() == {"draft", "standard"}
-    assert all(found[name] / 3 < error < 3 * found[name] for name, error in foreseen.items())
+    assert all(
+        found[name] / 3 < error < 3 * found[name] for name, error in foreseen.items()
+    )
 
 
 @pytest.mark.slow
 def test_a_tolerance_that_is_too_coarse_is_heard(records):
-    assert errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5
+    assert (
+        errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5
+    )
 
 
 def test_the_conclusion_names_the_worst_choice():
-    about = {"setting": "", "case": "held: samples, A-weighted", "seconds": 1.0, "repeats": 1}
+    about = {
+        "setting": "",
+        "case": "held: samples, A-weighted",
+        "seconds": 1.0,
+        "repeats": 1,
+    }
     records = [
         Record(family=CHOICE, method=name, error=error, **about)
         for name, error in [("a", 0.01), ("b", 0.1), ("c", 0)]

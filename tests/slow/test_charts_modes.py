@@ -28,7 +28,8 @@ def test_every_competitor_has_the_same_elasticity():
 
 
 @pytest.mark.parametrize(
-    ("kind", "accuracy", "limit"), [("patch", "standard", 0.02), ("free", "standard", 1e-5)]
+    ("kind", "accuracy", "limit"),
+    [("patch", "standard", 0.02), ("free", "standard", 1e-5)],
 )
 def test_ours_is_right_at_both_supports(kind, accuracy, limit):
     case = modes_case(kind)
@@ -38,7 +39,8 @@ def test_ours_is_right_at_both_supports(kind, accuracy, limit):
 def test_linear_tetrahedra_lock():
     case = modes_case("free")
     linear, quadratic = (
-        case.error(plain_modes(case, f"{p} tetrahedra", 3, 2).values) for p in ("P1", "P2")
+        case.error(plain_modes(case, f"{p} tetrahedra", 3, 2).values)
+        for p in ("P1", "P2")
     )
     assert linear > modes_chart.MAX_FREQUENCY_ERROR > 10 * quadratic
 
@@ -80,10 +82,18 @@ def test_synthesis_is_nearer_than_elements_on_the_first_patch_and_on_others(know
 
 def test_equal_errors_are_read_off_the_line_of_the_best_runs():
     def run(seconds, error):
-        return Record(family="f", method="m", setting="", case="c", seconds=seconds, error=error)
+        return Record(
+            family="f", method="m", setting="", case="c", seconds=seconds, error=error
+        )
 
     runs = modes_chart.pareto_front(
-        [run(10.0, 0.01), run(1.0, 0.1), run(2.0, 0.5), run(0.1, 1.0), run(5.0, math.nan)]
+        [
+            run(10.0, 0.01),
+            run(1.0, 0.1),
+            run(2.0, 0.5),
+            run(0.1, 1.0),
+            run(5.0, math.nan),
+        ]
     )
     assert [r.seconds for r in runs] == [0.1, 1.0, 10.0]
     assert modes_chart.seconds_at(runs, 0.1) == (pytest.approx(1.0), False)
@@ -93,14 +103,24 @@ def test_equal_errors_are_read_off_the_line_of_the_best_runs():
 def test_the_comparison_says_what_was_measured_and_what_was_not():
     def run(family, setting, seconds, error):
         return Record(
-            family=family, method="m", setting=setting, case="c", seconds=seconds, error=error
+            family=family,
+            method="m",
+            setting=setting,
+            case="c",
+            seconds=seconds,
+            error=error,
         )
 
     default = run("ours", modes_chart.DEFAULT_ACCURACY, 1.0, 0.01)
     line = [run(modes_chart.PLAIN, "", 1.0, 1.0), run(modes_chart.PLAIN, "", 10.0, 0.1)]
     assert "extrapolated, not measured" in modes_chart.conclusion([default, *line])[0]
-    assert "1e+02 times as long for this error" in modes_chart.conclusion([default, *line])[0]
-    reached = modes_chart.conclusion([default, *line, run(modes_chart.PLAIN, "", 20.0, 0.01)])[0]
+    assert (
+        "1e+02 times as long for this error"
+        in modes_chart.conclusion([default, *line])[0]
+    )
+    reached = modes_chart.conclusion(
+        [default, *line, run(modes_chart.PLAIN, "", 20.0, 0.01)]
+    )[0]
     assert "takes 20 times as long for this error." in reached
 
 
@@ -108,7 +128,10 @@ def test_a_missing_program_is_left_out_and_says_so(monkeypatch):
     monkeypatch.setattr(
         modes_chart,
         "OPTIONAL_PROGRAMS",
-        {f: (name, lambda: None) for f, (name, _) in modes_chart.OPTIONAL_PROGRAMS.items()},
+        {
+            f: (name, lambda: None)
+            for f, (name, _) in modes_chart.OPTIONAL_PROGRAMS.items()
+        },
     )
     records = [
         measure(w)

@@ -47,7 +47,9 @@ OURS = [
     pytest.param(
         "taylor",
         1e-16,
-        marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed"),
+        marks=pytest.mark.skipif(
+            not find_spec("heyoka"), reason="heyoka is not installed"
+        ),
     ),
     ("dop853", 1e-12),
 ]
@@ -101,7 +103,8 @@ def test_a_slip_tolerance_chatters_where_the_nutation_sticks():
 def test_a_wide_tanh_is_another_motion():
     case = published(10.0)
     wide, narrow = (
-        case.error(tanh_regularised(case, "LSODA", width, 1e-9).values) for width in (1e-2, 1e-5)
+        case.error(tanh_regularised(case, "LSODA", width, 1e-9).values)
+        for width in (1e-2, 1e-5)
     )
     assert wide > MAX_ERROR > narrow
 
@@ -138,10 +141,14 @@ def test_every_chart_has_its_module(name):
     assert callable(module.conclusion)
 
 
-PAGE = SimpleNamespace(PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["One sentence."])
+PAGE = SimpleNamespace(
+    PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["One sentence."]
+)
 
 
-def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(monkeypatch):
+def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(
+    monkeypatch,
+):
     """The test replaces the clock with one that advances only in the calls."""
     now = 0.0
     calls = []
@@ -155,7 +162,8 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(m
     monkeypatch.setattr("benchmarks.timed_runs.processor_seconds", lambda: now)
     lasting = {"a": 0.3 * MIN_TIMING_SECONDS, "b": 0.4 * MAX_TOTAL_SECONDS}
     works = [
-        Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0) for a in lasting
+        Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0)
+        for a in lasting
     ]
     short, long = measured(works)
     # The first call of each turn is not timed.
@@ -176,7 +184,12 @@ def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
         ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |"),
     ):
         write_page(
-            "end_to_end", "Title", PAGE, records, ["a machine", "commit abc"], tmp_path / "page.md"
+            "end_to_end",
+            "Title",
+            PAGE,
+            records,
+            ["a machine", "commit abc"],
+            tmp_path / "page.md",
         )
         page = (tmp_path / "page.md").read_text("utf-8")
         assert said in page
@@ -184,8 +197,12 @@ def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
         assert "`python -m sonify chart end-to-end`" in page
         assert page.index("Solve $x = 1$.") < page.index("One sentence.")
         assert known_environment(tmp_path / "page.md") == ["a machine", "commit abc"]
-    write_page("end_to_end", "Title", PAGE, [record], environment(), tmp_path / "page.md")
-    assert "| f: m | 0 of 1 | < 1e-15 | s | 1 |" in (tmp_path / "page.md").read_text("utf-8")
+    write_page(
+        "end_to_end", "Title", PAGE, [record], environment(), tmp_path / "page.md"
+    )
+    assert "| f: m | 0 of 1 | < 1e-15 | s | 1 |" in (tmp_path / "page.md").read_text(
+        "utf-8"
+    )
     assert environment()[-1].startswith("commit ")
 
 
@@ -200,12 +217,20 @@ def test_the_shown_chart_is_what_its_records_make_and_says_the_problem_and_five_
     page = (tmp_path / f"{name}.md").read_text("utf-8")
     assert page == (SHOWN / f"{name}.md").read_text("utf-8")
     assert "$" in page[: page.index("## Conclusion")]
-    assert 1 <= page[page.index("## Conclusion") :].partition("\n## ")[0].count("\n- ") <= 5
+    assert (
+        1
+        <= page[page.index("## Conclusion") :].partition("\n## ")[0].count("\n- ")
+        <= 5
+    )
     assert (tmp_path / f"{name}.png").stat().st_size > 20_000
 
 
 def test_families_are_told_apart_in_a_grey_print():
-    lightness = np.array(list(family_colours("abcdef").values()))[:, :3] @ [0.2126, 0.7152, 0.0722]
+    lightness = np.array(list(family_colours("abcdef").values()))[:, :3] @ [
+        0.2126,
+        0.7152,
+        0.0722,
+    ]
     assert np.diff(lightness).min() > 0.05
 
 
@@ -214,6 +239,8 @@ def test_without_records_there_is_nothing_to_draw_again(tmp_path, held):
     if held is not None:
         (tmp_path / "sound.csv").write_text(held)
         (tmp_path / "sound.md").write_text("")
-    asked = CliRunner().invoke(main, ["chart", "sound", "--redraw", "--out", str(tmp_path)])
+    asked = CliRunner().invoke(
+        main, ["chart", "sound", "--redraw", "--out", str(tmp_path)]
+    )
     assert asked.exit_code == 2
     assert "sound.csv" in asked.stderr

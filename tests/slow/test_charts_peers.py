@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from math import acos, pi, sin, sqrt
 from types import SimpleNamespace
 
+import exact_motion as exact
 import numpy as np
 import pytest
 from arithmetic import gamma
@@ -24,12 +25,19 @@ from benchmarks.cases.motion_case import (
 )
 from benchmarks.methods.event_driven import ours
 from benchmarks.peers import engines
-from benchmarks.peers.rigid_body import MAX_CENTRE_HEIGHT, answer, at_start, quaternion, resistance
+from benchmarks.peers.rigid_body import (
+    MAX_CENTRE_HEIGHT,
+    answer,
+    at_start,
+    quaternion,
+    resistance,
+)
 from benchmarks.timed_runs import LEFT_OUT, Failure, Work, measure
-from dynamics.theory import exact
 
 POINT_CONTACT = [
-    name for name in (engines.METHODS | engines.METHODS_WITHOUT_MOMENTS) if "areas" not in name
+    name
+    for name in (engines.METHODS | engines.METHODS_WITHOUT_MOMENTS)
+    if "areas" not in name
 ]
 
 
@@ -82,7 +90,10 @@ def test_the_start_of_the_engines_is_that_of_the_equations(case):
     contact = pose.rotation @ [0.0, 1.0, -case.law.h]  # -e_3 - h e_2
     assert pose.centre[2] + contact[2] == pytest.approx(0, abs=gamma(20))
     speed = np.linalg.norm(pose.angular) * np.linalg.norm(contact)
-    assert np.abs(pose.velocity + np.cross(pose.angular, contact)).max() < gamma(20) * speed
+    assert (
+        np.abs(pose.velocity + np.cross(pose.angular, contact)).max()
+        < gamma(20) * speed
+    )
     w, x, _, _ = quaternion(case)
     turned = [[1, 0, 0], [0, w * w - x * x, -2 * w * x], [0, 2 * w * x, w * w - x * x]]
     assert np.abs(pose.rotation - turned).max() < gamma(20)
@@ -104,7 +115,9 @@ def test_a_disk_that_left_the_table_is_a_failure():
         (np.nan, "thrown off"),
     ):
         with pytest.raises(Failure, match=how):
-            answer(pose._replace(centre=np.array([0.0, 0.0, height])), published().law, 0)
+            answer(
+                pose._replace(centre=np.array([0.0, 0.0, height])), published().law, 0
+            )
 
 
 @pytest.mark.parametrize("method", POINT_CONTACT)
@@ -135,7 +148,9 @@ def test_engines_with_one_coefficient_of_friction_slide_another_way(method):
 
 
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
-@pytest.mark.parametrize("case", [conservative(), published(5.0)], ids=lambda case: case.name)
+@pytest.mark.parametrize(
+    "case", [conservative(), published(5.0)], ids=lambda case: case.name
+)
 def test_ours_does_neither(case):
     """Both time spans are too short for the motion to amplify rounding errors."""
     found = ours(case, "taylor", 1e-16)
@@ -167,6 +182,8 @@ def test_an_engine_that_stops_is_a_failure(monkeypatch):
     def stops(case):
         raise RuntimeError("no\nconvergence")
 
-    monkeypatch.setattr(engines, "import_module", lambda name: SimpleNamespace(engine=stops))
+    monkeypatch.setattr(
+        engines, "import_module", lambda name: SimpleNamespace(engine=stops)
+    )
     with pytest.raises(Failure, match="stops: no convergence"):
         engines.EngineMethod("mujoco", "engine", (), ()).solve(conservative(1.0))

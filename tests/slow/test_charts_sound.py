@@ -36,7 +36,9 @@ def test_the_closed_form_is_the_solution_of_the_equation():
     d = case.decay[mode]
 
     def rate(t, y):
-        force = case.smooth([t])[0] + FORCE_JUMP * np.searchsorted(case.jumps, t, side="right")
+        force = case.smooth([t])[0] + FORCE_JUMP * np.searchsorted(
+            case.jumps, t, side="right"
+        )
         return y[1], force - w * w * y[0] - 2 * d * y[1]
 
     t = np.arange(int(until * sound_chart.SAMPLE_RATE)) / sound_chart.SAMPLE_RATE
@@ -46,13 +48,24 @@ def test_the_closed_form_is_the_solution_of_the_equation():
     for start, stop in pairwise(edges):
         inside = t[(t >= start) & (t < stop)]
         solved = solve_ivp(
-            rate, (start, stop), state, "DOP853", np.append(inside, stop), rtol=1e-11, atol=1e-20
+            rate,
+            (start, stop),
+            state,
+            "DOP853",
+            np.append(inside, stop),
+            rtol=1e-11,
+            atol=1e-20,
         )
-        force = case.smooth(inside) + FORCE_JUMP * np.searchsorted(case.jumps, inside, side="right")
+        force = case.smooth(inside) + FORCE_JUMP * np.searchsorted(
+            case.jumps, inside, side="right"
+        )
         out.append(force - w * w * solved.y[0, :-1] - 2 * d * solved.y[1, :-1])
         state = solved.y[:, -1]
     expected = np.concatenate(out)
-    assert np.abs(case._acceleration(t, w, d) - expected).max() < 1e-6 * np.abs(expected).max()
+    assert (
+        np.abs(case._acceleration(t, w, d) - expected).max()
+        < 1e-6 * np.abs(expected).max()
+    )
 
 
 @pytest.mark.slow
@@ -95,7 +108,8 @@ def test_bilinear_detunes_near_nyquist_and_the_exact_steps_do_not():
 
 
 @pytest.mark.parametrize(
-    ("name", "limit"), [("Verlet", 2.0), ("semi-implicit Euler", 2.0), ("Runge-Kutta 4", 2.828)]
+    ("name", "limit"),
+    [("Verlet", 2.0), ("semi-implicit Euler", 2.0), ("Runge-Kutta 4", 2.828)],
 )
 def test_explicit_steps_have_the_known_limit_of_stability(name, limit):
     w = np.array([0.99, 1.01]) * limit
@@ -107,7 +121,9 @@ def test_explicit_steps_have_the_known_limit_of_stability(name, limit):
 
 @pytest.mark.slow
 def test_the_quick_chart_is_written(tmp_path):
-    done = CliRunner().invoke(main, ["chart", "sound", "--quick", "--out", str(tmp_path)])
+    done = CliRunner().invoke(
+        main, ["chart", "sound", "--quick", "--out", str(tmp_path)]
+    )
     assert done.exit_code == 0, done.output
     rows = list(csv.DictReader((tmp_path / "sound.csv").open(encoding="utf-8")))
     assert {row["method"] for row in rows} == {*STEPS, sound_chart.OUR_METHOD}

@@ -14,19 +14,30 @@ from math import pi
 
 import numpy as np
 import pytest
+from plate_theory import thin_plate_frequencies
 
-from benchmarks.charts import stability_chart, stability_modes, stability_motion, stability_sound
+from benchmarks.charts import (
+    stability_chart,
+    stability_modes,
+    stability_motion,
+    stability_sound,
+)
 from benchmarks.charts.stability_chart import DEGRADED, FAILED, FINE, state
 from benchmarks.methods.oscillator_steps import STEPS, growth_and_tuning, static_gain
 from benchmarks.timed_runs import Record, measure
-from modal.theory import thin_plate_frequencies
 
-MOTIONS = {(w.case, w.family, w.method, w.setting): w for w in stability_motion.works(False)}
-MODES = {(w.case, w.family, w.method, w.setting): w for w in stability_modes.works(False)}
+MOTIONS = {
+    (w.case, w.family, w.method, w.setting): w for w in stability_motion.works(False)
+}
+MODES = {
+    (w.case, w.family, w.method, w.setting): w for w in stability_modes.works(False)
+}
 LONG = "small inclination", "0.1"
 OURS = [
     pytest.param(
-        key, id=" ".join(key), marks=[pytest.mark.slow] if (key[0], key[3]) == LONG else []
+        key,
+        id=" ".join(key),
+        marks=[pytest.mark.slow] if (key[0], key[3]) == LONG else [],
     )
     for key in MOTIONS
     if key[1] == "ours"
@@ -46,7 +57,12 @@ FAILS = {
     (SLIP, "tanh", "LSODA, width", "0.01"): "wrong",
     (SLIP, "tanh", "LSODA, width", "1e-12"): "step underflow|chatters",
     (SLIP, "tanh", "Radau, width", "0.01"): "wrong",
-    (NUTATION, "event-driven", "solve_ivp DOP853, tol 1e-6", "0.01"): "never grips again",
+    (
+        NUTATION,
+        "event-driven",
+        "solve_ivp DOP853, tol 1e-6",
+        "0.01",
+    ): "never grips again",
     (NUTATION, "naive sign()", "RK45, tol 1e-8", "0.05"): "chatters",
     (NUTATION, "naive sign()", "DOP853, tol 1e-8", "0.05"): "chatters",
     (NUTATION, "naive sign()", "LSODA, tol 1e-8", "0.05"): "chatters",
@@ -90,10 +106,13 @@ def test_simpler_motions_degrade_as_drawn(key):
 
 def test_long_steps_detune_and_blow_up_at_the_known_limits():
     found = {
-        (r.method, float(r.setting)): r for r in stability_sound.records() if r.case == "long steps"
+        (r.method, float(r.setting)): r
+        for r in stability_sound.records()
+        if r.case == "long steps"
     }
     assert all(
-        state(found[stability_sound.OUR_STEP, x]) == FINE for x in stability_sound.LONG_STEPS
+        state(found[stability_sound.OUR_STEP, x]) == FINE
+        for x in stability_sound.LONG_STEPS
     )
     for x in stability_sound.LONG_STEPS:
         for method, limit in {
@@ -121,7 +140,9 @@ def test_about_half_the_sample_rate_others_alias_and_ours_refuses():
         assert state(found[stability_sound.OUR_STEP, share]) == FINE
         assert stability_sound._is_rejected(share) == (share >= 0.5)
         assert state(found["bilinear", share]) == FAILED
-        assert ("sounds at" in found["exact, zero-order hold", share].failure) == (share > 0.5)
+        assert ("sounds at" in found["exact, zero-order hold", share].failure) == (
+            share > 0.5
+        )
     assert "0.4 of the sample rate" in found["impulse-invariant", 0.6].failure
     assert "steady force" in found["impulse-invariant", 0.45].failure
 
@@ -134,9 +155,9 @@ def test_the_steady_response_of_samples_as_impulses_is_a_cotangent(x):
         x / 2 / np.tan(x / 2), rel=1e-9
     )
     assert static_gain(STEPS["bilinear"], w, none, 1.0) == pytest.approx(1, rel=1e-9)
-    assert growth_and_tuning(STEPS["impulse-invariant"], w, none, 1.0)[1] == pytest.approx(
-        1, rel=1e-9
-    )
+    assert growth_and_tuning(STEPS["impulse-invariant"], w, none, 1.0)[
+        1
+    ] == pytest.approx(1, rel=1e-9)
 
 
 @pytest.mark.parametrize("key", [k for k in MODES if k[1] == "ours"], ids=" ".join)
@@ -148,9 +169,17 @@ def test_our_modes_of_a_very_thin_disk_are_those_of_a_plate():
     thin = stability_modes.thin_disk(1e-4)
     material = thin.material
     plate = thin_plate_frequencies(
-        2, 1, thin.radius, thin.thickness, material.young, material.poisson, thin.density
+        2,
+        1,
+        thin.radius,
+        thin.thickness,
+        material.young,
+        material.poisson,
+        thin.density,
     )
-    assert stability_modes.bending_by_polynomials(thin) == pytest.approx(plate[0], rel=1e-6)
+    assert stability_modes.bending_by_polynomials(thin) == pytest.approx(
+        plate[0], rel=1e-6
+    )
 
 
 @pytest.mark.parametrize(
@@ -167,7 +196,9 @@ def test_our_modes_of_a_very_thin_disk_are_those_of_a_plate():
     ],
 )
 def test_elements_lock_as_drawn(hazard, element, setting, which):
-    assert state(record_of((hazard, "finite elements", element, setting), MODES)) == which
+    assert (
+        state(record_of((hazard, "finite elements", element, setting), MODES)) == which
+    )
 
 
 def test_shifts_close_to_the_rigid_bodies_or_far_below_find_other_modes():
@@ -190,7 +221,9 @@ def test_frequencies_fall_without_limit_on_a_support_that_shrinks_to_a_point():
     assert first == pytest.approx(3 / 2, abs=0.02)
     assert fourth == pytest.approx(1 / 2, abs=0.02)
     for which in ("first frequency", "fourth frequency"):
-        failure = record_of(("point support", "shrinking patch", which, "0.01"), MODES).failure
+        failure = record_of(
+            ("point support", "shrinking patch", which, "0.01"), MODES
+        ).failure
         assert "without limit" in failure
 
 
@@ -199,7 +232,9 @@ def test_what_a_path_says_in_words():
         Record(family="a", method="b", setting=str(x), case=SLIP, error=e)
         for x, e in ((1, 0), (2, 1), (3, 1))
     ]
-    assert [stability_chart._values_in_state(runs, which) for which in (DEGRADED, FAILED)] == [
+    assert [
+        stability_chart._values_in_state(runs, which) for which in (DEGRADED, FAILED)
+    ] == [
         "from 2 on",
         "-",
     ]
@@ -212,6 +247,8 @@ def test_what_a_path_says_in_words():
 
 
 def test_every_path_is_a_hazard_of_the_map():
-    cases = {key[0] for key in MOTIONS | MODES} | {r.case for r in stability_sound.records()}
+    cases = {key[0] for key in MOTIONS | MODES} | {
+        r.case for r in stability_sound.records()
+    }
     assert cases == set(stability_chart.HAZARDS)
     assert pi > max(stability_sound.LONG_STEPS)

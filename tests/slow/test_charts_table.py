@@ -22,16 +22,20 @@ def test_the_closed_form_is_where_a_mode_at_rest_comes_to():
     end = 14 / (case.DAMPING_RATIO * case.MODE_OMEGA)
 
     def rate(t, y):
-        force = -case.LOAD * case.GRAVITY / case.MASS * np.exp(1j * case.CONTACT_OMEGA * t)
+        force = (
+            -case.LOAD * case.GRAVITY / case.MASS * np.exp(1j * case.CONTACT_OMEGA * t)
+        )
         return [
             y[1],
-            force - 2 * case.DAMPING_RATIO * case.MODE_OMEGA * y[1] - case.MODE_OMEGA**2 * y[0],
+            force
+            - 2 * case.DAMPING_RATIO * case.MODE_OMEGA * y[1]
+            - case.MODE_OMEGA**2 * y[0],
         ]
 
     z = solve_ivp(rate, (0, end), [0j, 0j], "DOP853", rtol=1e-10, atol=1e-14).y[0, -1]
-    assert z * np.exp(-1j * case.CONTACT_OMEGA * end) / case.amplitude() == pytest.approx(
-        1, abs=5e-6
-    )
+    assert z * np.exp(
+        -1j * case.CONTACT_OMEGA * end
+    ) / case.amplitude() == pytest.approx(1, abs=5e-6)
 
 
 @pytest.mark.parametrize(
@@ -40,10 +44,13 @@ def test_the_closed_form_is_where_a_mode_at_rest_comes_to():
 def test_our_steps_and_the_textbooks_have_their_orders(method, order):
     rates = (800, 1600, 3200)
     answers = [
-        method(r) if method is case.exact_hold else case.textbook_steps(method, r) for r in rates
+        method(r) if method is case.exact_hold else case.textbook_steps(method, r)
+        for r in rates
     ]
     errors = [distance_from_one(answer.values) for answer in answers]
-    assert -np.polyfit(np.log(rates), np.log(errors), 1)[0] == pytest.approx(order, abs=0.1)
+    assert -np.polyfit(np.log(rates), np.log(errors), 1)[0] == pytest.approx(
+        order, abs=0.1
+    )
 
 
 def test_the_disk_on_the_mode_is_the_weight_of_the_closed_form():
@@ -53,14 +60,19 @@ def test_the_disk_on_the_mode_is_the_weight_of_the_closed_form():
 
 @pytest.mark.parametrize(
     "method",
-    [name for name in table_chart.ENGINE_METHODS if "flexes" not in name and "areas" not in name],
+    [
+        name
+        for name in table_chart.ENGINE_METHODS
+        if "flexes" not in name and "areas" not in name
+    ],
 )
 def test_engines_converge_to_the_closed_form(method):
     peer = table_chart.ENGINE_METHODS[method]
     if not find_spec(peer.package):
         pytest.skip(f"{peer.package} is not installed")
     coarse, fine = (
-        distance_from_one(peer.solve(*peer.fixed, rate).values) for rate in peer.values[:2]
+        distance_from_one(peer.solve(*peer.fixed, rate).values)
+        for rate in peer.values[:2]
     )
     assert fine < 0.01
     assert coarse > 5 * fine
@@ -70,7 +82,9 @@ def test_what_cannot_be_asked_is_a_row():
     with pytest.raises(Failure, match=LEFT_OUT):
         table_chart.ENGINE_METHODS["PyBullet"].missing()
     if find_spec("mujoco"):
-        flexes = next(work for work in table_chart.works(quick=True) if "flexes" in work.method)
+        flexes = next(
+            work for work in table_chart.works(quick=True) if "flexes" in work.method
+        )
         assert "no modes to be given" in measure(flexes).failure
 
 
@@ -89,8 +103,14 @@ def test_the_conclusion_names_what_its_records_hold():
         table_chart.TEXTBOOK: 3e-5,
         table_chart.ENGINE: 4e-4,
     }
-    records = [Record(family=family, error=error, **about) for family, error in families.items()]
+    records = [
+        Record(family=family, error=error, **about)
+        for family, error in families.items()
+    ]
     said = table_chart.conclusion(records)
     assert len(said) <= 5
-    assert all(number in " ".join(said) for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04"))
+    assert all(
+        number in " ".join(said)
+        for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04")
+    )
     assert len(table_chart.conclusion(records[:3])) == 3

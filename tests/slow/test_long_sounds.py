@@ -26,7 +26,7 @@ import json, resource, sys
 from types import SimpleNamespace
 import numpy as np
 from dynamics import simulate
-from dynamics.motion import Jumps
+from dynamics.motion import ForceJumps
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.hearing.loudness import audibility, loudness_lufs
@@ -48,7 +48,7 @@ if what == "render":
         bandwidth=once.bandwidth,
         force=lambda t: once.force(np.asarray(t) % period),
         at_and_force=lambda t: once.at_and_force(np.asarray(t) % period),
-        jumps=Jumps((np.arange(n)[:, None] * period + jumps.t).ravel(), *(np.tile(f, (n, 1)) for f in jumps[1:])),
+        jumps=ForceJumps((np.arange(n)[:, None] * period + jumps.t).ravel(), *(np.tile(f, (n, 1)) for f in jumps[1:])),
     )
     sound = Renderer(scene, endless, modes).sound()
     write_sound(sound, folder)
@@ -64,14 +64,20 @@ def peak(what, seconds, folder):
     """Return the peak resident memory of a process that runs `what` on a sound of `seconds`."""
     folder.mkdir(exist_ok=True)
     asked = [sys.executable, "-c", AGAIN_AND_AGAIN, what, str(seconds), str(folder)]
-    return json.loads(subprocess.run(asked, capture_output=True, check=True, cwd=ROOT).stdout)
+    return json.loads(
+        subprocess.run(asked, capture_output=True, check=True, cwd=ROOT).stdout
+    )
 
 
 @pytest.mark.slow
 def test_two_hours_take_the_memory_of_ten_minutes(tmp_path):
-    pytest.importorskip("resource", reason="this system does not tell the memory of a process")
+    pytest.importorskip(
+        "resource", reason="this system does not tell the memory of a process"
+    )
     for what in ("render", "listen", "audibility", "loudness"):
-        short, long = (peak(what, seconds, tmp_path / str(seconds)) for seconds in (600, 7200))
+        short, long = (
+            peak(what, seconds, tmp_path / str(seconds)) for seconds in (600, 7200)
+        )
         assert long < 1.5 * short, what
 
 
@@ -81,14 +87,18 @@ def renderer(scene):
     return Renderer(scene, short, eigenmodes(scene, below=20e3))
 
 
-def test_what_a_wav_file_cannot_hold_is_written_as_rf64(scene, renderer, tmp_path, monkeypatch):
+def test_what_a_wav_file_cannot_hold_is_written_as_rf64(
+    scene, renderer, tmp_path, monkeypatch
+):
     """The limit lies between the sizes of sound.wav and pressure.wav; the samples are the same."""
     monkeypatch.setattr(wav, "MAX_RIFF_BYTES", int(3.5 * renderer.samples))
     sound = renderer.sound()
     wav.write_sound(sound, tmp_path)
     assert soundfile.info(tmp_path / "pressure.wav").format == "RF64"
     assert soundfile.info(tmp_path / "sound.wav").format == "WAV"
-    pressure, copy = (soundfile.read(tmp_path / name)[0] for name in ("pressure.wav", "sound.wav"))
+    pressure, copy = (
+        soundfile.read(tmp_path / name)[0] for name in ("pressure.wav", "sound.wav")
+    )
     assert len(pressure) == sound.samples
     assert np.abs(copy * sound.full_scale - pressure).max() < sound.full_scale * 2**-23
     assert wav.MAX_RIFF_BYTES < 2**32

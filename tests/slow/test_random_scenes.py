@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from scenes import scene
 
 from dynamics import ImpossibleContactError, Outcome, simulate
-from dynamics.steady_motion import flat_square
+from dynamics.steady_motion import squared_rate_times_inclination
 from sonify.claims.checks import (
     dissipation_never_falls,
     energy_balance,
@@ -54,7 +54,9 @@ def any_friction(random):
     mu = random.choice([decades(random, 0.01, 2)] * 8 + [0.0, inf])
     ratio = random.choice([1.0, 1.001, 1.01, random.uniform(1, 4)])
     resisted = random.choice([(0, 0, 0), (1, 1, 1), (1, 1, 1), (0, 0, 1)])
-    arms = {f"k{i}": arm * decades(random, 1e-7, 0.03) for i, arm in enumerate(resisted, 1)}
+    arms = {
+        f"k{i}": arm * decades(random, 1e-7, 0.03) for i, arm in enumerate(resisted, 1)
+    }
     return {"mu_static": ratio * mu, "mu_dynamic": mu, **arms}
 
 
@@ -83,7 +85,9 @@ def scenes(draw):
     inclination_deg = decades(random, 0.01, 80)
     chi = disk.time_unit
     beta = radians(inclination_deg)
-    fastest = sqrt(flat_square(disk.aspect, disk.gyration) / beta) / chi
+    fastest = (
+        sqrt(squared_rate_times_inclination(disk.aspect, disk.gyration) / beta) / chi
+    )
     spread = random.choice([0.0, 0.01, 0.1, 1.0]) * fastest * sin(beta)
     whirl = random.choice([0, 1, 1, -1]) * fastest * sin(beta)
     omega = [random.gauss(mean, spread) for mean in (0, disk.aspect * whirl, whirl)]
@@ -93,7 +97,9 @@ def scenes(draw):
         "time_limit": min(UNITS * chi, TURNS * 2 * pi / fastest),
     }
     release = {"inclination_deg": inclination_deg, "omega": tuple(omega)}
-    return scene(numerics, shape, release, any_dissipation(random, disk), **any_friction(random))
+    return scene(
+        numerics, shape, release, any_dissipation(random, disk), **any_friction(random)
+    )
 
 
 def solved(wanted):
@@ -133,7 +139,12 @@ def test_every_scene_ends_with_a_name_and_passes_its_checks():
         if motion:
             assert np.isfinite(motion.state).all()
             assert np.isfinite(motion.force(motion.t)).all()
-            checks = energy_balance, dissipation_never_falls, pushing_contact, friction_cone
+            checks = (
+                energy_balance,
+                dissipation_never_falls,
+                pushing_contact,
+                friction_cone,
+            )
             checked = [check(motion) for check in checks]
             assert all(check.passed for check in checked), checked
 

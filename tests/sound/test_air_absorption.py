@@ -16,9 +16,11 @@ from sonify.sound import absorption
 from sonify.sound.absorption import (
     FILTER_HALF_LENGTH,
     absorbed_db,
-    absorption_filter,
     absorption_latency,
+    absorption_taps,
+    propagation_filter,
 )
+from sonify.sound.radiation import Listener
 from sonify.sound.render import Renderer
 
 RATE = 48000
@@ -35,10 +37,13 @@ def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
     """The attenuation is correct to 1 % plus 0.02 dB, also across the boundary of two blocks."""
     n = np.arange(8000)
     wave = np.exp(2j * np.pi * frequency / RATE * n)
-    advance = absorption_filter(Air(), distance, RATE)
+    listener = Listener(distance=distance, elevation=0.5, air=Air())
+    advance = propagation_filter(listener, RATE)
     stems = np.column_stack([wave.real, wave.imag])
     out = np.vstack([advance(stems[:3001]), advance(stems[3001:])]) @ [1, 1j]
-    kept = (out[FILTER_HALF_LENGTH:] / wave[:-FILTER_HALF_LENGTH])[2 * FILTER_HALF_LENGTH :]
+    kept = (out[FILTER_HALF_LENGTH:] / wave[:-FILTER_HALF_LENGTH])[
+        2 * FILTER_HALF_LENGTH :
+    ]
     taken = absorbed_db(Air(), distance, frequency)
     assert np.abs(-20 * np.log10(np.abs(kept)) - taken).max() < 0.02 + 0.01 * taken
     assert np.abs(np.angle(kept)).max() < 1e-3
@@ -52,7 +57,10 @@ def test_near_by_nothing_is_filtered_and_the_plan_says_how_much_that_is():
     far = scene.replace("audio.distance=10")
     assert "1.1 dB at 8 kHz" in absorption_sentences(far)[0][0]
     assert not absorption_sentences(far)[1]
-    assert absorption_latency(scene.replace("air.pressure=0", "air.density=0").air, 100.0) == 0
+    assert (
+        absorption_latency(scene.replace("air.pressure=0", "air.density=0").air, 100.0)
+        == 0
+    )
 
 
 def test_a_listener_afar_hears_the_same_instant_through_more_air(monkeypatch):
@@ -78,8 +86,4 @@ def absorbing_taps(scene):
     """Return the impulse response of the absorption filter."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(absorption, "MIN_AUDIBLE_ABSORPTION_DB", 0.0)
-        one = np.zeros((6 * FILTER_HALF_LENGTH + 1, 1))
-        one[2 * FILTER_HALF_LENGTH] = 1
-        return absorption_filter(scene.air, 10.0, RATE)(one)[
-            2 * FILTER_HALF_LENGTH : 4 * FILTER_HALF_LENGTH + 1, 0
-        ]
+        return absorption_taps(scene.air, 10.0, RATE)

@@ -28,18 +28,22 @@ from sonify.sound.playback import (
     energy_below,
     true_peak,
 )
-from sonify.sound.pressure import COLUMNS, Sound, Track, with_sum
+from sonify.sound.pressure import COLUMNS, Sound, Track, pressure_and_stems
 from sonify.sound.wav import write_sound
 
 RATE = 48000
 
 
 def track(samples, rate=RATE):
-    return Track(sample_rate=rate, columns=np.asarray(samples, np.float32)[:, None], column=0)
+    return Track(
+        sample_rate=rate, columns=np.asarray(samples, np.float32)[:, None], column=0
+    )
 
 
 def sine(frequency, seconds=2.0, size=1.0, phase=0.0):
-    return size * np.sin(2 * np.pi * frequency * np.arange(int(seconds * RATE)) / RATE + phase)
+    return size * np.sin(
+        2 * np.pi * frequency * np.arange(int(seconds * RATE)) / RATE + phase
+    )
 
 
 @pytest.mark.parametrize("rate", [8000, 44100, 48000, 192000])
@@ -58,14 +62,16 @@ def test_a_tone_of_1_khz_keeps_its_level_and_one_of_100_hz_loses_19_db():
     for frequency, loss in ((1000.0, 0.0), (100.0, -19.1)):  # IEC 61672-1, table 3
         heard = audible_copy(track(sine(frequency, size=0.02)))
         weighted = np.concatenate(list(heard.blocks()))[RATE // 2 :] * heard.full_scale
-        assert 20 * np.log10(weighted.std() * 2**0.5 / 0.02) == pytest.approx(loss, abs=0.1)
+        assert 20 * np.log10(weighted.std() * 2**0.5 / 0.02) == pytest.approx(
+            loss, abs=0.1
+        )
 
 
 def test_any_sound_comes_out_as_loud():
     for size in (1e-6, 1.0, 1e3):
-        assert loudness_lufs(audible_copy(track(sine(440.0, size=size)))) == pytest.approx(
-            LOUDNESS_LUFS, abs=0.01
-        )
+        assert loudness_lufs(
+            audible_copy(track(sine(440.0, size=size)))
+        ) == pytest.approx(LOUDNESS_LUFS, abs=0.01)
 
 
 def test_a_click_is_held_below_the_true_peak_by_its_gain():
@@ -118,23 +124,41 @@ def test_blocks_begin_anew_and_anywhere():
 
 def test_the_energy_is_where_the_tones_are():
     both = track(sine(50.0) + sine(1000.0, size=0.5))
-    assert energy_below(both, 100.0, 300.0, 2000.0) == pytest.approx([0.8, 0.8, 1.0], abs=1e-3)
+    assert energy_below(both, 100.0, 300.0, 2000.0) == pytest.approx(
+        [0.8, 0.8, 1.0], abs=1e-3
+    )
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("sound")
     parts = np.column_stack([sine(f, size=0.01) for f in (50.0, 100.0, 1000.0, 2000.0)])
-    ringing = RingDown(frequency=np.zeros(0), decay_rate=np.zeros(0), without_film=np.zeros(0))
-    none = {"modes_heard": 0, "source_end": 1.0, "energy_time": np.zeros(0), "energy": np.zeros(0)}
+    ringing = RingDown(
+        frequency=np.zeros(0),
+        decay_rate=np.zeros(0),
+        decay_rate_without_film=np.zeros(0),
+    )
+    none = {
+        "rendered_mode_count": 0,
+        "source_end": 1.0,
+        "energy_time": np.zeros(0),
+        "energy": np.zeros(0),
+    }
     none |= {"ringing": ringing, "outcome": Outcome.SETTLED}
-    sound = Sound(name="four sines", sample_rate=RATE, columns=with_sum(parts), **none)
+    sound = Sound(
+        name="four sines", sample_rate=RATE, columns=pressure_and_stems(parts), **none
+    )
     write_sound(sound, folder)
     return SimpleNamespace(path=folder, sound=sound)
 
 
 def test_every_file_says_what_it_is(folder):
-    for name in ("pressure", "sound", "audible", *(f"stems/{name}" for name in COLUMNS[1:])):
+    for name in (
+        "pressure",
+        "sound",
+        "audible",
+        *(f"stems/{name}" for name in COLUMNS[1:]),
+    ):
         with soundfile.SoundFile(folder.path / f"{name}.wav") as file:
             assert (
                 file.title
@@ -172,7 +196,9 @@ def test_other_programs_read_the_files(folder):
                 3,
                 folder.sound.samples,
             )
-    ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
+    ffmpeg = pytest.importorskip(
+        "imageio_ffmpeg", reason="the extra `animation` is not installed"
+    )
     asked = [ffmpeg.get_ffmpeg_exe(), "-i", str(folder.path / "pressure.wav")]
     told = subprocess.run(asked, capture_output=True, text=True, check=False).stderr
     assert "Euler's disk, four sines: pressure" in told

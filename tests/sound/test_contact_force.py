@@ -41,8 +41,12 @@ def between(force, t):
     values = np.vstack([force.smooth, at_jump])[
         np.argsort(np.concatenate([force.t, force.jump_time]), kind="stable")
     ]
-    smooth = np.column_stack([np.interp(t, knots, values[:, i]) for i in range(values.shape[1])])
-    levels = np.vstack([force.steps[:1], force.steps[0] + np.cumsum(force.jump, axis=0)])
+    smooth = np.column_stack(
+        [np.interp(t, knots, values[:, i]) for i in range(values.shape[1])]
+    )
+    levels = np.vstack(
+        [force.steps[:1], force.steps[0] + np.cumsum(force.jump, axis=0)]
+    )
     return smooth + levels[np.searchsorted(force.jump_time, t, side="right")]
 
 
@@ -56,13 +60,17 @@ def test_jumps_are_those_of_the_motion(motion):
     force = sampler.block(0, int(18 * RATE))
     inside = motion.jumps.t <= force.t[-1]
     assert np.array_equal(force.jump_time, motion.jumps.t[inside])
-    assert np.array_equal(force.jump, (motion.jumps.after - motion.jumps.before)[inside])
+    assert np.array_equal(
+        force.jump, (motion.jumps.after - motion.jumps.before)[inside]
+    )
 
 
 def test_the_smooth_part_is_continuous(motion):
     sampler = ForceSampler(motion, RATE)
     at = motion.jumps.t[(motion.jumps.t > 0.01) & (motion.jumps.t < 18)]
-    apart = sampler._continuous_part(at + 1e-9)[1] - sampler._continuous_part(at - 1e-9)[1]
+    apart = (
+        sampler._continuous_part(at + 1e-9)[1] - sampler._continuous_part(at - 1e-9)[1]
+    )
     assert (
         np.abs(apart).max()
         < 1e-5 * motion.disk.weight
@@ -70,12 +78,17 @@ def test_the_smooth_part_is_continuous(motion):
     )
 
 
-def test_between_samples_the_error_falls_as_the_square_of_the_step_through_all_jumps(motion):
+def test_between_samples_the_error_falls_as_the_square_of_the_step_through_all_jumps(
+    motion,
+):
     errors = []
     rates = np.array([4000, 8000, 16000, 32000])
     t = np.sort(
         np.concatenate(
-            [np.random.default_rng(0).uniform(2.0, 9.0, 20000), motion.jumps.t[2:40] + 1e-7]
+            [
+                np.random.default_rng(0).uniform(2.0, 9.0, 20000),
+                motion.jumps.t[2:40] + 1e-7,
+            ]
         )
     )
     t = t[(t > 2.0) & (t < 9.0)]
@@ -93,13 +106,22 @@ def test_blocks_of_any_size_give_the_same_samples(motion):
     whole = sampler.block(first, 12000)
     parts = [sampler.block(first + start, 1500) for start in range(0, 12000, 1500)]
     assert np.allclose(
-        np.vstack([part.smooth[:-1] for part in parts]), whole.smooth[:-1], rtol=0, atol=1e-9
+        np.vstack([part.smooth[:-1] for part in parts]),
+        whole.smooth[:-1],
+        rtol=0,
+        atol=1e-9,
     )
-    assert np.array_equal(np.concatenate([part.jump_time for part in parts]), whole.jump_time)
-    assert np.allclose(np.vstack([part.bend for part in parts]), whole.bend, rtol=0, atol=1e-9)
+    assert np.array_equal(
+        np.concatenate([part.jump_time for part in parts]), whole.jump_time
+    )
+    assert np.allclose(
+        np.vstack([part.bend for part in parts]), whole.bend, rtol=0, atol=1e-9
+    )
 
 
-def test_a_settled_disk_rests_on_its_weight_and_gets_there_without_a_blow(motion, scene):
+def test_a_settled_disk_rests_on_its_weight_and_gets_there_without_a_blow(
+    motion, scene
+):
     sampler = ForceSampler(motion, RATE, rest=[np.nan, np.nan, scene.disk.weight])
     last = int(motion.t[-1] * RATE)
     force = sampler.block(last - 50, 500)
@@ -123,7 +145,9 @@ def test_what_turns_faster_than_the_samples_leaves_no_alias(motion):
     def turning(force, attitude):
         return np.stack([np.cos(attitude[:, 0]), np.sin(attitude[:, 0])], axis=1)
 
-    load = ForceSampler(motion, 8000, channels=turning).block(int(18.5 * 8000), int(0.9 * 8000))
+    load = ForceSampler(motion, 8000, channels=turning).block(
+        int(18.5 * 8000), int(0.9 * 8000)
+    )
     state = motion.at(np.minimum(load.t, motion.t[-1]))
     rate = np.abs(state[:, 7] / np.sin(state[:, 1])) / (2 * np.pi)
     size = np.hypot(*load.samples.T)
@@ -134,9 +158,12 @@ def test_what_turns_faster_than_the_samples_leaves_no_alias(motion):
 def test_a_motion_that_is_cut_off_keeps_its_last_force(cut_off):
     force = ForceSampler(cut_off, RATE).block(int(1.0 * RATE) - 10, 100)
     expected = cut_off.force([cut_off.t[-1]])[0]
-    size = np.abs(cut_off.jumps.after - cut_off.jumps.before).sum(axis=0) + np.abs(expected)
+    size = np.abs(cut_off.jumps.after - cut_off.jumps.before).sum(axis=0) + np.abs(
+        expected
+    )
     assert (
-        np.abs(force.samples[-50:] - expected) <= gamma(2 * len(cut_off.jumps.t) + 20) * size
+        np.abs(force.samples[-50:] - expected)
+        <= gamma(2 * len(cut_off.jumps.t) + 20) * size
     ).all()
 
 
@@ -151,10 +178,14 @@ def test_a_disk_that_stands_still_at_its_last_instant_is_not_silent(motion):
     The end is then as short as for a disk that turns at half the steady rate, 2/(chi sqrt(beta)); a
     rigid motion ends with its own rate.
     """
-    assert final_contact_rate(motion) == abs(precession_rate(motion.at(motion.t[-1:]))[0])
+    assert final_contact_rate(motion) == abs(
+        precession_rate(motion.at(motion.t[-1:]))[0]
+    )
     state = np.zeros((1, 11))
     state[0, 1] = 1e-5
-    still = SimpleNamespace(t=np.array([0.0, 1.0]), at=lambda t: state, disk=motion.disk)
+    still = SimpleNamespace(
+        t=np.array([0.0, 1.0]), at=lambda t: state, disk=motion.disk
+    )
     assert final_contact_rate(still) == pytest.approx(
         1 / (motion.disk.time_unit * 1e-5**0.5), rel=1e-9
     )
@@ -163,7 +194,9 @@ def test_a_disk_that_stands_still_at_its_last_instant_is_not_silent(motion):
 def test_channels_may_turn_with_the_attitude(motion):
     def turning(force, attitude):
         angle = attitude[:, 0]
-        return np.stack([force[:, 2] * np.cos(angle), force[:, 2] * np.sin(angle)], axis=1)
+        return np.stack(
+            [force[:, 2] * np.cos(angle), force[:, 2] * np.sin(angle)], axis=1
+        )
 
     force = ForceSampler(motion, RATE, channels=turning).block(0, 4 * RATE)
     expected = turning(motion.force(force.t), motion.at(force.t)[:, :3])

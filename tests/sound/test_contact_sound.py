@@ -12,15 +12,15 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from contact_scenes import steady_rate, steady_speed
+from contact_scenes import steady_precession_rate, steady_speed
 from scipy.signal import welch
 from scipy.special import jv
 
 from dynamics import Outcome, simulate
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE
 from dynamics.compliant.law.linear_response import predicted_spectrum
-from dynamics.compliant.model_inputs import law_table
-from dynamics.motion import Jumps
+from dynamics.compliant.model_inputs import contact_law, law_table
+from dynamics.motion import ForceJumps
 from modal import eigenmodes
 from modal.radiation import SOUND_SPEED
 from sonify import load_scene
@@ -28,7 +28,12 @@ from sonify.scene import from_document
 from sonify.sound.modal_forcing import in_patch_frame, rigid_acceleration
 from sonify.sound.radiation import piston_strength
 from sonify.sound.render import Renderer
-from sonify.sound.sources.contact import ContactFilter, ContactVibration, decimate, low_pass
+from sonify.sound.sources.contact import (
+    ContactFilter,
+    ContactVibration,
+    decimate,
+    windowed_sinc_taps,
+)
 
 RATE = 48000
 HEARD = RATE // 2
@@ -57,7 +62,9 @@ def rows(scene, moved, size=1 << 16, wanted=(0, 1)):
     return np.vstack(list(Renderer(scene, *moved, wanted).blocks(size)))
 
 
-def test_the_other_stems_are_those_of_the_rigid_contact_and_the_sum_has_one_more(rough, moved):
+def test_the_other_stems_are_those_of_the_rigid_contact_and_the_sum_has_one_more(
+    rough, moved
+):
     rigid = rough.replace("contact.law=rigid")
     assert Renderer(rough, *moved).names == (
         "heave",
@@ -78,7 +85,10 @@ def test_the_bits_depend_on_neither_block_nor_thread(rough, moved):
     once = rows(rough, moved)[:, 4].astype(np.float32)
     with ThreadPoolExecutor(2) as pool:
         others = list(
-            pool.map(lambda size: rows(rough, moved, size)[:, 4].astype(np.float32), (777, 1 << 16))
+            pool.map(
+                lambda size: rows(rough, moved, size)[:, 4].astype(np.float32),
+                (777, 1 << 16),
+            )
         )
     assert all(np.array_equal(once, other) for other in others)
     assert once.any()
@@ -98,26 +108,33 @@ def test_another_seed_is_another_sound_as_loud(rough, moved):
     assert abs(np.corrcoef(stems)[np.triu_indices(3, 1)]).max() < 4 / np.sqrt(100)
 
 
-def test_the_sound_is_linear_in_the_heights_and_without_them_only_slips_ring(rough, moved):
+def test_the_sound_is_linear_in_the_heights_and_without_them_only_slips_ring(
+    rough, moved
+):
     none = rows(without_roughness(rough), moved)[:, 4]
-    one, two = (rows(rough.replace(f"roughness.rms={rms}"), moved)[:, 4] for rms in (1e-8, 2e-8))
+    one, two = (
+        rows(rough.replace(f"roughness.rms={rms}"), moved)[:, 4] for rms in (1e-8, 2e-8)
+    )
     assert two - none == pytest.approx(2 * (one - none), abs=1e-9 * np.abs(two).max())
     assert 0 < np.abs(none).max() < np.abs(one).max()
 
 
 def without_roughness(scene):
-    return from_document({key: part for key, part in scene.document.items() if key != "roughness"})
+    return from_document(
+        {key: part for key, part in scene.document.items() if key != "roughness"}
+    )
 
 
-def steadily(disk, beta, seconds):
+def steadily(law, beta, seconds):
     """Return the motion of a disk that slides steadily under its weight."""
-    speed = steady_speed(disk, beta)
+    disk = law.disk
+    speed = steady_speed(law, beta)
     weight = [0.0, 0.0, disk.weight]
-    none = Jumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
+    none = ForceJumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
 
     def at(t):
         state = np.zeros((len(t), 11))
-        state[:, 0] = steady_rate(disk, beta) * t
+        state[:, 0] = steady_precession_rate(law, beta) * t
         state[:, 1] = beta
         state[:, 2] = -speed / disk.radius * t
         return state
@@ -131,7 +148,9 @@ def steadily(disk, beta, seconds):
 
 
 @pytest.mark.parametrize("beta", [0.1, 0.01])
-def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(rough, beta):
+def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
+    rough, beta
+):
     """The spectrum is that of N' from the mobility and the heights, times the pressure of a heaving
     and tilting disk.
 
@@ -144,26 +163,41 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     disk = scene.disk
     elevation = np.radians(scene.audio.elevation_deg)
     distance = scene.audio.distance
-    speed = steady_speed(disk, beta)
-    motion = steadily(disk, beta, seconds)
+    law = contact_law(scene)
+    speed = steady_speed(law, beta)
+    motion = steadily(law, beta, seconds)
     free = eigenmodes(scene, below=18e3)
     added = ContactVibration(
-        scene, motion, *Renderer(scene.replace("contact.law=rigid"), motion, free, []).sources
+        scene,
+        motion,
+        *Renderer(scene.replace("contact.law=rigid"), motion, free, []).sources,
     )
     n = int(seconds * RATE)
-    pressure = added.start_rendering(np.zeros(0), None)(SimpleNamespace(t=np.arange(n + 1) / RATE))[
-        RATE:, 0
-    ]
+    pressure = added.make_block_renderer(np.zeros(0), None)(
+        SimpleNamespace(t=np.arange(n + 1) / RATE)
+    )[RATE:, 0]
     f, power = welch(pressure, RATE, nperseg=1 << 13)
     x = np.maximum(2 * np.pi * f, 1.0) * disk.radius * np.cos(elevation) / SOUND_SPEED
-    turn = rigid_acceleration(in_patch_frame([[0.0, 0.0, 1.0]], np.array([beta])), disk)[0, 4]
-    near = disk.radius * np.cos(elevation) / distance * (2 * jv(2, x) / x - 2 * jv(3, x)) / x
+    turn = rigid_acceleration(
+        in_patch_frame([[0.0, 0.0, 1.0]], np.array([beta])), disk
+    )[0, 4]
+    near = (
+        disk.radius
+        * np.cos(elevation)
+        / distance
+        * (2 * jv(2, x) / x - 2 * jv(3, x))
+        / x
+    )
     heave = 2 * jv(1, x) / x / disk.mass
     tilt = disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
     theory = predicted_spectrum(
         law_table(scene), scene.roughness, beta, disk.weight, speed, f[1:], rolls=False
     )
-    expected = piston_strength(disk.radius, distance) ** 2 * (heave**2 + tilt**2 / 2)[1:] * theory
+    expected = (
+        piston_strength(disk.radius, distance) ** 2
+        * (heave**2 + tilt**2 / 2)[1:]
+        * theory
+    )
     around = slice(f.searchsorted(300.0), f.searchsorted(6000.0))
     assert power[1:][around].sum() == pytest.approx(expected[around].sum(), rel=0.15)
     assert f[1:][around][power[1:][around].argmax()] == pytest.approx(
@@ -175,7 +209,7 @@ def test_decimation_keeps_what_is_below_half_the_rate():
     """The Hann window of 16 samples attenuates to -44 dB within an eighth of the rate; the samples
     belong to the stated instants."""
     over = 3
-    weight = low_pass(3)
+    weight = windowed_sinc_taps(3)
     t = np.arange(-len(weight) // 2 + 1, 3 * 400) / (over * RATE)
     for tone, kept in ((4e3, 1.0), (17e3, 1.0), (31e3, 0.0), (50e3, 0.0)):
         found = decimate(np.cos(2 * np.pi * tone * t)[:, None], weight, over)[:, 0]
@@ -214,7 +248,7 @@ def test_memory_does_not_grow_with_the_length(rough):
     table = law_table(rough)
     peaks = []
     for seconds in (6.0, 60.0):
-        motion = steadily(rough.disk, 0.1, seconds)
+        motion = steadily(contact_law(rough), 0.1, seconds)
         tracemalloc.start()
         frames = sum(
             len(block)

@@ -16,9 +16,9 @@ from scipy.signal import lfilter, resample
 
 from sonify import load_scene, run, solve
 from sonify.__main__ import main
+from sonify.hearing.audio_source import BLOCK
 from sonify.scene_errors import InputError
 from sonify.sound.mastering import (
-    PIECE,
     CompressedTrack,
     MasteredTrack,
     Mastering,
@@ -26,7 +26,12 @@ from sonify.sound.mastering import (
     master_copy,
     true_peak_dbtp,
 )
-from sonify.sound.playback import LOUDNESS_LUFS, ScaledTrack, WeightedTrack, audible_copy
+from sonify.sound.playback import (
+    LOUDNESS_LUFS,
+    ScaledTrack,
+    WeightedTrack,
+    audible_copy,
+)
 from sonify.sound.pressure import Track
 from sonify.sound.wav import write_sound
 
@@ -44,7 +49,9 @@ def measured_loudness(samples):
     weighted = lfilter(*HIGH_PASS, lfilter(*SHELF, samples, axis=0), axis=0)
     block = int(0.4 * RATE)
     starts = range(0, len(samples) - block + 1, block // 4)
-    power = np.array([np.square(weighted[n : n + block]).mean(axis=0).sum() for n in starts])
+    power = np.array(
+        [np.square(weighted[n : n + block]).mean(axis=0).sum() for n in starts]
+    )
     level = -0.691 + 10 * np.log10(np.maximum(power, 1e-30))
     gated = power[level > -70]
     threshold = -0.691 + 10 * np.log10(gated.mean()) - 10
@@ -60,7 +67,10 @@ def measured_true_peak(samples):
 def track(samples, rate=RATE):
     """Return a track of samples (n,) or (n, channels)."""
     columns = np.asarray(samples, np.float32).reshape(len(samples), -1)
-    tracks = [Track(sample_rate=rate, columns=columns, column=i) for i in range(columns.shape[1])]
+    tracks = [
+        Track(sample_rate=rate, columns=columns, column=i)
+        for i in range(columns.shape[1])
+    ]
     others = tuple(tracks[1:])
     return Track(sample_rate=rate, columns=columns, column=0, others=others)
 
@@ -93,9 +103,13 @@ SOUNDS = {
     "click after less": lambda: click_after_noise(-120),
     "long near silence": lambda: click_after_noise(-90, 30.0),
     "faint noise of two ears": lambda: 1e-6 * noise(3.0, 2),
-    "rising noise": lambda: noise(12.0) * np.exp(np.arange(12 * RATE) / RATE / 2)[:, None],
+    "rising noise": lambda: (
+        noise(12.0) * np.exp(np.arange(12 * RATE) / RATE / 2)[:, None]
+    ),
     "one gating block": lambda: noise(0.4),
-    "one gating block and a half": lambda: noise(0.46) * np.linspace(1, 0, 22080)[:, None],
+    "one gating block and a half": lambda: (
+        noise(0.46) * np.linspace(1, 0, 22080)[:, None]
+    ),
     "ringing": ringing,
     "tone": lambda: np.sin(np.arange(2 * RATE) * 2 * np.pi * 440 / RATE),
     "one loud ear": lambda: noise(3.0, 2) * [1.0, 1e-3],
@@ -139,7 +153,7 @@ def test_the_dynamics_are_compressed():
     """The levels of half-second windows spread at most 0.6 times as far as with natural dynamics."""
     sound = sound_of_scene("published")
     spreads = []
-    for copy in (sound.natural, sound.audible):
+    for copy in (sound.audible_uncompressed, sound.audible):
         samples = whole(copy)[: int(sound.source_end * RATE)]
         windows = samples[: len(samples) // 24000 * 24000].reshape(-1, 24000 * 2)
         level = 10 * np.log10(np.square(windows).mean(axis=1))
@@ -156,8 +170,12 @@ def test_the_compressor_has_its_ratio():
         weighted = WeightedTrack(track=source)
         loudest = loudest_window(weighted, settings)
         assert loudest == pytest.approx(0.5, rel=0.02)
-        samples = whole(CompressedTrack(track=weighted, loudest=loudest, settings=settings))
-        faint, loud = (samples[n : n + RATE // 4].std() for n in (RATE // 2, 3 * RATE // 2))
+        samples = whole(
+            CompressedTrack(track=weighted, loudest=loudest, settings=settings)
+        )
+        faint, loud = (
+            samples[n : n + RATE // 4].std() for n in (RATE // 2, 3 * RATE // 2)
+        )
         assert 20 * np.log10(loud / faint) == pytest.approx(left, abs=0.1)
 
 
@@ -199,12 +217,17 @@ def test_blocks_begin_anew_and_anywhere():
     for cached in (1 << 23, 0):
         heard = master_copy(track(click_after_noise(-60)))
         heard = MasteredTrack(
-            track=heard.track, gain=heard.gain, settings=heard.settings, max_cached=cached
+            track=heard.track,
+            gain=heard.gain,
+            settings=heard.settings,
+            max_cached=cached,
         )
         samples = whole(heard)
         assert len(samples) == 6 * RATE
-        for start in (0, 70_000, PIECE, 6 * RATE - 1):
-            assert np.array_equal(np.concatenate(list(heard.blocks(start))), samples[start:])
+        for start in (0, 70_000, BLOCK, 6 * RATE - 1):
+            assert np.array_equal(
+                np.concatenate(list(heard.blocks(start))), samples[start:]
+            )
 
 
 def test_the_size_of_the_pressure_does_not_matter():
@@ -215,35 +238,47 @@ def test_the_size_of_the_pressure_does_not_matter():
 
 @pytest.mark.slow
 def test_the_record_states_the_chain(tmp_path):
-    scene = load_scene("published").replace("numerics.accuracy=draft", "numerics.time_limit=1.0")
+    scene = load_scene("published").replace(
+        "numerics.accuracy=draft", "numerics.time_limit=1.0"
+    )
     for dynamics, loudness in (("compressed", -18.0), ("natural", None)):
         result = run(scene, tmp_path / dynamics, dynamics=dynamics)
-        record = json.loads((tmp_path / dynamics / "run.json").read_text("utf-8"))["sound"]
+        record = json.loads((tmp_path / dynamics / "run.json").read_text("utf-8"))[
+            "sound"
+        ]
         chain = record["audible_chain"]
         samples, _ = soundfile.read(tmp_path / dynamics / "audible.wav", always_2d=True)
         assert chain["dynamics"] == dynamics
         assert record["audible_true_peak_dbtp"] == pytest.approx(
             measured_true_peak(samples), abs=0.3
         )
-        assert record["audible_loudness_lufs"] == pytest.approx(measured_loudness(samples), abs=0.3)
+        assert record["audible_loudness_lufs"] == pytest.approx(
+            measured_loudness(samples), abs=0.3
+        )
         if loudness:
             assert record["audible_loudness_lufs"] == pytest.approx(loudness, abs=0.05)
             settings = {key: chain[key] for key in vars(Mastering())}
-            copy = master_copy(result.sound._ears, Mastering(**settings))
+            copy = master_copy(result.sound._audible_source, Mastering(**settings))
             assert np.array_equal(whole(copy), whole(result.sound.audible))
             assert 20 * np.log10(copy.gain) == pytest.approx(chain["gain_db"])
         else:
             assert chain["loudness_lufs"] == LOUDNESS_LUFS
-            copy = audible_copy(result.sound._ears)
+            copy = audible_copy(result.sound._audible_source)
             assert isinstance(copy, ScaledTrack)
             assert np.abs(whole(copy) - samples).max() < 2**-23
 
 
 def test_unknown_dynamics_are_one_line(tmp_path):
-    with pytest.raises(InputError, match="dynamics = 'loud': must be compressed or natural"):
+    with pytest.raises(
+        InputError, match="dynamics = 'loud': must be compressed or natural"
+    ):
         run("published", tmp_path / "out", dynamics="loud")
-    told = CliRunner().invoke(main, ["run", "--dynamics", "loud", "--out", str(tmp_path / "out")])
+    told = CliRunner().invoke(
+        main, ["run", "--dynamics", "loud", "--out", str(tmp_path / "out")]
+    )
     assert told.exit_code == 2
-    assert told.stderr.startswith("sonify: Invalid value for '--dynamics': 'loud' is not one of")
+    assert told.stderr.startswith(
+        "sonify: Invalid value for '--dynamics': 'loud' is not one of"
+    )
     assert told.stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == []

@@ -27,13 +27,13 @@ from sonify.plan.contact import (
 from sonify.sound import exterior_field
 from sonify.sound.exterior_field import ExteriorField, listener_pressure
 from sonify.sound.film_radiation import (
+    MAX_RIM_ORDER,
     MEAN_GAPS,
     MESH_CELLS,
     MESH_GRADING,
-    RIM_ORDERS,
     WAVENUMBERS,
     couple_at_rim,
-    film_at,
+    film_rim_matrices,
     radiated_multipoles,
 )
 from sonify.sound.force import ContactForce
@@ -57,7 +57,9 @@ def flush(n, k):
     x, w = np.polynomial.legendre.leggauss(40)
     radius = (x + 1) / 2
     angle = 2 * np.pi * np.arange(64) / 64
-    points = np.column_stack([np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)])
+    points = np.column_stack(
+        [np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)]
+    )
     weights = np.repeat(w / 2 * radius, 64) * 2 * np.pi / 64
     place = DISTANCE * np.array([np.cos(ELEVATION), 0, np.sin(ELEVATION)])
     face = np.hypot(*points.T) ** n * np.cos(n * np.arctan2(*points.T[::-1]))
@@ -91,7 +93,9 @@ class Floating(ExteriorField):
     def __init__(self, gap):
         super().__init__(THICKNESS, gap, FAR, face_cells=16, radial_cells=8)
         old = self._basis.mesh
-        z = np.unique(old.p[1][(np.abs(old.p[0] - 1) < 1e-9) & (old.p[1] <= gap + 1e-9)])
+        z = np.unique(
+            old.p[1][(np.abs(old.p[0] - 1) < 1e-9) & (old.p[1] <= gap + 1e-9)]
+        )
         mesh = old + MeshQuad.init_tensor(1 - np.linspace(1, 0, 33) ** 1.7, z)
         self._basis = Basis(mesh, ElementQuad2())
         facets = mesh.boundary_facets()
@@ -120,7 +124,8 @@ class Floating(ExteriorField):
         places = exterior_field.quadrature_coordinates
         lift = load(side, weight=places(side)[1] - gap - THICKNESS / 2)
         heave, tilt = (
-            load(top, weight=places(top)[0] ** n) - load(bottom, weight=places(bottom)[0] ** n)
+            load(top, weight=places(top)[0] ** n)
+            - load(bottom, weight=places(bottom)[0] ** n)
             for n in (0, 1)
         )
         self.loads = np.array([heave, tilt - lift, heave])
@@ -129,7 +134,10 @@ class Floating(ExteriorField):
 def rim_and_beyond(gap, k):
     """Return the exterior solution for `couple_at_rim`: rim pressures and multipoles for a disk on
     this gap."""
-    parts = [ExteriorField(THICKNESS, gap, FAR).solve(n, [k]) for n in range(RIM_ORDERS + 1)]
+    parts = [
+        ExteriorField(THICKNESS, gap, FAR).solve(n, [k])
+        for n in range(MAX_RIM_ORDER + 1)
+    ]
     rim, beyond = (np.array([part[j][0] for part in parts]) for j in (0, 1))
     rim[:, 2] += 2 / np.pi * np.log(gap)
     return rim, beyond
@@ -146,19 +154,25 @@ def test_film_and_air_outside_sound_as_one_air(gap, k):
     mesh = FilmMesh(12, lambda x, y: 1 + 0 * x, nearest=9.0)
     velocities = [np.ones_like(mesh.height), mesh.points.real, mesh.points.imag]
     film = mesh.rim_flow_matrices(
-        gap * mesh.height, -k * k * gap * mesh.height, velocities, RIM_ORDERS
+        gap * mesh.height, -k * k * gap * mesh.height, velocities, MAX_RIM_ORDER
     )
     found = couple_at_rim(gap, film, *rim_and_beyond(gap, k), wedge=False)
     whole = Floating(gap)
     for n, bar in ((0, 0.5), (1, 1.0 if k < 1 else 0.5)):
         wave = listener_pressure(n, [k], FAR, DISTANCE, ELEVATION)[0]
         true = wave @ whole.solve(n, [k])[1][0][:, n]
-        assert 20 * np.log10(abs(wave @ found[n, :, n] / true)) == pytest.approx(0, abs=bar)
+        assert 20 * np.log10(abs(wave @ found[n, :, n] / true)) == pytest.approx(
+            0, abs=bar
+        )
 
 
 @pytest.mark.parametrize(
     ("gap", "hertz", "share"),
-    [(50e-6, 100, 0.958 - 0.146j), (20e-6, 170, 0.487 - 0.298j), (10e-6, 250, 0.205 - 0.172j)],
+    [
+        (50e-6, 100, 0.958 - 0.146j),
+        (20e-6, 170, 0.487 - 0.298j),
+        (10e-6, 250, 0.205 - 0.172j),
+    ],
 )
 def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share):
     """The pressure is p = 1 - g0 of the flush piston.
@@ -167,7 +181,9 @@ def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share
     """
     k = 2 * np.pi * hertz * RADIUS / Air().sound_speed
     air = Air()
-    film = film_at(FilmMesh(MESH_CELLS, nearest=MESH_GRADING), gap / RADIUS, k, RADIUS, air)
+    film = film_rim_matrices(
+        FilmMesh(MESH_CELLS, nearest=MESH_GRADING), gap / RADIUS, k, RADIUS, air
+    )
     found = couple_at_rim(gap / RADIUS, film, *rim_and_beyond(0.005, k))[0, :, 0]
     assert listener_pressure(0, [k], FAR, DISTANCE, ELEVATION)[0] @ found / flush(
         0, k
@@ -182,7 +198,9 @@ def test_the_resonances_of_film_and_air_stay_while_the_disk_falls():
     closed film has no such peak of the heave.
     """
     scene = load_scene("granite")
-    pressure = np.abs(radiated_multipoles(scene.disk, scene.air).pressure_at(DISTANCE, ELEVATION))
+    pressure = np.abs(
+        radiated_multipoles(scene.disk, scene.air).pressure_at(DISTANCE, ELEVATION)
+    )
     open_film = (MEAN_GAPS > 0.008) & (MEAN_GAPS < 0.15)
     for order, number in ((0, 1.96), (1, 3.18)):
         loud = pressure[open_film, :, order, order]
@@ -205,7 +223,12 @@ def tone(hertz, rate, gap, seconds=0.5):
     still = np.ones_like(t)
     samples = np.column_stack([heave, tilt, 0 * t, 0 * t, still, np.log(gap) * still])
     return ContactForce(
-        t=t, smooth=samples, steps=0 * samples, jump_time=np.zeros(0), jump=none, bend=none
+        t=t,
+        smooth=samples,
+        steps=0 * samples,
+        jump_time=np.zeros(0),
+        jump=none,
+        bend=none,
     )
 
 
@@ -219,7 +242,7 @@ def test_a_steady_tone_is_heard_as_the_table_says():
     disk = scene.disk
     source = VibratingDisk(scene, listener_of(scene))
     turn = WAVENUMBERS[number] * scene.air.sound_speed / disk.radius / rate
-    found = source.start_rendering(None, None)(
+    found = source.make_block_renderer(None, None)(
         tone(turn * rate / (2 * np.pi), rate, MEAN_GAPS[gap])
     )[:, 0]
     some = slice(rate // 4, rate // 4 + round(200 * 2 * np.pi / turn))
@@ -228,8 +251,8 @@ def test_a_steady_tone_is_heard_as_the_table_says():
         scene.audio.distance / disk.radius, np.radians(scene.audio.elevation_deg)
     )
     waves = (
-        (1j ** np.arange(RIM_ORDERS + 1)).real
-        @ pressure[gap, number, : RIM_ORDERS + 1, :2]
+        (1j ** np.arange(MAX_RIM_ORDER + 1)).real
+        @ pressure[gap, number, : MAX_RIM_ORDER + 1, :2]
         @ [1.0, 2.0]
     )
     assert 2 * np.mean((found * swing)[some]) == pytest.approx(
@@ -241,8 +264,8 @@ def test_the_blocks_do_not_matter():
     scene = load_scene("granite")
     source = VibratingDisk(scene, listener_of(scene))
     whole = tone(2400.0, 48000, 0.01, 0.2)
-    once = source.start_rendering(None, None)(whole)
-    advance = source.start_rendering(None, None)
+    once = source.make_block_renderer(None, None)(whole)
+    advance = source.make_block_renderer(None, None)
     cuts = [0, 777, 5000, len(whole.t) - 1]
     parts = [advance(_part(whole, a, b)) for a, b in pairwise(cuts)]
     assert np.array_equal(once, np.vstack(parts))
@@ -305,7 +328,9 @@ def test_a_disk_that_leans_is_heard_as_elements_in_space_found(found):
 @pytest.mark.slow
 def test_nothing_of_the_beginning_is_lost_to_the_filter():
     """The contact stem starts with the motion, although its filter has a delay of 41 ms."""
-    scene = load_scene("granite").replace("numerics.time_limit=0.2", "material.loss_factor=0.05")
+    scene = load_scene("granite").replace(
+        "numerics.time_limit=0.2", "material.loss_factor=0.05"
+    )
     motion = simulate(scene)
     modes = eigenmodes(scene, below=12e3)
     stem = np.vstack(list(Renderer(scene, motion, modes, ()).blocks()))[:, -1]

@@ -20,7 +20,16 @@ from sonify.sound.oscillators import Knots, OscillatorBank, empty_knots, free_re
 RATE = 8000.0
 FREQUENCY = np.array([5.0, 100.0, 1000.0, 3999.0, 200.0, 300.0, 300.0, 40.0])
 DECAY = np.array(
-    [0.0, 0.5, 50.0, 3.0, 2 * np.pi * 200, 2 * np.pi * 300 * (1 - 1e-9), 2 * np.pi * 900, 1e4]
+    [
+        0.0,
+        0.5,
+        50.0,
+        3.0,
+        2 * np.pi * 200,
+        2 * np.pi * 300 * (1 - 1e-9),
+        2 * np.pi * 900,
+        1e4,
+    ]
 )
 """Decay rates [1/s]: zero, small and large; then critical, just subcritical, overdamped and heavily
 overdamped."""
@@ -30,7 +39,9 @@ def exact(frequency, decay, g, knots, h):
     """Accelerations (k + 1,) at the samples of g, from matrix exponentials over each linear piece
     of the force."""
     w = 2 * np.pi * frequency
-    M = np.array([[0, 1, 0, 0], [-w * w, -2 * decay, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0.0]])
+    M = np.array(
+        [[0, 1, 0, 0], [-w * w, -2 * decay, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0.0]]
+    )
     x = np.zeros(2)
     out = []
 
@@ -45,7 +56,9 @@ def exact(frequency, decay, g, knots, h):
         end = then - knots.jump[inside].sum()
         left = h
         for j in inside:
-            line = smooth + (end - smooth) * knots.since[j] / (knots.since[j] + knots.until[j])
+            line = smooth + (end - smooth) * knots.since[j] / (
+                knots.since[j] + knots.until[j]
+            )
             x = follow(x, knots.since[j], smooth + risen, line + knots.bend[j] + risen)
             smooth = line + knots.bend[j]
             risen = risen + knots.jump[j]
@@ -73,7 +86,9 @@ def test_exact_at_every_damping_through_jumps_and_corners():
     g, knots = some_force(len(FREQUENCY))
     found = OscillatorBank(FREQUENCY, DECAY, RATE).advance(g, knots)
     for m, (frequency, decay) in enumerate(zip(FREQUENCY, DECAY, strict=True)):
-        one = Knots(knots.interval, knots.since, knots.until, knots.jump[:, m], knots.bend[:, m])
+        one = Knots(
+            knots.interval, knots.since, knots.until, knots.jump[:, m], knots.bend[:, m]
+        )
         expected = exact(frequency, decay, g[:, m], one, 1 / RATE)
         assert np.abs(found[:, m] - expected).max() <= 1e-10 * np.abs(expected).max()
 
@@ -97,7 +112,9 @@ def test_blocks_of_any_size_give_the_same_samples():
         start = 0
         for size in sizes:
             here = (knots.interval >= start) & (knots.interval < start + size)
-            part = Knots(knots.interval[here] - start, *(field[here] for field in knots[1:]))
+            part = Knots(
+                knots.interval[here] - start, *(field[here] for field in knots[1:])
+            )
             parts.append(bank.advance(g[start : start + size + 1], part))
             start += size
         assert np.array_equal(np.vstack(parts), whole)
@@ -118,7 +135,7 @@ def test_never_grows():
     bank = OscillatorBank(
         frequency, np.where(np.arange(200) % 2, 0.0, rng.uniform(0, 1e5, 200)), RATE
     )
-    bank.settle(np.ones(200))
+    bank.set_steady_state(np.ones(200))
     acceleration = bank.advance(np.zeros((200001, 200)))
     assert np.abs(acceleration).max() <= 1 + 1e-6
 
@@ -127,30 +144,40 @@ def test_rings_at_its_frequency_and_decays_at_its_rate():
     frequency = 440.0
     decay = 3.0
     bank = OscillatorBank([frequency], [decay], RATE)
-    bank.settle(np.ones(1))
+    bank.set_steady_state(np.ones(1))
     g = np.zeros((8001, 1))
     g[0] = 1.0
     let_go = Knots(
-        np.zeros(1, int), np.zeros(1), np.full(1, 1 / RATE), -np.ones((1, 1)), np.zeros((1, 1))
+        np.zeros(1, int),
+        np.zeros(1),
+        np.full(1, 1 / RATE),
+        -np.ones((1, 1)),
+        np.zeros((1, 1)),
     )
     found = bank.advance(g, let_go)[:, 0]
     t = np.arange(8000) / RATE
     w = 2 * np.pi * frequency
     swing = np.sqrt(w**2 - decay**2)
-    expected = -np.exp(-decay * t) * (np.cos(swing * t) - decay / swing * np.sin(swing * t))
-    assert found[0] == pytest.approx(0, abs=gamma(20))  # the force vanishes after sample 0
+    expected = -np.exp(-decay * t) * (
+        np.cos(swing * t) - decay / swing * np.sin(swing * t)
+    )
+    assert found[0] == pytest.approx(
+        0, abs=gamma(20)
+    )  # the force vanishes after sample 0
     assert np.abs(found - expected)[1:].max() < 1e-9
 
 
 def test_settled_under_a_rising_force_there_is_no_ringing():
     bank = OscillatorBank(FREQUENCY[1:4], DECAY[1:4], RATE)
-    bank.settle(np.full(3, 2.0), np.full(3, 100.0))
+    bank.set_steady_state(np.full(3, 2.0), np.full(3, 100.0))
     g = np.repeat(2.0 + 100.0 / RATE * np.arange(401)[:, None], 3, axis=1)
     assert np.abs(bank.advance(g)).max() < 1e-8
 
 
 @pytest.mark.parametrize(("exactly", "order"), [(True, 2.0), (False, 1.0)])
-def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(exactly, order):
+def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(
+    exactly, order
+):
     """The response to a smooth force with one jump agrees with the closed form to the stated order.
 
     The jump occurs in the middle of a step of 1/200 of the duration, and hence also in the middle
@@ -197,15 +224,20 @@ def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(ex
         g = np.sin(v * time) + (np.arange(k + 2) > n)
         errors.append(
             abs(
-                OscillatorBank([w / 2 / np.pi], [d], 1 / h).advance(g[:, None], knots)[k, 0]
+                OscillatorBank([w / 2 / np.pi], [d], 1 / h).advance(g[:, None], knots)[
+                    k, 0
+                ]
                 - expected
             )
         )
-    assert -np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(order, abs=0.1)
+    assert -np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(
+        order, abs=0.1
+    )
 
 
 @pytest.mark.parametrize(
-    ("frequency", "decay"), [(0.0, 1.0), (4000.0, 1.0), (-1.0, 1.0), (100.0, -1.0), (np.nan, 1.0)]
+    ("frequency", "decay"),
+    [(0.0, 1.0), (4000.0, 1.0), (-1.0, 1.0), (100.0, -1.0), (np.nan, 1.0)],
 )
 def test_what_is_out_of_range_is_refused(frequency, decay):
     with pytest.raises(ValueError, match=r"frequencies|decay"):

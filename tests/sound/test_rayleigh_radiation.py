@@ -42,13 +42,17 @@ def face():
 def pressure(face, shape, frequency, at):
     points, weights, shapes = face
     k = np.atleast_1d(2 * np.pi * frequency / SOUND_SPEED)
-    return rayleigh(np.repeat(shapes[[shape]], len(k), axis=0), points, weights, k, np.asarray(at))
+    return rayleigh(
+        np.repeat(shapes[[shape]], len(k), axis=0), points, weights, k, np.asarray(at)
+    )
 
 
 def test_on_the_axis_of_a_piston(face):
     d = 0.3
     k = 2 * np.pi * FREQUENCY / SOUND_SPEED
-    expected = AIR_DENSITY / (1j * k) * (1 - np.exp(-1j * k * (np.hypot(d, RADIUS) - d)))
+    expected = (
+        AIR_DENSITY / (1j * k) * (1 - np.exp(-1j * k * (np.hypot(d, RADIUS) - d)))
+    )
     assert pressure(face, 0, FREQUENCY, [0, 0, d]) == pytest.approx(expected, rel=1e-9)
 
 
@@ -58,7 +62,9 @@ def test_far_from_a_piston(face):
     k = 2 * np.pi * FREQUENCY / SOUND_SPEED
     x = k * RADIUS * np.cos(elevation)
     expected = piston_strength(RADIUS, d) * 2 * j1(x) / x
-    found = pressure(face, 0, FREQUENCY, [d * np.cos(elevation), 0, d * np.sin(elevation)])
+    found = pressure(
+        face, 0, FREQUENCY, [d * np.cos(elevation), 0, d * np.sin(elevation)]
+    )
     assert np.abs(found - expected).max() < 1e-3 * piston_strength(RADIUS, d)
 
 
@@ -66,12 +72,16 @@ def test_low_frequency_is_the_monopole_on_a_baffle(face):
     d = 5.0
     found = pressure(face, 0, 1e-3, [d, 0, 0])[0]
     volume_acceleration = np.pi * RADIUS**2
-    assert found == pytest.approx(AIR_DENSITY * volume_acceleration / (2 * np.pi * d), rel=2e-4)
+    assert found == pytest.approx(
+        AIR_DENSITY * volume_acceleration / (2 * np.pi * d), rel=2e-4
+    )
 
 
 @pytest.mark.parametrize(("shape", "kernel"), [(0, heave_kernel), (1, tilt_kernel)])
 @pytest.mark.parametrize("elevation_deg", [0.0, 45.0, 80.0])
-def test_the_kernels_are_rayleighs_integral_at_all_frequencies(face, shape, kernel, elevation_deg):
+def test_the_kernels_are_rayleighs_integral_at_all_frequencies(
+    face, shape, kernel, elevation_deg
+):
     listener = Listener(distance=1.0, elevation=np.radians(elevation_deg))
     h = 1 / 192000
     at = np.array([np.cos(listener.elevation), 0, np.sin(listener.elevation)])
@@ -95,7 +105,9 @@ def test_the_kernels_of_a_face_with_a_hole_are_rayleighs_integral_over_what_is_l
     x, w = np.polynomial.legendre.leggauss(12)
     radius = RADIUS - (x + 1) / 2 * (RADIUS - hole)
     angle = 2 * np.pi * np.arange(90) / 90
-    points = np.column_stack([np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)])
+    points = np.column_stack(
+        [np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)]
+    )
     weights = np.repeat(w / 2 * (RADIUS - hole) * radius, 90) * 2 * np.pi / 90
     ring = points, weights, np.array([np.ones(len(points)), points[:, 0] / RADIUS])
     listener = Listener(distance=1.0, elevation=np.radians(elevation_deg))
@@ -124,7 +136,9 @@ def test_the_step_response_is_that_of_the_taps(kernel, hole):
 
 
 def test_a_piston_seen_from_above_is_at_least_a_sample_wide():
-    step, taps = heave_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)
+    step, taps = heave_kernel(
+        Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000
+    )
     assert taps.sum() == pytest.approx(1)
     assert step(np.array([0.0]))[0] == 0.5
     assert np.abs(
@@ -142,7 +156,9 @@ def modes(scene):
 
 
 @pytest.mark.parametrize("sample_rate", [48000, 96000, 192000])
-def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(modes, sample_rate):
+def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(
+    modes, sample_rate
+):
     listener = Listener(distance=0.5, elevation=np.radians(45))
     delays = np.outer(2 * np.pi * modes.frequency / sample_rate, [1, 0, -1])
     three = mode_taps(modes, listener, sample_rate)
@@ -151,7 +167,11 @@ def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(modes,
     bar = gamma(20) * np.abs(three).sum(axis=2)
     assert (np.abs(found - exact) <= bar).all()
     assert (
-        np.abs(three.sum(axis=2) - directivity_table(modes, listener, still=True).real) <= bar
+        np.abs(
+            three.sum(axis=2)
+            - directivity_table(modes, listener, at_zero_frequency=True).real
+        )
+        <= bar
     ).all()
 
 
@@ -159,6 +179,7 @@ def test_the_taps_stay_bounded_at_half_the_sample_rate(modes):
     listener = Listener(distance=0.5, elevation=np.radians(45))
     highest = modes.frequency[-1]
     far, near = (
-        np.abs(mode_taps(modes, listener, rate * highest)[:, -1]).max() for rate in (2.2, 2.0001)
+        np.abs(mode_taps(modes, listener, rate * highest)[:, -1]).max()
+        for rate in (2.2, 2.0001)
     )
     assert near < 20 * far

@@ -16,14 +16,14 @@ from scipy.signal import butter, hilbert, sosfiltfilt
 from dynamics import Outcome
 from modal import radiation_decay
 from sonify import load_scene, run
-from sonify.plan.plan import omissions_after_end, ring_down
+from sonify.plan.plan import decay_decision, omissions_after_end
 from sonify.plan.preflight import plan_with_modes, solve_motion
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
-from sonify.sound.audible_modes import ring_down as audible_for
+from sonify.sound.audible_modes import ring_down_time as audible_for
 from sonify.sound.force import ContactForce
 from sonify.sound.radiation import listener_of
 from sonify.sound.render import Renderer
-from sonify.sound.response import CarriedModes
+from sonify.sound.response import SolvedModes
 from sonify.sound.sources.protocol import FADE_OUT
 
 
@@ -31,7 +31,9 @@ def poles(samples, rate, count):
     """Return frequencies [Hz] and decay rates [1/s] (count,) of damped sines in samples (n,)."""
     rows = np.lib.stride_tricks.sliding_window_view(samples, len(samples) // 2)
     signal = np.linalg.svd(rows, full_matrices=False)[2][: 2 * count].T
-    z = rate * np.log(np.linalg.eigvals(np.linalg.pinv(signal[:-1]) @ signal[1:]).astype(complex))
+    z = rate * np.log(
+        np.linalg.eigvals(np.linalg.pinv(signal[:-1]) @ signal[1:]).astype(complex)
+    )
     z = z[z.imag > 0]
     z = z[np.argsort(z.imag)]
     return z.imag / (2 * np.pi), -z.real
@@ -89,10 +91,16 @@ def test_the_stated_rate_is_that_of_material_radiation_and_film(carried):
     ringing = renderer.ringing
     material = np.pi * modes.frequency * scene.material.loss_factor
     upwards = radiation_decay(modes, faces=[1], air=listener_of(scene).air)
-    assert ringing.without_film == pytest.approx(material + upwards, rel=1e-3)
-    assert ringing.gap == pytest.approx(scene.disk.radius * np.sin(renderer.motion.state[-1, 1]))
-    by_film = ringing.decay_rate - ringing.without_film
-    assert (by_film[:2] > 3 * ringing.without_film[:2]).all()  # the film shortens the ring
+    assert ringing.decay_rate_without_film == pytest.approx(
+        material + upwards, rel=1e-3
+    )
+    assert ringing.gap == pytest.approx(
+        scene.disk.radius * np.sin(renderer.motion.state[-1, 1])
+    )
+    by_film = ringing.decay_rate - ringing.decay_rate_without_film
+    assert (
+        by_film[:2] > 3 * ringing.decay_rate_without_film[:2]
+    ).all()  # the film shortens the ring
 
 
 def test_the_end_of_the_contact_does_not_mute_what_rings(carried):
@@ -105,13 +113,17 @@ def test_the_end_of_the_contact_does_not_mute_what_rings(carried):
     sampler = renderer.sampler
     last = np.array([end - 0.004, end - 0.002])
     state, force = renderer.motion.at_and_force(last)
-    drive = renderer.sources[1].channels(force, state)[:, 3:]
+    drive = renderer.sources[1].input_channels(force, state)[:, 3:]
     assert np.abs(drive).max() > 0
-    assert sampler._evaluate(last)[1][:, -len(renderer.modes) :] == pytest.approx(drive)
-    assert sampler._faded(last, sampler._evaluate(last)[1])[
+    assert sampler._evaluate_channels(last)[1][
         :, -len(renderer.modes) :
     ] == pytest.approx(drive)
-    after = sampler.block(int(np.ceil((end - sampler.start) * sampler.sample_rate)) + 20, 5)
+    assert sampler._apply_fade(last, sampler._evaluate_channels(last)[1])[
+        :, -len(renderer.modes) :
+    ] == pytest.approx(drive)
+    after = sampler.block(
+        int(np.ceil((end - sampler.start) * sampler.sample_rate)) + 20, 5
+    )
     assert after.samples[:, -len(renderer.modes) :] == pytest.approx(0.0, abs=1e-12)
 
 
@@ -120,20 +132,28 @@ def test_the_sound_continues_until_the_ring_is_60_db_down_and_no_longer(carried)
     rate = renderer.sample_rate
     end = renderer.source_end
     audible = audible_for(renderer.modes, renderer.scene, renderer.ringing.decay_rate)
-    assert 3 * np.log(10) / renderer.ringing.decay_rate.max() / 2 < audible < MAX_RING_TIME
+    assert (
+        3 * np.log(10) / renderer.ringing.decay_rate.max() / 2 < audible < MAX_RING_TIME
+    )
     assert len(pressure) == pytest.approx((end + audible + FADE_OUT) * rate, abs=1)
     tail = pressure[int(end * rate) : -int(FADE_OUT * rate)]
     width = rate // 200
     assert (
-        np.abs(tail).reshape(-1)[: len(tail) // width * width].reshape(-1, width).max(axis=1) > 0
+        np.abs(tail)
+        .reshape(-1)[: len(tail) // width * width]
+        .reshape(-1, width)
+        .max(axis=1)
+        > 0
     ).all()
     assert level_db(tail[-width:]) < level_db(tail[:width]) - RING_DOWN_DB + 15
-    assert np.abs(pressure[-width:]).max() > 0  # the file ends with the ring, without digital zero
+    assert (
+        np.abs(pressure[-width:]).max() > 0
+    )  # the file ends with the ring, without digital zero
 
 
 def test_the_plan_states_the_decay_and_names_the_landing(carried):
     renderer, _ = carried
-    decision = ring_down(renderer.ringing)
+    decision = decay_decision(renderer.ringing)
     for frequency, decay_rate in zip(
         renderer.ringing.frequency, renderer.ringing.decay_rate, strict=True
     ):
@@ -155,7 +175,7 @@ def test_modes_that_a_motion_carries_ring_as_stated_too():
     ringing = RingDown(
         frequency=np.array([1e3]),
         decay_rate=np.array([200.0]),
-        without_film=np.array([5.0]),
+        decay_rate_without_film=np.array([5.0]),
         gap=1e-4,
     )
     t = np.arange(2400) / 48e3
@@ -164,7 +184,7 @@ def test_modes_that_a_motion_carries_ring_as_stated_too():
     force = ContactForce(
         t=t, smooth=still, steps=still, jump_time=np.zeros(0), jump=none, bend=none
     )
-    moved = CarriedModes(Swinging(), np.array([0]), ringing).advance(force)[0, :, 0]
+    moved = SolvedModes(Swinging(), np.array([0]), ringing).advance(force)[0, :, 0]
     frequency, decay_rate = poles(moved[500:1500], 48e3, 1)
     assert frequency == pytest.approx(np.sqrt(1e6 - (200 / (2 * np.pi)) ** 2), rel=1e-6)
     assert decay_rate == pytest.approx(200.0, rel=1e-6)
@@ -191,6 +211,11 @@ def test_a_run_writes_a_ring_of_the_stated_rates(name, first, last, tmp_path):
         == record["sound"]["ring_down"]
     )
     assert_rings_as_stated(
-        sound.pressure.read(), sound.sample_rate, sound.source_end, sound.ringing, first, last
+        sound.pressure.read(),
+        sound.sample_rate,
+        sound.source_end,
+        sound.ringing,
+        first,
+        last,
     )
     assert any("landing" in line for line in record["plan"]["left_out"])

@@ -18,7 +18,13 @@ from tinytag import TinyTag
 from sonify import __version__, load_scene, solve
 from sonify.__main__ import main
 from sonify.export import takes as takes_module
-from sonify.export.takes import audible_range, export_takes, fade, loop_points, varied
+from sonify.export.takes import (
+    apply_fades,
+    audible_range,
+    export_takes,
+    loop_points,
+    varied_scene,
+)
 from sonify.runtime.progress import Stages
 from sonify.scene_errors import InputError
 
@@ -118,7 +124,9 @@ def test_a_take_is_the_pressure_of_its_scene(exported):
     comment = TinyTag.get(path).comment
     scale = float(re.search(r"1\.0 = (\S+) pascal", comment)[1])
     changes = re.search(r"seed 1; (release\S+) (release.+)$", comment).groups()
-    pressure = solve(brief_scene().replace(*changes)).sound.pressure.read().astype(float)
+    pressure = (
+        solve(brief_scene().replace(*changes)).sound.pressure.read().astype(float)
+    )
     samples, rate = soundfile.read(path)
     inner = slice(round(0.01 * rate), -round(0.03 * rate))
     part = samples[inner] * scale
@@ -196,17 +204,19 @@ def test_the_rate_is_the_one_requested(tmp_path):
 
 def test_the_variations_are_small_and_seed_the_roughness():
     scene = load_scene("glass")
-    variations = [varied(scene, 1, number)[0] for number in range(1, 30)]
+    variations = [varied_scene(scene, 1, number)[0] for number in range(1, 30)]
     steepness = [take.release.inclination_deg / 30.0 for take in variations]
     speed = [take.release.omega[2] / 24.0 for take in variations]
     for ratio in (steepness, speed):
         assert 0.98 <= min(ratio) < 0.99
         assert 1.01 < max(ratio) <= 1.02
     assert len({take.roughness.seed for take in variations}) == len(variations)
-    assert varied(scene, 1, 3) == varied(scene, 1, 3)
-    assert varied(load_scene("published"), 1, 3)[0].roughness is None
+    assert varied_scene(scene, 1, 3) == varied_scene(scene, 1, 3)
+    assert varied_scene(load_scene("published"), 1, 3)[0].roughness is None
     upright = load_scene("published").replace("release.inclination_deg=89.9")
-    assert all(varied(upright, 1, n)[0].release.inclination_deg < 90 for n in range(20))
+    assert all(
+        varied_scene(upright, 1, n)[0].release.inclination_deg < 90 for n in range(20)
+    )
 
 
 def tone(frequency, seconds, rate=48000):
@@ -221,7 +231,8 @@ def test_the_loop_of_a_tone_is_a_whole_number_of_periods():
 
 
 @pytest.mark.parametrize(
-    "samples", [np.ones(48000), np.zeros(10), tone(1000, 0.005), np.linspace(-1, 1, 48000)]
+    "samples",
+    [np.ones(48000), np.zeros(10), tone(1000, 0.005), np.linspace(-1, 1, 48000)],
 )
 def test_a_sound_without_two_crossings_has_no_loop(samples):
     assert loop_points(samples, 48000) is None
@@ -229,13 +240,13 @@ def test_a_sound_without_two_crossings_has_no_loop(samples):
 
 def test_both_ends_are_faded_and_the_rest_is_kept():
     samples = np.ones((48000, 2))
-    fade(samples, 48000)
+    apply_fades(samples, 48000)
     assert (samples[0] == 0).all()
     assert (samples[-1] == 0).all()
     assert (samples[240:-960] == 1).all()
     assert (np.diff(samples[:240, 0]) > 0).all()
     short = np.ones((10, 1))
-    fade(short, 48000)
+    apply_fades(short, 48000)
     assert np.isfinite(short).all()
 
 
@@ -243,23 +254,27 @@ def test_the_range_is_that_above_the_level_of_silence():
     samples = np.zeros((48000, 1))
     samples[10_000:20_000] = 1e-3 + 1e-9
     samples[15_000] = 1.0
-    source = SimpleNamespace(sample_rate=48000, frames=48000, blocks=lambda: iter([samples]))
+    source = SimpleNamespace(
+        sample_rate=48000, frames=48000, blocks=lambda: iter([samples])
+    )
     assert audible_range(source) == (10_000 - 240, 20_000 + 960)
-    silent = SimpleNamespace(sample_rate=48000, frames=9, blocks=lambda: iter([samples[:9]]))
+    silent = SimpleNamespace(
+        sample_rate=48000, frames=9, blocks=lambda: iter([samples[:9]])
+    )
     with pytest.raises(InputError, match="the sound is silent"):
         audible_range(silent)
 
 
 def test_an_interrupted_export_leaves_whole_takes_only(tmp_path, monkeypatch):
     count = iter(range(9))
-    honest = takes_module.sound_of
+    honest = takes_module.render_sound
 
     def interrupted(*arguments):
         if next(count) == 1:
             raise KeyboardInterrupt
         return honest(*arguments)
 
-    monkeypatch.setattr(takes_module, "sound_of", interrupted)
+    monkeypatch.setattr(takes_module, "render_sound", interrupted)
     path = tmp_path / "brief.toml"
     path.write_text(SCENE_TEXT, "utf-8")
     out = tmp_path / "takes"
@@ -299,10 +314,10 @@ air = { film = "none" }
         ("sound --takes 0", "Invalid value for '--takes': 0 is not in the range"),
         ("sound --seed -1", "Invalid value for '--seed': -1 is not in the range"),
         ("sound --rate 44100", "--rate = 44100: must be 48000 or 96000 for a sound"),
-        ("sound --as gltf", "--as = 'gltf': does not apply to the sound"),
-        ("sound --strike 3", "--strike = 3.0: does not apply to the sound"),
-        ("motion --as csv --takes 3", "--takes = 3: does not apply to the motion"),
-        ("modes --as vtu --seed 3", "--seed = 3: does not apply to the modes"),
+        ("sound --as gltf", "--as = 'gltf': does not apply to sound"),
+        ("sound --strike 3", "--strike = 3.0: does not apply to sound"),
+        ("motion --as csv --takes 3", "--takes = 3: does not apply to motion"),
+        ("modes --as vtu --seed 3", "--seed = 3: does not apply to modes"),
         ("sound nowhere", "nowhere: no such scene"),
     ],
 )

@@ -25,12 +25,14 @@ from sweep_files import QUICK, found
 
 import sonify
 from sonify.scene_errors import InputError
+from sonify.sweeps.executors import WORKERS_LOST_MESSAGE
 from sonify.sweeps.store import DATABASE_FILE, RUNS_FILE
 from sonify.sweeps.version import version
 
 pytestmark = pytest.mark.slow
 LONG = QUICK | {
-    "axes": QUICK["axes"] | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 120}}
+    "axes": QUICK["axes"]
+    | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 120}}
 }
 WORKER = "sonify.sweeps.worker_loop"
 PATIENCE = 120.0
@@ -44,10 +46,12 @@ def truth(tmp_path_factory):
 @pytest.fixture
 def file(tmp_path):
     told = "\n".join(
-        f'"{key}" = {json.dumps(value).replace(": ", " = ")}' for key, value in LONG["axes"].items()
+        f'"{key}" = {json.dumps(value).replace(": ", " = ")}'
+        for key, value in LONG["axes"].items()
     )
     keys = "\n".join(
-        f"{key} = {json.dumps(LONG[key])}" for key in ("name", "accuracy", "set", "find")
+        f"{key} = {json.dumps(LONG[key])}"
+        for key in ("name", "accuracy", "set", "find")
     )
     (tmp_path / "long.toml").write_text(f"{keys}\n[axes]\n{told}\n")
     return tmp_path / "long.toml"
@@ -65,10 +69,16 @@ def until(true, what):
 def start(module, *arguments):
     call = [sys.executable, "-m", module, *map(str, arguments)]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    ours = signal.signal(signal.SIGINT, signal.default_int_handler)  # the parent may ignore SIGINT
+    ours = signal.signal(
+        signal.SIGINT, signal.default_int_handler
+    )  # the parent may ignore SIGINT
     try:
         return subprocess.Popen(
-            call, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            call,
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
         )
     finally:
         signal.signal(signal.SIGINT, ours)
@@ -113,7 +123,10 @@ def test_a_killed_driver(file, truth):
         driver.kill()
         until(
             lambda: (
-                not any(one.is_running() and one.status() != psutil.STATUS_ZOMBIE for one in left)
+                not any(
+                    one.is_running() and one.status() != psutil.STATUS_ZOMBIE
+                    for one in left
+                )
             ),
             "orphans",
         )
@@ -132,7 +145,10 @@ def test_a_killed_process_that_solves(file, truth):
 def test_an_interrupted_driver_keeps_its_rows(file, truth):
     with begun(file) as driver:
         driver.send_signal(signal.SIGINT)
-        assert driver.communicate(timeout=PATIENCE)[1].splitlines()[-1] == "sonify: interrupted"
+        assert (
+            driver.communicate(timeout=PATIENCE)[1].splitlines()[-1]
+            == "sonify: interrupted"
+        )
     assert driver.returncode == 130
     assert 5 <= found(file.parent / "out" / RUNS_FILE).num_rows < truth.num_rows
     assert not (file.parent / "out" / DATABASE_FILE).exists()
@@ -191,7 +207,9 @@ def _answering(address):
     until(two, "workers")
 
 
-def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(file, truth, port):
+def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(
+    file, truth, port
+):
     with (
         cluster(port, file.parent) as (address, processes),
         begun(file, "--scheduler", address) as driver,
@@ -204,7 +222,9 @@ def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(file
 
 def test_dask_on_this_machine_finds_what_its_processes_find(file, truth):
     pytest.importorskip("distributed", reason="needs the extra `cluster`")
-    assert found(sonify.sweep(file, scheduler="local", out=file.parent / "out")).equals(truth)
+    assert found(sonify.sweep(file, scheduler="local", out=file.parent / "out")).equals(
+        truth
+    )
 
 
 def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
@@ -215,20 +235,22 @@ def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
         processes[0].kill()
         _, told = driver.communicate(timeout=PATIENCE)
         assert driver.returncode == 1, told
-        assert told.splitlines()[-1].startswith(
-            "sonify: the finished runs are saved, but the worker processes are lost"
-        )
+        assert told.splitlines()[-1].startswith(f"sonify: {WORKERS_LOST_MESSAGE}:")
     kept = found(file.parent / "out" / RUNS_FILE).num_rows
     assert 5 <= kept < truth.num_rows
     with cluster(port, file.parent) as (address, processes):
         with begun(file, "--scheduler", address) as driver:
             driver.kill()
-        assert found(sonify.sweep(file, scheduler=address, out=file.parent / "out")).equals(truth)
+        assert found(
+            sonify.sweep(file, scheduler=address, out=file.parent / "out")
+        ).equals(truth)
 
 
 def test_a_cluster_without_workers_is_one_line(file, port):
     """The scheduler answers but has no worker; without the error the user would wait for ever."""
-    scheduler = start("dask", "scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard")
+    scheduler = start(
+        "dask", "scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard"
+    )
     address = f"tcp://127.0.0.1:{port}"
     try:
         until(lambda: _listens(port), "scheduler")
@@ -248,7 +270,9 @@ def _listens(port):
         return one.connect_ex(("127.0.0.1", port)) == 0
 
 
-def test_a_scheduler_that_does_not_answer_or_has_other_workers_is_one_line(file, port, monkeypatch):
+def test_a_scheduler_that_does_not_answer_or_has_other_workers_is_one_line(
+    file, port, monkeypatch
+):
     began = time.monotonic()
     with pytest.raises(InputError, match="no scheduler answers"):
         sonify.sweep(file, scheduler=f"tcp://127.0.0.1:{port}", out=file.parent / "out")

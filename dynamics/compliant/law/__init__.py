@@ -1,1 +1,1 @@
-"""Law of the elastic contact: stiffness, creep, roughness, and its linearised response."""
+"""Elastic contact law: stiffness, creep, roughness and linearised response."""

@@ -1,9 +1,9 @@
-"""Height profiles along a path, averaged over the ellipse of the contact.
+"""Height profiles along a path, averaged over the contact ellipse.
 
-The contact pressure weights the heights by 1 - x^2/a^2 along the path. Integration by parts turns
-this mean into differences of the second and third integrals of the heights. A periodic quintic
-spline of the third integral provides both for every half-length a. The profile is periodic, so it
-is defined at every path length.
+The contact pressure weights the heights by 1 - x^2/a^2 along the path. Integration by
+parts expresses this mean by differences of the second and third integrals of the
+heights. A periodic quintic spline of the third integral provides both for every
+half-length a.
 """
 
 from math import pi
@@ -19,7 +19,7 @@ from dynamics.numba_kernels import kernel, outermost
 
 
 class Profile(NamedTuple):
-    """Height profile along a path: a periodic quintic spline of the third integral of the heights.
+    """Periodic quintic spline of the third integral of the heights along a path.
 
     It consists of the coefficients (n + 5,) and the number of cells per metre.
     """
@@ -35,9 +35,6 @@ class Profile(NamedTuple):
 
 SMOOTH_PROFILE = Profile(np.zeros(6), 1.0)
 """Profile of a smooth surface."""
-RELATIVE_SLOPE_STEP = 1 / 32
-"""Ratio of the step for slopes of heights to the half-length of the ellipse; accurate to 1
-%."""
 
 
 def spline_profile(waves, period, n=None):
@@ -48,15 +45,17 @@ def spline_profile(waves, period, n=None):
     k = 2 * pi * np.maximum(order, 1) / period
     knot = (
         66 + 52 * np.cos(angle) + 2 * np.cos(2 * angle)
-    ) / 120  # value at the knots of a unit coefficient
+    ) / 120  # value of a unit spline at the knots
     third = np.where(order == 0, 0.0, waves / (1j * k) ** 3) / knot
     coefficients = irfft(third, n, workers=1)
-    return Profile(np.concatenate([coefficients[-2:], coefficients, coefficients[:3]]), n / period)
+    return Profile(
+        np.concatenate([coefficients[-2:], coefficients, coefficients[:3]]), n / period
+    )
 
 
 @kernel
 def height_integrals(profile, s):
-    """Return the third and the second integral of the heights at path length s [m]."""
+    """Return the third and the second integrals of the heights at path length s [m]."""
     c = profile.coefficients
     x = s * profile.cells_per_metre
     whole = np.floor(x)
@@ -81,10 +80,10 @@ def height_integrals(profile, s):
 
 @kernel
 def mean_height(profile, s, a):
-    """Return the height [m] at path length s [m] averaged over an ellipse of half-length a [m].
+    """Return the mean height [m] over an ellipse of half-length a [m] at path s [m].
 
-    It is the mean of z with the weight 3 (1 - x^2/a^2)/4a over (s - a, s + a). The profile SMOOTH_PROFILE,
-    of one cell, gives 0.
+    The weight is 3 (1 - x^2/a^2)/4a over (s - a, s + a). The result for SMOOTH_PROFILE,
+    which has one cell, is 0.
     """
     if profile.coefficients.size == 6:
         return 0.0
@@ -95,13 +94,15 @@ def mean_height(profile, s, a):
 
 @kernel
 def add_rim_heights(table, rim, path, edge, half, reach, radius, turn, out):
-    """Add the heights of table and edge and their first two derivatives by the angle to `out` (3,).
+    """Add the heights of table and edge and two angular derivatives to `out` (3,).
 
-    The contact has turned by `turn` [rad] from the path lengths `path` and `edge` [m].
+    The contact has turned by `turn` [rad] since the path lengths `path` and `edge` [m].
     """
+    # step of the differences divided by the half-length of the ellipse; accurate to 1 %
+    relative_slope_step = 1 / 32
     if table.coefficients.size == 6 and rim.coefficients.size == 6:
         return
-    fine = RELATIVE_SLOPE_STEP * half / radius
+    fine = relative_slope_step * half / radius
     low = 0.0
     here = 0.0
     high = 0.0
@@ -117,7 +118,7 @@ def add_rim_heights(table, rim, path, edge, half, reach, radius, turn, out):
 
 @outermost
 def mean_heights(profile, s, a):
-    """Return `mean_height` (k,) [m] at path lengths s (k,) with half-lengths a (k,) [m]."""
+    """Return the `mean_height` (k,) [m] at paths s (k,) and half-lengths a (k,) [m]."""
     out = np.empty(s.size)
     for i in range(s.size):
         out[i] = mean_height(profile, s[i], a[i])
@@ -125,12 +126,12 @@ def mean_heights(profile, s, a):
 
 
 def profile_from_csv(file, period: float | None = None) -> Profile:
-    """Read a profile from a CSV file with length [m] and height [m]; a header is skipped.
+    """Read a profile from a CSV file with lengths [m] and heights [m].
 
-    The best straight line is subtracted. The mirror image continues the profile and makes it
-    periodic.
-    For an edge, `period` is its circumference [m]: the length is stretched to a whole number of
-    periods. Raises ValueError if the file is not a valid profile.
+    A header is skipped. The best straight line is subtracted, and the profile is made
+    periodic by appending its mirror image. For an edge, `period` is its circumference
+    [m], and the profile is stretched so that a whole number of profiles fits. Raises
+    ValueError if the file is not a valid profile.
     """
     length, height = profile_columns(Path(file))
     height = height - np.polynomial.Polynomial.fit(length, height, 1)(length)

@@ -1,29 +1,27 @@
-"""Elastic contact of the edge on the table: Hertz's ellipse, Mindlin's springs, Kalker's creep.
+"""Elastic contact of the edge: Hertz's ellipse, Mindlin's springs, Kalker's creep.
 
-The edge has a fillet. Its contact on a plane is an ellipse between the principal radii r_f (the
-fillet, across) and R/sin(beta) (the rim, along the rolling direction 1). As the inclination
-decreases, the ellipse lengthens and its springs stiffen. The elliptic integrals are Carlson's,
-which are regular from the circle to the line: J = (K - E)/e^2 = R_D(0, q^2, 1)/3 with q = b/a.
+The principal radii of the rounded edge are that of the fillet across, and R/sin(beta)
+along the rolling direction 1, where R is the distance of the contact from the axis. As
+the inclination decreases, the contact ellipse lengthens and its springs stiffen.
+Carlson's elliptic integrals are regular from a circle to a line: J = (K - E)/e^2 =
+R_D(0, q^2, 1)/3 with q = b/a.
 """
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
 from dynamics.compliant.law.kalker import creep_coefficients
 from dynamics.disk import Disk
+from dynamics.kinematics import ContactPlace, contact_place
 
-MAX_WIDTH_RATIO = 1 / 3
-"""Largest ratio of the half-width of the ellipse to the fillet.
-
-Above it, the bodies are no longer half spaces.
-"""
 MIN_CONTACT_INCLINATION = 5e-8
-"""Inclination below which the contact is not one ellipse [rad]."""
+"""Inclination [rad] below which the contact is no longer a single ellipse."""
 
 
 class ElasticConstants(NamedTuple):
@@ -39,10 +37,10 @@ class ElasticConstants(NamedTuple):
 
 
 class ContactSprings(NamedTuple):
-    """Linearised contact.
+    """Linearised contact springs.
 
-    It has stiffness [N/m] and relaxation length [m] along 1 and 2, and stiffness [N/m] along the
-    normal.
+    They have stiffnesses k1, k2 [N/m] and relaxation lengths [m] along 1 and 2, and the
+    stiffness kn [N/m] along the normal.
     """
 
     k1: np.ndarray
@@ -54,23 +52,27 @@ class ContactSprings(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class ContactLaw:
-    """Contact law N = K(beta) delta^1.5 of a disk on a table, with loss, springs and creep.
+    """Contact law N = K(beta) delta^1.5 of a disk on a table, with loss and creep.
 
     Attributes
     ----------
     disk : Disk
         The disk.
     fillet : float
-        Radius of the fillet of its edge [m].
+        Radius of the rounded edge [m].
     body, table : ElasticConstants
         Materials of disk and table.
     loss_factor : float
         Loss factor of the normal contact resonance.
+    rolls_sharply : bool
+        True if the disk rolls on a sharp edge, and the fillet determines only the
+        stiffness.
 
     Raises
     ------
     ValueError
-        If the fillet does not fit the disk, or is too sharp for a half space.
+        If the fillet does not fit the disk, or is too sharp for the approximation by
+        half spaces.
     """
 
     disk: Disk
@@ -78,89 +80,123 @@ class ContactLaw:
     body: ElasticConstants
     table: ElasticConstants
     loss_factor: float = 0.02
+    rolls_sharply: bool = False
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         largest = min(self.disk.radius, self.disk.thickness / 2)
         if not 0 < self.fillet <= largest:
             raise ValueError(
                 f"contact.fillet = {self.fillet:g}: must be positive and at most {largest:g}, so "
                 f"that it fits the disk"
             )
-        if not self._excess(self.fillet) <= 0:
-            sharp = f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact"
+        if not self._width_excess(self.fillet) <= 0:
+            sharp = (
+                f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact"
+            )
             raise ValueError(f"{sharp}, {self._smallest_fillet_message(largest)}")
 
-    def _smallest_fillet_message(self, largest):
-        """Return a message with the smallest possible fillet, or that no fillet is possible."""
-        if self._excess(largest) > 0:
-            return f"as any up to {largest:g} is for bodies so soft, E* = {self.modulus:.3g} Pa, or so heavy"
-        return f"must be at least {brentq(self._excess, 1e-12, largest):.3g}"
+    def _smallest_fillet_message(self, largest: float) -> str:
+        """Return the part of an error message that states the smallest possible fillet."""
+        if self._width_excess(largest) > 0:
+            return (
+                f"as is any fillet up to {largest:g} for this weight and this modulus, "
+                f"E* = {self.modulus:.3g} Pa"
+            )
+        return f"must be at least {brentq(self._width_excess, 1e-12, largest):.3g}"
 
-    def _excess(self, fillet):
-        """Return the excess [m] of the contact width of an upright disk over the limit for a
-        fillet.
-        """
-        return self._half_width(fillet) - MAX_WIDTH_RATIO * fillet
+    def _width_excess(self, fillet: float) -> Any:
+        """Return the excess [m] of `_half_width` over its limit for a fillet."""
+        # ratio of half-width to fillet up to which the bodies are similar to half spaces
+        max_width_ratio = 1 / 3
+        return self._half_width(fillet) - max_width_ratio * fillet
 
-    def _half_width(self, fillet):
-        """Return b [m] of an upright disk, the largest of a motion."""
+    def _half_width(self, fillet: float) -> Any:
+        """Return the half-width b [m] for an upright disk, the largest in a motion."""
         q, D, _ = _ellipse(self.disk.radius / fillet)
-        return q * (self.disk.weight * D * self.disk.radius / (np.pi * self.modulus)) ** (1 / 3)
+        return q * (
+            self.disk.weight * D * self.disk.radius / (np.pi * self.modulus)
+        ) ** (1 / 3)
+
+    @property
+    def rolling_fillet(self) -> float:
+        """Radius of the edge [m] on which the disk rolls; 0 for a sharp edge."""
+        return 0.0 if self.rolls_sharply else self.fillet
 
     @cached_property
     def modulus(self) -> float:
-        """E* [Pa] of both bodies."""
+        """Contact modulus E* [Pa] of both bodies."""
         return 1 / sum((1 - m.poisson**2) / m.young for m in (self.body, self.table))
 
     @cached_property
-    def mixed(self) -> ElasticConstants:
-        """Material that gives, on both sides, the tangential compliance of the two bodies: Kalker
-        (1990), (1.44).
+    def equivalent_material(self) -> ElasticConstants:
+        """Material equivalent to both bodies in tangential compliance.
+
+        See Kalker (1990), (1.44).
         """
         G = 2 / sum(1 / m.shear for m in (self.body, self.table))
         poisson = G / 2 * sum(m.poisson / m.shear for m in (self.body, self.table))
         return ElasticConstants(2 * G * (1 + poisson), poisson)
 
-    def ellipse(self, inclination):
-        """Return q = b/a, D = R_D(0, q^2, 1) and F = R_F(0, q^2, 1) of the contact at inclinations
-        (k,) [rad].
+    def place(self, inclination: ArrayLike) -> ContactPlace:
+        """Return the position of the contact on the disk at inclinations (k,) [rad], in m."""
+        radius = self.disk.radius
+        ratio = self.rolling_fillet / radius
+        sine = np.sin(inclination)
+        place = contact_place(np.cos(inclination), sine, self.disk.aspect, ratio)
+        return ContactPlace(*(radius * length for length in place))
+
+    def ellipse(
+        self, inclination: ArrayLike
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return q = b/a, D = R_D(0, q^2, 1) and F = R_F(0, q^2, 1), (k,) each."""
+        return _ellipse(1 / (2 * self.curvature(inclination) * self.fillet))
+
+    def curvature(self, inclination: ArrayLike) -> np.ndarray:
+        """Return A = sin(beta)/2R [1/m] in the gap A x^2 along the rolling direction.
+
+        R is the distance of the contact from the axis.
         """
-        return _ellipse(self.disk.radius / (np.sin(inclination) * self.fillet))
+        return np.sin(inclination) / (2 * self.place(inclination).radius)
 
-    def curvature(self, inclination):
-        """Return A = sin(beta)/2R [1/m]: the gap opens as A x^2 along the rolling direction."""
-        return np.sin(inclination) / (2 * self.disk.radius)
-
-    def stiffness(self, inclination):
-        """Return K [N/m^1.5] of N = K delta^1.5 at inclinations (k,): Johnson (1985), (4.26)."""
+    def stiffness(self, inclination: ArrayLike) -> np.ndarray:
+        """Return K (k,) [N/m^1.5] in N = K delta^1.5; Johnson (1985), (4.26)."""
         _, D, F = self.ellipse(inclination)
         return (
-            2 * np.pi / 3 * self.modulus * np.sqrt(D / (3 * self.curvature(inclination))) / F**1.5
+            2
+            * np.pi
+            / 3
+            * self.modulus
+            * np.sqrt(D / (3 * self.curvature(inclination)))
+            / F**1.5
         )
 
-    def stiffness_slope(self, inclination):
-        """Return dK/d(beta) = -K cot(beta) D/(6 F), from the work of the gap at constant
-        approach."""
+    def stiffness_slope(self, inclination: ArrayLike) -> np.ndarray:
+        """Return dK/d(beta) = -K D/(6 F) d(ln A)/d(beta) at inclinations (k,)."""
         _, D, F = self.ellipse(inclination)
-        return -self.stiffness(inclination) * D / (6 * F) / np.tan(inclination)
+        core = (self.disk.radius - self.rolling_fillet) / self.place(inclination).radius
+        return -self.stiffness(inclination) * D / (6 * F) / np.tan(inclination) * core
 
-    def approach(self, inclination, load):
-        """Return delta [m] under the normal force load [N]."""
+    def approach(self, inclination: ArrayLike, load: Any) -> np.ndarray:
+        """Return the approach delta [m] under a normal force `load` [N]."""
         return (load / self.stiffness(inclination)) ** (2 / 3)
 
-    def semi_axes(self, inclination, load):
-        """Return a and b [m] of the ellipse under load [N]; a is along the rolling direction."""
+    def semi_axes(
+        self, inclination: ArrayLike, load: Any
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return the semi-axes a (along the rolling direction) and b [m]."""
         q, D, _ = self.ellipse(inclination)
-        a = (load * D / (2 * np.pi * self.modulus * self.curvature(inclination))) ** (1 / 3)
+        a = (load * D / (2 * np.pi * self.modulus * self.curvature(inclination))) ** (
+            1 / 3
+        )
         return a, q * a
 
-    def springs(self, inclination, load) -> ContactSprings:
-        """Return the linearised contact under load [N] at inclinations (k,) [rad].
+    def springs(self, inclination: ArrayLike, load: Any) -> ContactSprings:
+        """Return the linearised contact under a load [N] at inclinations (k,) [rad].
 
-        dN/d(delta) = 1.5 N/delta. A tangential force F displaces an ellipse without slip by F/(2 pi
-        a) times the sum over both bodies of ((1 - nu) K + nu J)/G along a, and with K - J instead
-        of J along b: Mindlin (1949). The spring relaxes over the length l for which steady creep
-        u/V causes Kalker's force: k l = G a b C.
+        dN/d(delta) = 1.5 N/delta. A tangential force F displaces an ellipse without
+        slip by F/(2 pi a) times the sum over both bodies of ((1 - nu) K + nu J)/G along
+        a, and with K - J instead of J along b: Mindlin (1949). The spring relaxes over
+        the length l for which steady creep u/V causes Kalker's force: k l = G a b C.
         """
         q, D, F = self.ellipse(inclination)
         a, b = self.semi_axes(inclination, load)
@@ -168,20 +204,29 @@ class ContactLaw:
             2
             * np.pi
             * a
-            / sum(((1 - m.poisson) * F + m.poisson * J) / m.shear for m in (self.body, self.table))
+            / sum(
+                ((1 - m.poisson) * F + m.poisson * J) / m.shear
+                for m in (self.body, self.table)
+            )
             for J in (D / 3, F - D / 3)
         )
-        C = creep_coefficients(q, self.mixed.poisson)
-        length = [self.mixed.shear * a * b * c / k for c, k in zip(C, (k1, k2), strict=True)]
-        return ContactSprings(k1, k2, 1.5 * load / self.approach(inclination, load), *length)
+        C = creep_coefficients(q, self.equivalent_material.poisson)
+        length = [
+            self.equivalent_material.shear * a * b * c / k
+            for c, k in zip(C, (k1, k2), strict=True)
+        ]
+        return ContactSprings(
+            k1, k2, 1.5 * load / self.approach(inclination, load), *length
+        )
 
 
-def _ellipse(radii):
-    """Solve Hertz's equation R_D(0, 1, q^2)/R_D(0, q^2, 1) = `radii`, the ratio of the principal
-    radii, for q = b/a.
+def _ellipse(radii: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return q = b/a, D and F for `radii`, the ratio of the principal radii.
+
+    Hertz's equation is R_D(0, 1, q^2)/R_D(0, q^2, 1) = `radii`.
     """
     q = np.asarray(radii, dtype=float) ** (-2 / 3)
-    for _ in range(22):  # each pass leaves at most a seventh of the error
+    for _ in range(22):  # each iteration reduces the error at least sevenfold
         D = elliprd(0, q * q, 1)
         q = q * (elliprd(0, 1, q * q) / (D * radii)) ** (1 / 1.75)
     return q, elliprd(0, q * q, 1), elliprf(0, q * q, 1)

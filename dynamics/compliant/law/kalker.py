@@ -1,13 +1,11 @@
-"""Linear creep coefficients of rolling contact, for an ellipse elongated along the rolling
-direction.
-"""
+"""Kalker's creep coefficients for an ellipse elongated along the rolling direction."""
 
 import numpy as np
 
 AXIS_RATIOS = np.arange(1, 11) / 10
-"""Ratios b/a of the semi-axes in the tables."""
+"""Ratios b/a of the semi-axes tabulated by Kalker."""
 POISSON_RATIOS = np.array([0.0, 0.25, 0.5])
-"""Poisson's ratios in the tables."""
+"""Poisson's ratios tabulated by Kalker."""
 KALKER_C11 = np.array(
     [
         [10.7, 6.96, 5.57, 4.84, 4.37, 4.06, 3.82, 3.65, 3.51, 3.40],
@@ -28,15 +26,15 @@ KALKER_C22 = np.array(
 )
 """Coefficients across the rolling direction, in the same layout and from the same sources."""
 ASYMPTOTE_ERROR = 0.04
-"""Relative error of the asymptotes at b/a = 0.1; the table has three digits."""
+"""Relative error of the asymptotes at b/a = 0.1."""
 
 
 def creep_coefficients(ratio, poisson):
-    """Return Kalker's C11 and C22 at ratios b/a (k,) in (0, 1] and Poisson's ratio in [0, 1/2].
+    """Return Kalker's C11 and C22 at ratios b/a (k,) in (0, 1] and a Poisson's ratio.
 
-    Steady creepages u/V cause the forces G a b C u/V. In the table b/a C is interpolated linearly
-    in b/a, and 1/C by a parabola in Poisson's ratio, as Kalker recommends. Below b/a = 0.1 the
-    asymptote is scaled to match the table.
+    Steady creepages u/V cause the forces G a b C u/V. b/a C is interpolated linearly in
+    b/a, and 1/C quadratically in Poisson's ratio, as recommended by Kalker. Below b/a =
+    0.1 the asymptote is scaled to match the table.
     """
     ratio = np.asarray(ratio, dtype=float)
     return tuple(
@@ -50,8 +48,8 @@ def creep_coefficients(ratio, poisson):
     )
 
 
-def slender_creep(ratio, poisson):
-    """Return the asymptotes of C11 and C22 for b/a -> 0: Kalker (1967), with L = ln(16 a^2/b^2)."""
+def slender_creep_coefficients(ratio, poisson):
+    """Return the asymptotes of C11 and C22 for b/a -> 0 of Kalker (1967)."""
     log = np.log(16 / ratio**2)
     more = 3 - np.log(4)
     along = log - 2 * poisson
@@ -62,19 +60,24 @@ def slender_creep(ratio, poisson):
 
 
 def _interpolate(table, side, ratio, poisson):
-    """Return one coefficient: the table for b/a >= 0.1, the scaled asymptote below."""
+    """Return C11 (`side` 0) or C22 (`side` 1) from its table or its asymptote."""
     rows = [np.interp(ratio, AXIS_RATIOS, AXIS_RATIOS * row) / ratio for row in table]
-    inside = 1 / sum(_parabola(i, poisson) / row for i, row in enumerate(rows))
-    first = 1 / sum(_parabola(i, poisson) / row[0] for i, row in enumerate(table))
-    excess = first / slender_creep(AXIS_RATIOS[0], poisson)[side] - 1
-    outside = slender_creep(
+    inside = 1 / sum(
+        _lagrange_polynomial(i, poisson) / row for i, row in enumerate(rows)
+    )
+    first = 1 / sum(
+        _lagrange_polynomial(i, poisson) / row[0] for i, row in enumerate(table)
+    )
+    excess = first / slender_creep_coefficients(AXIS_RATIOS[0], poisson)[side] - 1
+    outside = slender_creep_coefficients(
         np.minimum(ratio, AXIS_RATIOS[0]),
         poisson,
     )[side] * (1 + excess * ratio / AXIS_RATIOS[0])
     return np.where(ratio < AXIS_RATIOS[0], outside, inside)
 
 
-def _parabola(i, x):
-    """Return at x the quadratic that is 1 at POISSON_RATIOS[i] and 0 at the others."""
+def _lagrange_polynomial(i, x):
+    """Return the quadratic that is 1 at POISSON_RATIOS[i] and 0 at the others."""
     p, q = np.delete(POISSON_RATIOS, i)
-    return (x - p) * (x - q) / ((POISSON_RATIOS[i] - p) * (POISSON_RATIOS[i] - q))
+    own = POISSON_RATIOS[i]
+    return (x - p) * (x - q) / ((own - p) * (own - q))

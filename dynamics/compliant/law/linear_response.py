@@ -1,8 +1,8 @@
-"""Linear response of a rough contact without loss of contact, along a known rigid motion.
+"""Linear response of a rough contact along a rigid motion, without loss of contact.
 
-Between knots the linearised contact is constant and advanced exactly for heights that are linear
-between samples. The heights do not excite the rolling direction, so the state has four numbers:
-velocities and deflections along a_2 and a_3.
+Between knots the linearised contact is constant, and its response to heights that are
+linear between samples is exact. Since the heights do not excite the rolling direction,
+the state consists of four numbers: velocities and deflections along a_2 and a_3.
 """
 
 from typing import NamedTuple
@@ -19,17 +19,15 @@ from dynamics.compliant.law.tabulated import LawTable
 from dynamics.numba_kernels import fingerprint, kernel, outermost
 
 SAMPLES_PER_KNOT = 16
-"""Samples of the force between two knots."""
+"""Number of force samples between two knots."""
 KNOTS_PER_BLOCK = 2048
-"""Knots of one block of the motion."""
+"""Number of knots in a block of the motion."""
 FILTER_STATES = [1, 2, 4, 5]
 """Indices in the state of `LinearContact`: velocities and deflections along a_2 and a_3."""
-TAYLOR_TERMS = 20
-"""Terms of the Taylor series of a propagator, exact to rounding up to MAX_STEP_TURN."""
 MAX_STEP_TURN = 2.0
 """Largest phase of the fastest resonance in one step [rad]."""
 MIN_VIBRATION_FREQUENCY = 200.0
-"""Frequency [Hz] that separates the vibration of the contact from the motion of the disk."""
+"""Frequency [Hz] that separates contact vibration from the motion of the disk."""
 
 
 class MotionBlock(NamedTuple):
@@ -59,10 +57,11 @@ class MotionBlock(NamedTuple):
 
 
 def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = None):
-    """Yield the motion as MotionBlocks; the last knot of a block is the first of the next.
+    """Yield the motion as MotionBlocks, which share their end knots.
 
-    `rate` [1/s] is that of the samples. The contact advances by R d(spin) of the edge and the slip.
-    The motion ends at MIN_CONTACT_INCLINATION, where the contact is no longer an ellipse.
+    `rate` [1/s] is that of the samples. The contact advances by -R d(spin) along the
+    edge, and by this distance minus the slip along the table. The last block ends at
+    MIN_CONTACT_INCLINATION at the latest.
     """
     valid = motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
     knots = int(
@@ -88,19 +87,23 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
         state, force = motion.at_and_force(t)
         edge = -motion.disk.radius * state[:, 2]
         slip = state[:, 8]
-        slid = np.append(0.0, np.cumsum((slip[1:] + slip[:-1]) / 2)) * (SAMPLES_PER_KNOT / rate)
+        mean_slip = (slip[1:] + slip[:-1]) / 2
+        slid = np.append(0.0, np.cumsum(mean_slip)) * (SAMPLES_PER_KNOT / rate)
         rolls = np.char.startswith(motion.regime(t), "roll")
         change = np.zeros((len(t), 2))
         here = (jumps.t > t[0] - SAMPLES_PER_KNOT / rate) & (jumps.t <= t[-2])
-        np.add.at(change, np.searchsorted(t, jumps.t[here]), (jumps.after - jumps.before)[here, 1:])
-        yield MotionBlock(t, state[:, 1], force[:, 2], rolls, edge + path - slid, edge, change)
+        knot = np.searchsorted(t, jumps.t[here])
+        np.add.at(change, knot, (jumps.after - jumps.before)[here, 1:])
+        yield MotionBlock(
+            t, state[:, 1], force[:, 2], rolls, edge + path - slid, edge, change
+        )
         path -= slid[-1]
 
 
-def contact_response(
+def linear_contact_force_blocks(
     table: LawTable, blocks, rate: float, profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE)
 ):
-    """Yield the force added by the elastic, rough contact along a_2 and a_3, block by block.
+    """Yield the additional force of an elastic, rough contact along a_2 and a_3.
 
     Parameters
     ----------
@@ -109,19 +112,20 @@ def contact_response(
     blocks : iterable of MotionBlock
         The rigid motion.
     rate : float
-        Samples per second; sample i of a block is at t[0] + (i + 1)/rate.
+        Sample rate [1/s]; sample i of a block is at t[0] + (i + 1)/rate.
     profiles : (Profile, Profile)
         Heights of table and edge.
 
     Yields
     ------
     (n, 2) array
-        Force [N] along a_2 and a_3.
+        Force [N] along a_2 and a_3 of each block.
 
     Raises
     ------
     ValueError
-        If the phase of a resonance changes too much in a step; the message names the required rate.
+        If the phase of a resonance changes too much in one step; the message states the
+        required rate.
     """
     x = np.zeros(4)
     z = np.nan
@@ -143,24 +147,32 @@ def contact_response(
 def _coefficients(table, block, rate):
     """Return the coefficients of `_compiled_filter`.
 
-    Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and a_3. Those
-    between knots are A (k - 1, 4, 4), B and the deflections by jumps of the force.
+    Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and
+    a_3. Those between knots are A (k - 1, 4, 4), B, and the deflections caused by jumps
+    of the force.
     """
     rolls = block.rolls[1:] & block.rolls[:-1]
     speed = np.diff(block.path) / np.diff(block.t)
-    inclination, load = ((at[1:] + at[:-1]) / 2 for at in (block.inclination, block.load))
-    system = table.system(inclination, load, speed, rolls)
+    inclination, load = (
+        (at[1:] + at[:-1]) / 2 for at in (block.inclination, block.load)
+    )
+    system = table.linear_contact(inclination, load, speed, rolls)
     A = system.A[:, FILTER_STATES][:, :, FILTER_STATES]
     B = system.B[:, FILTER_STATES]
-    fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max() / MAX_STEP_TURN
+    square = np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])
+    fastest = np.sqrt(square).max() / MAX_STEP_TURN
     if fastest > rate:
         raise ValueError(
-            f"rate = {rate:g}: too low for the stiffness of the contact, at least {fastest:.4g} "
-            f"1/s is needed"
+            f"rate = {rate:g}: too low for the stiffness of the contact, must be at least "
+            f"{fastest:.4g} 1/s"
         )
     springs, a, _ = table.springs(block.inclination, block.load)
-    there = table.system(block.inclination, block.load, np.append(speed, speed[-1]), block.rolls)
-    forces = np.concatenate([there.C[:, 1:, FILTER_STATES], there.D[:, 1:, None]], axis=2)
+    there = table.linear_contact(
+        block.inclination, block.load, np.append(speed, speed[-1]), block.rolls
+    )
+    forces = np.concatenate(
+        [there.C[:, 1:, FILTER_STATES], there.D[:, 1:, None]], axis=2
+    )
     knots = np.column_stack([a, block.path, block.edge, forces.reshape(len(a), -1)])
     drive = np.column_stack(
         [
@@ -181,23 +193,24 @@ def predicted_rms(
 ):
     """Return the rms (k,) [N] of the force above a frequency [Hz] in steady motion.
 
-    It follows from the spectrum of the heights. The contact moves along table and edge at `speed`
-    (k,)
-    [m/s].
+    It is computed from the spectrum of the heights. The contact moves along table and
+    edge at `speed` (k,) [m/s].
     """
     k = spectral_density(roughness, table.law.disk.radius)[0]
     mean_squares = []
-    for motion_point in np.broadcast(inclination, load, np.abs(speed)):
-        f = k * motion_point[2] / (2 * np.pi)
-        power = predicted_spectrum(table, roughness, *motion_point, f)
+    for beta, force, velocity in np.broadcast(inclination, load, np.abs(speed)):
+        f = k * velocity / (2 * np.pi)
+        power = predicted_spectrum(table, roughness, beta, force, velocity, f)
         mean_squares.append(trapezoid(power * (f > above), f))
     return np.sqrt(mean_squares)
 
 
-def predicted_power(table: LawTable, roughness: Roughness, inclination, load, speed) -> np.ndarray:
-    """Return the mean power (k,) [W] that roughness dissipates in steady motion.
+def predicted_power(
+    table: LawTable, roughness: Roughness, inclination, load, speed
+) -> np.ndarray:
+    """Return the mean power (k,) [W] dissipated by roughness in steady motion.
 
-    It is the mean product of the normal force N' and the rate of the heights z: the integral of the
+    It is the mean of N' dz/dt with the height z, computed as the integral of the
     spectrum of z times omega Im(N'/z).
     """
     (k, heights) = spectral_density(roughness, table.law.disk.radius)
@@ -205,10 +218,16 @@ def predicted_power(table: LawTable, roughness: Roughness, inclination, load, sp
     for steady in np.broadcast(inclination, load, np.abs(speed)):
         motion_point = np.reshape(steady, (3, 1))
         a = table.springs(*motion_point[:2])[1]
-        response = force_per_height(table.system(*motion_point), k * motion_point[2])
+        response = force_per_height(
+            table.linear_contact(*motion_point), k * motion_point[2]
+        )
         powers.append(
             trapezoid(
-                heights * ellipse_window(k * a) ** 2 * k * motion_point[2] * response.imag,
+                heights
+                * ellipse_window(k * a) ** 2
+                * k
+                * motion_point[2]
+                * response.imag,
                 k,
             )
         )
@@ -224,15 +243,18 @@ def predicted_spectrum(
     frequency,
     rolls=True,
 ):
-    """Return the power spectral density [N^2/Hz] of the force at frequencies (f,) [Hz] in one
-    steady motion.
+    """Return the power spectral density (f,) [N^2/Hz] of the force in a steady motion.
+
+    The frequencies are (f,) [Hz].
     """
-    steady = np.array([[inclination], [load], [speed]])
-    a = table.springs(*steady[:2])[1]
-    system = table.system(*steady, rolls)
+    beta, force, velocity = np.array([[inclination], [load], [speed]])
+    a = table.springs(beta, force)[1]
+    system = table.linear_contact(beta, force, velocity, rolls)
     k = 2 * np.pi * frequency / abs(speed)
     heights = (
-        np.interp(k, *spectral_density(roughness, table.law.disk.radius), left=0.0, right=0.0)
+        np.interp(
+            k, *spectral_density(roughness, table.law.disk.radius), left=0.0, right=0.0
+        )
         * ellipse_window(k * a) ** 2
     )
     return (
@@ -262,9 +284,9 @@ def force_per_height(system, omega):
 
 @kernel
 def _propagator(A, B, h):
-    """Return [exp(A h), mean of exp(A s) B over a step] (4, 5): the Taylor series of the matrix [A
-    h, B; 0, 0].
-    """
+    """Return [exp(A h), mean of exp(A s) B over a step] (4, 5) from a Taylor series."""
+    # number of terms, exact within rounding up to MAX_STEP_TURN
+    taylor_terms = 20
     total = np.empty((4, 5))
     term = np.empty((4, 5))
     next_term = np.empty((4, 5))
@@ -272,7 +294,7 @@ def _propagator(A, B, h):
         for j in range(5):
             term[i, j] = A[i, j] * h if j < 4 else B[i]
             total[i, j] = term[i, j] + (1.0 if i == j else 0.0)
-    for n in range(2, TAYLOR_TERMS):
+    for n in range(2, taylor_terms):
         for i in range(4):
             for j in range(5):
                 value = 0.0
@@ -286,9 +308,9 @@ def _propagator(A, B, h):
 
 @kernel
 def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
-    """Step through a block; return the force (n, 2), the last state and the last height.
+    """Return the force (n, 2) in a block, the last state and the last height.
 
-    A NaN in `drive` along a_2 marks a sliding contact without a tangential spring.
+    NaN in `drive` along a_2 marks a sliding contact without a tangential spring.
     """
     out = np.empty((SAMPLES_PER_KNOT * len(A), 2))
     next_x = np.empty(4)
@@ -318,22 +340,26 @@ def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
             for m in range(2):
                 c = coefficients[3 + 5 * m : 8 + 5 * m]
                 out[SAMPLES_PER_KNOT * j + i, m] = (
-                    c[0] * x[0] + c[1] * x[1] + c[2] * x[2] + c[3] * x[3] + c[4] * rise / h
+                    c[0] * x[0]
+                    + c[1] * x[1]
+                    + c[2] * x[2]
+                    + c[3] * x[3]
+                    + c[4] * rise / h
                 )
             if slides:
                 out[SAMPLES_PER_KNOT * j + i, 0] = 0.0
     return out, x, z
 
 
-def _compiled(version):
-    """Compile the filter with the fingerprint of its sources as a part of the cache key."""
+def _compile_filter(version):
+    """Compile the filter with a fingerprint of its sources as part of the cache key."""
 
     @outermost
-    def march(x, z, knots, A, B, drive, h, table, rim):
-        version  # noqa: B018 -- a part of the key under which the machine code is kept
+    def filter_block(x, z, knots, A, B, drive, h, table, rim):
+        version  # noqa: B018 -- part of the key of the cached machine code
         return _filter_steps(x, z, knots, A, B, drive, h, table, rim)
 
-    return march
+    return filter_block
 
 
-_compiled_filter = _compiled(fingerprint(height_profile))
+_compiled_filter = _compile_filter(fingerprint(height_profile))

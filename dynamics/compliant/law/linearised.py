@@ -1,29 +1,25 @@
 """Linearised contact: resonances of the disk on the three springs of its contact.
 
-Components are along a_1 (the rolling direction), a_2 (horizontal, towards the contact) and a_3 (the
-vertical).
+Components are along the rolling direction a_1, the horizontal a_2 towards the contact,
+and the vertical a_3.
 """
 
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw, ContactSprings
 from dynamics.disk import Disk
+from dynamics.kinematics import contact_place
 from dynamics.steady_motion import steady_precession
 
-MIN_ROOT = 1e-300
-"""Lower bound of |s| in the loss factor [1/s], which prevents division by zero."""
 RIGID_FLEXIBILITY = np.zeros((3, 3))
 """Flexibility of a rigid disk [m/N]."""
-MAX_RESONANCE_TURN = 1.0
-"""Largest phase of the fastest resonance in one step [rad]."""
-MAX_LOAD_RATIO = 4.0
-"""Ratio of load to weight at which the required step rate is determined."""
 
 
 class Resonances(NamedTuple):
-    """Frequency [Hz], ascending, and loss factor 2|Re s|/|s| of the roots s, each (k, 3)."""
+    """Ascending frequencies (k, 3) [Hz] and loss factors 2|Re s|/|s| (k, 3) of roots s."""
 
     frequency: np.ndarray
     loss_factor: np.ndarray
@@ -32,8 +28,9 @@ class Resonances(NamedTuple):
 class LinearContact(NamedTuple):
     """Linear system x' = A x + B z', p = C x + D z' of the contact point.
 
-    x (k, 6) holds velocities and spring deflections, z' [m/s] is the rise rate of the table under
-    the contact, and p (k, 3) [N] the change of the contact force.
+    x (k, 6) contains velocities and spring deflections, z' [m/s] is the rate at which
+    the table rises under the contact, and p (k, 3) [N] is the change of the contact
+    force.
     """
 
     A: np.ndarray
@@ -42,24 +39,26 @@ class LinearContact(NamedTuple):
     D: np.ndarray
 
 
-def rigid_shapes(disk: Disk, inclination) -> np.ndarray:
-    """Return the motion (k, 3, 6) [kg^-1/2] of the contact point in the six rigid modes of unit
-    modal mass.
+def rigid_mode_shapes(
+    disk: Disk, inclination: ArrayLike, fillet: float = 0.0
+) -> np.ndarray:
+    """Return the displacements (k, 3, 6) [kg^-1/2] of the contact point in rigid modes.
 
-    The modes are three translations and the rotations about a_1, about the axis and about the
-    diameter through the contact. The product with its transpose is the mobility W = 1/m - [r]x J^-1
-    [r]x of the contact point.
+    The six modes have unit modal mass. They are three translations and the rotations
+    about a_1, about the axis and about the diameter through the contact, on an edge
+    with the radius `fillet` [m]. The product with the transpose is the mobility W = 1/m
+    - [r]x J^-1 [r]x of the contact point.
     """
     beta = np.atleast_1d(np.asarray(inclination, dtype=float))
-    J1, J2, R, H = *inertias(disk), disk.radius, disk.thickness / 2
-    reach = R * np.cos(beta) - H * np.sin(beta)
-    height = R * np.sin(beta) + H * np.cos(beta)
+    J1, J2 = inertias(disk)
+    place = contact_place(np.cos(beta), np.sin(beta), disk.aspect, fillet / disk.radius)
+    radius, depth, height, lever = (disk.radius * length for length in place)
     shapes = np.zeros((len(beta), 3, 6))
     shapes[:, range(3), range(3)] = disk.mass**-0.5
     shapes[:, 1, 3] = height / J1**0.5
-    shapes[:, 2, 3] = reach / J1**0.5
-    shapes[:, 0, 4] = R / J2**0.5
-    shapes[:, 0, 5] = H / J1**0.5
+    shapes[:, 2, 3] = -lever / J1**0.5
+    shapes[:, 0, 4] = radius / J2**0.5
+    shapes[:, 0, 5] = depth / J1**0.5
     return shapes
 
 
@@ -71,45 +70,54 @@ def inertias(disk: Disk) -> tuple[float, float]:
     return unit * (K / 4 + h * h / 3), unit * K / 2
 
 
-def mobility(disk: Disk, inclination) -> np.ndarray:
-    """Return W (k, 3, 3) [1/kg]: acceleration of the contact point of the rigid disk under a unit
-    force.
-    """
-    shapes = rigid_shapes(disk, inclination)
+def mobility(disk: Disk, inclination: ArrayLike, fillet: float = 0.0) -> np.ndarray:
+    """Return the acceleration W (k, 3, 3) [1/kg] of the contact point per unit force."""
+    shapes = rigid_mode_shapes(disk, inclination, fillet)
     return shapes @ shapes.swapaxes(1, 2)
 
 
 def stiffness_matrix(springs: ContactSprings) -> np.ndarray:
-    """Return diag(k1, k2, kn) (k, 3, 3) [N/m]."""
+    """Return the diagonal matrices (k, 3, 3) [N/m] of k1, k2, kn."""
     return np.stack(
         np.broadcast_arrays(springs.k1, springs.k2, springs.kn),
         axis=-1,
     )[..., None] * np.eye(3)
 
 
-def normal_damping(law: ContactLaw, inclination, load):
-    """Return c [N s/m] that gives the normal resonance sqrt(kn W33) the loss factor of the law."""
+def normal_damping(
+    law: ContactLaw, inclination: ArrayLike, load: ArrayLike
+) -> np.ndarray:
+    """Return the damping c (k,) [N s/m] for the loss factor of the normal resonance."""
     kn = law.springs(inclination, load).kn
-    return law.loss_factor * np.sqrt(kn / mobility(law.disk, inclination)[:, 2, 2])
+    return law.loss_factor * np.sqrt(
+        kn / mobility(law.disk, inclination, law.rolling_fillet)[:, 2, 2]
+    )
 
 
-def required_step_rate(law: ContactLaw, inclination):
-    """Return the steps per second (k,) at which the fastest resonance turns by MAX_RESONANCE_TURN
-    in a step.
-    """
-    springs = law.springs(inclination, MAX_LOAD_RATIO * law.disk.weight)
-    W = mobility(law.disk, inclination)
-    return np.sqrt(springs.kn * W[:, 2, 2] + springs.k2 * W[:, 1, 1]) / MAX_RESONANCE_TURN
+def required_step_rate(law: ContactLaw, inclination: ArrayLike) -> np.ndarray:
+    """Return the step rate (k,) [1/s] required by the fastest contact resonance."""
+    max_load_ratio = (
+        4.0  # ratio of load to weight for which the step rate is determined
+    )
+    max_resonance_phase = (
+        1.0  # largest phase of the fastest resonance in one step [rad]
+    )
+    springs = law.springs(inclination, max_load_ratio * law.disk.weight)
+    W = mobility(law.disk, inclination, law.rolling_fillet)
+    return (
+        np.sqrt(springs.kn * W[:, 2, 2] + springs.k2 * W[:, 1, 1]) / max_resonance_phase
+    )
 
 
 def linear_contact(
     disk: Disk,
-    inclination,
+    inclination: ArrayLike,
     springs: ContactSprings,
-    speed=0.0,
-    damping=0.0,
-    impedance=np.inf,
-    flexibility=RIGID_FLEXIBILITY,
+    speed: ArrayLike = 0.0,
+    damping: ArrayLike = 0.0,
+    impedance: float = np.inf,
+    flexibility: np.ndarray = RIGID_FLEXIBILITY,
+    fillet: float = 0.0,
 ) -> LinearContact:
     """Return the linearised contact at inclinations (k,) [rad].
 
@@ -120,28 +128,31 @@ def linear_contact(
     inclination : (k,) array
         Inclinations [rad].
     springs : Springs
-        Springs of the contact.
+        Linearised contact springs.
     speed : float or (k,) array
-        Speed of the contact along its path [m/s]; the tangential springs relax, q_t' = u_t - q_t
-        V/l.
+        Speed V of the contact along its path [m/s], at which the tangential springs
+        relax: q_t' = u_t - q_t V/l.
     damping : float or (k,) array
-        Damping c along the normal [N s/m], to first order.
+        Damping c along the normal [N s/m].
     impedance : float
-        Impedance Z of the table [N s/m], q_z' = u_z - z' + N'/Z.
+        Impedance Z of the table [N s/m] in q_z' = u_z - z' + N'/Z.
     flexibility : (k, 3, 3) array
         Flexibility F of the disk [m/N].
+    fillet : float
+        Radius of the edge [m].
 
     Notes
     -----
-    With G = (1 + F k)^-1: q' = G (u - q V/l - (z' - N'/Z) e_3) and p = -k q - G^T c q_z' e_3.
+    With G = (1 + F k)^-1, q' = G (u - q V/l - (z' - N'/Z) e_3) and p = -k q - G^T c
+    q_z' e_3, to first order in c.
     """
-    W = mobility(disk, inclination)
+    W = mobility(disk, inclination, fillet)
     stiff = stiffness_matrix(springs)
     G = np.linalg.inv(np.eye(3) + flexibility @ stiff)
-    forgets = np.zeros((len(W), 1, 3))
-    forgets[:, 0, 0] = np.abs(speed) / springs.length1
-    forgets[:, 0, 1] = np.abs(speed) / springs.length2
-    stretch = np.concatenate([G, -G * forgets], axis=2)
+    relaxation_rate = np.zeros((len(W), 1, 3))
+    relaxation_rate[:, 0, 0] = np.abs(speed) / springs.length1
+    relaxation_rate[:, 0, 1] = np.abs(speed) / springs.length2
+    stretch = np.concatenate([G, -G * relaxation_rate], axis=2)
     rise = -G[:, :, 2]
     lost = -G[:, 2] * np.broadcast_to(damping, len(W))[:, None]
     C = lost[:, :, None] * stretch[:, 2:]
@@ -150,50 +161,66 @@ def linear_contact(
     share = 1 / (1 + D[:, 2:] / impedance)
     C = C - D[:, :, None] * (share * C[:, 2])[:, None] / impedance
     D = D * share
-    A = np.concatenate([W @ C, stretch - rise[:, :, None] * C[:, 2:] / impedance], axis=1)
-    B = np.concatenate([(W @ D[:, :, None])[:, :, 0], rise * (1 - D[:, 2:] / impedance)], axis=1)
+    A = np.concatenate(
+        [W @ C, stretch - rise[:, :, None] * C[:, 2:] / impedance], axis=1
+    )
+    acceleration = (W @ D[:, :, None])[:, :, 0]
+    B = np.concatenate([acceleration, rise * (1 - D[:, 2:] / impedance)], axis=1)
     return LinearContact(A, B, C, D)
 
 
 def resonances(system: LinearContact) -> Resonances:
-    """Return the three resonances of a linearised contact; an overdamped one has frequency 0."""
+    """Return the three resonances of a contact; overdamped ones have frequency 0."""
+    # lower bound of |s| [1/s], which avoids division by zero
+    min_root = 1e-300
     roots = np.linalg.eigvals(system.A)
     roots = np.take_along_axis(roots, np.argsort(roots.imag, axis=1), axis=1)[:, 3:]
     return Resonances(
         roots.imag / (2 * np.pi),
-        -2 * roots.real / np.maximum(np.abs(roots), MIN_ROOT),
+        -2 * roots.real / np.maximum(np.abs(roots), min_root),
     )
 
 
 class Suspension(NamedTuple):
-    """Springs and dampers of the contact along a_1, a_2, a_3: q' = u - forgets q, p = stiffness q +
-    damping q'.
+    """Springs and dampers of the contact along a_1, a_2, a_3.
 
-    `stiffness` (3,) [N/m], relaxation rates `forgets` (3,) [1/s], `damping` (3,) [N s/m].
+    They obey q' = u - relaxation_rate q and p = stiffness q + damping q', with
+    `stiffness` [N/m], `relaxation_rate` [1/s] and `damping` [N s/m], (3,) each.
+    `offset` (3,) [m] is the distance of the contact from the sharp edge along the
+    radius, the rim and the axis.
     """
 
     stiffness: np.ndarray
-    forgets: np.ndarray
+    relaxation_rate: np.ndarray
     damping: np.ndarray
+    offset: np.ndarray
 
 
 def suspension(law: ContactLaw, inclination: float) -> Suspension:
-    """Return the contact of a disk that rolls steadily with its centre fixed at an inclination
-    [rad].
+    """Return the contact of a disk in steady motion at an inclination [rad].
 
-    Raises ValueError if there is no such motion.
+    Raises ValueError if there is no steady motion.
     """
     disk = law.disk
     beta = np.array([inclination])
     springs = law.springs(beta, disk.weight)
     lost = normal_damping(law, beta, disk.weight)[0]
     try:
-        rate = steady_precession(inclination, disk.aspect, disk.gyration) / disk.time_unit
+        ratio = law.rolling_fillet / disk.radius
+        rate = (
+            steady_precession(inclination, disk.aspect, disk.gyration, ratio)
+            / disk.time_unit
+        )
     except ValueError:
         raise ValueError(
             f"there is no steady motion at {np.degrees(inclination):g} degrees"
         ) from None
-    speed = abs(disk.radius * rate * (np.cos(inclination) - disk.aspect * np.sin(inclination)))
+    speed = abs(law.place(inclination).f * rate)
     k1, k2, kn, length1, length2 = (float(value[0]) for value in springs)
-    forgets = np.array([speed / length1, speed / length2, 0.0])
-    return Suspension(np.array([k1, k2, kn]), forgets, np.array([0.0, 0.0, lost]))
+    relaxation_rate = np.array([speed / length1, speed / length2, 0.0])
+    damping = np.array([0.0, 0.0, lost])
+    place = law.place(inclination)
+    offset = np.array(
+        [place.radius - disk.radius, 0.0, disk.thickness / 2 - place.depth]
+    )
+    return Suspension(np.array([k1, k2, kn]), relaxation_rate, damping, offset)

@@ -1,6 +1,7 @@
 """Roughness of table and edge: spectra, and random height profiles.
 
-A profile is periodic: the table over at least 2^20 cells, the edge over its circumference.
+Profiles are periodic: that of the table over at least 2^20 cells, that of the edge over
+its circumference.
 """
 
 from dataclasses import replace
@@ -17,19 +18,21 @@ from dynamics.compliant.law.height_profile import (
     profile_from_csv,
     spline_profile,
 )
-from dynamics.compliant.law.sections import CELLS_PER_WAVE, MIN_WAVES_PER_PERIOD, Roughness
+from dynamics.compliant.law.sections import (
+    CELLS_PER_WAVE,
+    MIN_WAVES_PER_PERIOD,
+    Roughness,
+)
 
-TABLE_CELLS = 2**20
-"""Smallest number of cells in the profile of a table."""
 WAVE_NUMBER_COUNT = 8192
-"""Wave numbers of a spectrum, equidistant in their logarithm."""
+"""Number of wave numbers in a spectrum."""
 
 
 def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
-    """Return the height profiles of table and edge for a disk of this radius [m].
+    """Return the height profiles of table and edge for a disk of a radius [m].
 
-    They are random or read from files. Raises ValueError if a file is not a valid profile, or if no
-    wave fits the edge.
+    They are random or read from files. Raises ValueError if a file is not a valid
+    profile, or if no wavelength of the spectrum fits the edge.
     """
     if roughness is None:
         return SMOOTH_PROFILE, SMOOTH_PROFILE
@@ -40,12 +43,17 @@ def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profi
     )
     if roughness.profile_edge is not None:
         return table, profile_from_csv(roughness.profile_edge, 2 * pi * radius)
-    return table, edge_profile(roughness, radius) if roughness.edge_rms > 0 else SMOOTH_PROFILE
+    return table, edge_profile(
+        roughness, radius
+    ) if roughness.edge_rms > 0 else SMOOTH_PROFILE
 
 
 def check_roughness(roughness: Roughness, radius: float) -> None:
-    """Raise ValueError with one line if a profile cannot be read, or if no wave fits the edge."""
-    for key, file in (("profile", roughness.profile), ("profile_edge", roughness.profile_edge)):
+    """Raise ValueError if a profile cannot be read, or if no wavelength fits the edge."""
+    for key, file in (
+        ("profile", roughness.profile),
+        ("profile_edge", roughness.profile_edge),
+    ):
         try:
             if file is not None:
                 profile_from_csv(file)
@@ -59,22 +67,24 @@ def check_roughness(roughness: Roughness, radius: float) -> None:
 
 def table_profile(roughness: Roughness) -> Profile:
     """Return a random height profile of the table along the path of the contact."""
+    table_cells = 2**20  # smallest number of cells
     cell = roughness.shortest / CELLS_PER_WAVE
     n = max(
-        TABLE_CELLS,
+        table_cells,
         2 ** int(np.ceil(np.log2(MIN_WAVES_PER_PERIOD * roughness.longest / cell))),
     )
-    return _gaussian(roughness, n * cell, n, 0)
+    return _random_profile(roughness, n * cell, n, 0)
 
 
 def edge_profile(roughness: Roughness, radius: float) -> Profile:
-    """Return a random height profile of the edge of a disk of this radius [m] along its
-    circumference.
+    """Return a random height profile along the edge of a disk of a radius [m].
 
-    Raises ValueError if no wave of the spectrum fits.
+    Raises ValueError if no wavelength of the spectrum fits.
     """
     period = 2 * pi * radius
-    n = next_fast_len(int(np.ceil(CELLS_PER_WAVE * period / roughness.shortest)), real=True)
+    n = next_fast_len(
+        int(np.ceil(CELLS_PER_WAVE * period / roughness.shortest)), real=True
+    )
     edge = replace(
         roughness,
         rms=roughness.edge_rms,
@@ -82,12 +92,11 @@ def edge_profile(roughness: Roughness, radius: float) -> Profile:
         profile=None,
         profile_edge=None,
     )
-    return _gaussian(edge, period, n, 1)
+    return _random_profile(edge, period, n, 1)
 
 
 def wave_spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the wave numbers (w,) [rad/m] that fit a period [m] and the mean square (w,) [m^2] of
-    each wave.
+    """Return wave numbers (w,) [rad/m] that fit a period [m], and mean squares [m^2].
 
     Raises ValueError if none fits.
     """
@@ -95,8 +104,8 @@ def wave_spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.n
     last = np.floor(period / roughness.shortest * (1 + 1e-12))
     if last < max(first, 1):
         raise ValueError(
-            f"roughness.shortest = {roughness.shortest:g}: no wave between it and longest fits "
-            f"{period:g} m"
+            f"roughness.shortest = {roughness.shortest:g}: no wavelength between shortest and "
+            f"longest fits {period:g} m"
         )
     order = np.arange(max(first, 1), last + 1)
     power = (order / order[0]) ** -roughness.exponent
@@ -104,21 +113,22 @@ def wave_spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.n
 
 
 def ellipse_window(ka):
-    """Return the transfer function of the average over the ellipse: 3 (sin ka - ka cos
-    ka)/(ka)^3."""
+    """Return the transfer function 3 (sin ka - ka cos ka)/(ka)^3 of the mean height."""
     ka = np.asarray(ka, dtype=float)
     small = ka < 1e-2
     x = np.where(small, 1.0, ka)
     return np.where(small, 1 - ka * ka / 10, 3 * (np.sin(x) - x * np.cos(x)) / x**3)
 
 
-def spectral_density(roughness: Roughness, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return wave numbers (w,) [rad/m] and the mean square height per wave number (w,) [m^3] of
-    table and edge.
+def spectral_density(
+    roughness: Roughness, radius: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return wave numbers (w,) [rad/m] and spectral densities (w,) [m^3] of heights.
 
-    The wave numbers are equidistant in their logarithm. Table and edge are independent. The edge of
-    a disk of this radius [m] has its rms in the waves that fit its circumference. Raises ValueError
-    if a file is not a valid profile.
+    The densities are the sum for table and edge, as mean square per wave number, at
+    logarithmically spaced wave numbers. The rms of the edge of a disk of a radius [m]
+    is that of the waves that fit its circumference. Raises ValueError if a file is not
+    a valid profile.
     """
     files = [
         profile_from_csv(file)
@@ -130,35 +140,37 @@ def spectral_density(roughness: Roughness, radius: float) -> tuple[np.ndarray, n
         2 * pi * radius,
     )
     longest = max([p.period for p in files] + [roughness.longest] * (drawn > 0))
-    shortest = min([2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0))
+    shortest = min(
+        [2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0)
+    )
     k = np.geomspace(2 * pi / longest, 2 * pi / shortest, WAVE_NUMBER_COUNT)
     power = k**-roughness.exponent * (2 * pi <= k * roughness.longest * (1 + 1e-9))
     power *= k * roughness.shortest <= 2 * pi * (1 + 1e-9)
     power *= drawn / trapezoid(power, k) if drawn else 0.0
-    return k, power + sum(_measured(profile, k) for profile in files)
+    return k, power + sum(_measured_spectrum(profile, k) for profile in files)
 
 
 def circumference_gain(roughness: Roughness, period: float) -> float:
-    """Return the gain of each wave that fits a period [m]; 1 if no wave fits.
+    """Return the gain of the waves that fit a period [m]; 1 if none fits.
 
-    The gain is relative to an infinite profile of the same rms.
+    It is relative to an infinite profile of the same rms.
     """
     low = period / roughness.longest
     high = period / roughness.shortest
     p = roughness.exponent
     order = np.arange(max(np.ceil(low * (1 - 1e-12)), 1), high * (1 + 1e-12))
     n = np.geomspace(low, high, WAVE_NUMBER_COUNT)
-    return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p)) if len(order) else 1.0
+    if not len(order):
+        return 1.0
+    return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p))
 
 
 def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
-    """Return the relative shift rms(z'') R/beta (n,) of the true contact along the edge.
+    """Return the relative shift rms(z'') R/beta (n,) of the contact along the edge.
 
-    It is the shift in radians per radian. Table and edge are averaged over ellipses of half-length
-    a
-    (n,) [m] at inclinations (n,) [rad]. If the result exceeds 1, the disk touches at several
-    points,
-    and one ellipse is only an approximation.
+    It is the shift in radians per radian, at inclinations (n,) [rad]. Table and edge
+    are averaged over ellipses of half-lengths (n,) [m]. If the result exceeds 1, the
+    disk touches at several points, and a single ellipse is only an approximation.
     """
     k, power = spectral_density(roughness, radius)
     curvature = [
@@ -171,20 +183,23 @@ def shift_of_contact(roughness: Roughness, inclination, half_length, radius: flo
     return np.sqrt(curvature) * radius / np.sin(inclination)
 
 
-def _measured(profile, k):
-    """Return the mean square per wave number (w,) [m^3] of a measured profile, averaged over each
-    bin of k (w,).
-    """
+def _measured_spectrum(profile, k):
+    """Return the spectral density (w,) [m^3] of a measured profile in bins of k (w,)."""
     n = len(profile.coefficients) - 5
     cell = 1 / profile.cells_per_metre
-    waves = np.fft.rfft(mean_heights(profile, cell * np.arange(n), np.full(n, cell)))[1:] / n
+    waves = (
+        np.fft.rfft(mean_heights(profile, cell * np.arange(n), np.full(n, cell)))[1:]
+        / n
+    )
     own = 2 * pi / profile.period * np.arange(1, len(waves) + 1)
-    below = np.append(0.0, np.cumsum(2 * np.abs(waves / ellipse_window(own * cell)) ** 2))
+    below = np.append(
+        0.0, np.cumsum(2 * np.abs(waves / ellipse_window(own * cell)) ** 2)
+    )
     edges = np.concatenate([[0.0], np.sqrt(k[1:] * k[:-1]), [own[-1]]])
     return np.diff(np.interp(edges, np.append(0.0, own), below)) / np.diff(edges)
 
 
-def _gaussian(roughness, period, n, which):
+def _random_profile(roughness, period, n, which):
     """Return a random Gaussian profile with the spectrum of the roughness."""
     k, power = wave_spectrum(roughness, period)
     order = np.rint(k * period / (2 * pi)).astype(int)

@@ -1,8 +1,8 @@
-"""Statistical linearisation of the contact spring.
+"""Statistical linearisation of the contact spring (Caughey 1963).
 
-A strongly vibrating contact is softer than a linear one. The approach of Hertz's spring is a
-Gaussian variable (Caughey 1963). Its variance follows from the linear contact with the mean
-stiffness. Its mean follows from the condition that the mean force equals the load.
+A strongly vibrating contact is softer than a linear one. The approach of the Hertz
+contact is assumed to be Gaussian. Its variance is that of a linear contact with the
+mean stiffness. Its mean is such that the mean force equals the load.
 """
 
 import numpy as np
@@ -12,14 +12,16 @@ from dynamics.compliant.law.linear_response import predicted_rms
 from dynamics.compliant.law.roughness import Roughness
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 
-SCATTER_NODES = np.linspace(-6.0, 6.0, 241)
-"""Nodes of the integral over a Gaussian variable, in standard deviations."""
-SCATTER_WEIGHTS = np.exp(-(SCATTER_NODES**2) / 2) / np.exp(-(SCATTER_NODES**2) / 2).sum()
+GAUSSIAN_NODES = np.linspace(-6.0, 6.0, 241)
+"""Nodes of the integral over a Gaussian distribution, in standard deviations."""
+GAUSSIAN_WEIGHTS = np.exp(-(GAUSSIAN_NODES**2) / 2)
+GAUSSIAN_WEIGHTS /= GAUSSIAN_WEIGHTS.sum()
 """Weights of this integral."""
 LINEARISATION_ROUNDS = 6
 """Number of iterations.
 
-The load factor is then accurate to 3 %, and the resonance, its sixth root, to 0.5 %.
+The load factor is then accurate to 3 %, and the resonance, which varies as its sixth
+root, to 0.5 %.
 """
 
 
@@ -31,18 +33,23 @@ def effective_load_factor(
     speed,
     rounds: int = LINEARISATION_ROUNDS,
 ) -> np.ndarray:
-    """Return the factors (k,) on the loads that account for the vibration of the contact.
+    """Return the load factors (k,) that account for the vibration of the contact.
 
-    With these loads, the linear contact has the mean stiffness of the vibrating contact. The
-    arguments
-    (k,) are inclinations [rad], loads [N] and speeds of the contact [m/s].
+    Under the loads times these factors, the linear contact has the mean stiffness of
+    the vibrating contact. The arguments (k,) are inclinations [rad], loads [N] and
+    speeds of the contact [m/s].
     """
-    every = np.broadcast_arrays(np.atleast_1d(inclination), load, speed)
-    return np.array([_factor(table, roughness, *one, rounds) for one in zip(*every, strict=True)])
+    motions = np.broadcast_arrays(np.atleast_1d(inclination), load, speed)
+    factors = []
+    for beta, force, velocity in zip(*motions, strict=True):
+        factors.append(
+            _load_factor_of_motion(table, roughness, beta, force, velocity, rounds)
+        )
+    return np.array(factors)
 
 
-def _factor(table, roughness, inclination, load, speed, rounds):
-    """Return the factor at one inclination, load and speed, by fixed-point iteration."""
+def _load_factor_of_motion(table, roughness, inclination, load, speed, rounds):
+    """Return the load factor in one steady motion by fixed-point iteration."""
     at = np.array([inclination])
     factor = 1.0
     K0 = table.columns(at)[0, LAW_COLUMNS.hertz_stiffness]
@@ -55,21 +62,25 @@ def _factor(table, roughness, inclination, load, speed, rounds):
 
 
 def mean_stiffness(K, load, scatter) -> float:
-    """Return the mean stiffness 1.5 K d^0.5 [N/m] over a Gaussian approach d with standard
-    deviation `scatter` [m].
+    """Return the mean of the stiffness 1.5 K d^0.5 [N/m] for a Gaussian approach d.
 
-    The mean of K d^1.5 is the `load` [N]; there is no force for d < 0.
+    d has the standard deviation `scatter` [m]. The mean of K d^1.5 is the `load` [N];
+    for d < 0 the force is zero.
     """
     still = (load / K) ** (2 / 3)
     if not scatter > 0:
         return 1.5 * K * np.sqrt(still)
 
-    def held(mean, power):
-        return K * SCATTER_WEIGHTS @ np.maximum(mean + scatter * SCATTER_NODES, 0.0) ** power
+    def mean_power(mean, exponent):
+        return (
+            K
+            * GAUSSIAN_WEIGHTS
+            @ np.maximum(mean + scatter * GAUSSIAN_NODES, 0.0) ** exponent
+        )
 
     mean = brentq(
-        lambda mean: held(mean, 1.5) - load,
-        SCATTER_NODES[0] * scatter,
-        still + SCATTER_NODES[-1] * scatter,
+        lambda mean: mean_power(mean, 1.5) - load,
+        GAUSSIAN_NODES[0] * scatter,
+        still + GAUSSIAN_NODES[-1] * scatter,
     )
-    return 1.5 * held(mean, 0.5)
+    return 1.5 * mean_power(mean, 0.5)

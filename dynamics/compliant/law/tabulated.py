@@ -1,13 +1,18 @@
-"""The contact law tabulated over the inclination, for time stepping."""
+"""Contact law tabulated over the inclination, for time stepping."""
 
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline, PchipInterpolator, PPoly
 
-from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw, ContactSprings
+from dynamics.compliant.law.hertz_mindlin import (
+    MIN_CONTACT_INCLINATION,
+    ContactLaw,
+    ContactSprings,
+)
 from dynamics.compliant.law.linearised import (
     RIGID_FLEXIBILITY,
     LinearContact,
@@ -17,21 +22,14 @@ from dynamics.compliant.law.linearised import (
     normal_damping,
     resonances,
 )
+from dynamics.compliant.law.spin_friction import slip_arm, spin_creep_moment_coefficient
 
-GRID_STEP = 0.02
-"""Step of the grid in ln sin(beta); the splines are accurate to 1e-8, the lengths to 2e-5."""
-MAX_NEGATIVE_FLEXIBILITY = 0.5
-"""Largest size of a negative flexibility of the edge, divided by that of the springs under the weight."""
-MAX_LATERAL_FREQUENCY_RATIO = 0.5
-"""Largest squared frequency of the lateral flexibility, divided by that of the lowest mode."""
-BISECTION_STEPS = 40
-"""Bisections for the frequency of the contact resonance, at which the edge flexibility is
-evaluated.
-"""
+LOG_SINE_GRID_STEP = 0.02
+"""Grid step in ln sin(beta); the splines are accurate to 1e-8, the lengths to 2e-5."""
 
 
 class LawColumns(NamedTuple):
-    """Columns of the tabulated law; springs, lengths and the ellipse are those under the weight."""
+    """Indices of the columns of a tabulated law, which applies under the weight."""
 
     hertz_stiffness: int
     """K [N/m^1.5]"""
@@ -40,13 +38,17 @@ class LawColumns(NamedTuple):
     stiffness_1: int
     """Tangential stiffness k1 along the rolling direction [N/m]."""
     stiffness_2: int
-    """Tangential stiffness k2 across it [N/m]."""
+    """Tangential stiffness k2 across the rolling direction [N/m]."""
     relaxation_length_1: int
-    """Creep length l1 along the rolling direction [m]."""
+    """Relaxation length l1 along the rolling direction [m]."""
     relaxation_length_2: int
-    """Creep length l2 across it [m]."""
+    """Relaxation length l2 across the rolling direction [m]."""
     loss_coefficient: int
-    """c of N = K d^1.5 (1 + c d') [s/m]."""
+    """c in N = K d^1.5 (1 + c d') [s/m]."""
+    slip_arm: int
+    """Arm of the moment of full slip in pivoting at mu = 1 [m]."""
+    creep_moment: int
+    """Moment of spin creep divided by normal force and creepage [m^2]."""
 
 
 LAW_COLUMNS = LawColumns(*range(len(LawColumns._fields)))
@@ -54,32 +56,34 @@ LAW_COLUMNS = LawColumns(*range(len(LawColumns._fields)))
 
 @dataclass(frozen=True, kw_only=True)
 class LawTable:
-    """Tabulated columns of a contact law over x = ln sin(beta).
+    """Columns of a contact law tabulated over x = ln sin(beta).
 
-    The half-length and every spring grow with the cube root of the load.
+    The half-length and all springs are proportional to the cube root of the load.
 
     Attributes
     ----------
     law : ContactLaw
         Law of the contact.
     damping : float, optional
-        Damping under the weight [N s/m], in place of the loss factor of the law.
+        Damping under the weight [N s/m], which replaces the loss factor of the law.
     edge : modal.Edge, optional
-        Flexibility of the edge in series with the springs; None for a rigid disk.
-    moves : float
-        Modes below this frequency [Hz] are not part of the vertical flexibility, because they move
-        (rim_modes.py).
+        Flexibility of the edge, in series with the springs; None for a rigid disk.
+    max_moving_frequency : float
+        Modes below this frequency [Hz] are excluded from the vertical flexibility,
+        because they are solved in time (rim_modes.py).
     """
 
     law: ContactLaw
     damping: float | None = None
     edge: Any = None
-    moves: float = 0.0
+    max_moving_frequency: float = 0.0
 
     @cached_property
     def grid(self) -> np.ndarray:
-        """Nodes (n,) of x, from below MIN_CONTACT_INCLINATION to upright."""
-        return GRID_STEP * np.arange(np.floor(np.log(MIN_CONTACT_INCLINATION / 2) / GRID_STEP), 1)
+        """Nodes (n,) of x, from below MIN_CONTACT_INCLINATION to an upright disk."""
+        return LOG_SINE_GRID_STEP * np.arange(
+            np.floor(np.log(MIN_CONTACT_INCLINATION / 2) / LOG_SINE_GRID_STEP), 1
+        )
 
     @property
     def inclinations(self) -> np.ndarray:
@@ -89,15 +93,15 @@ class LawTable:
     @cached_property
     def spline(self) -> PPoly:
         """Cubic spline of the columns over the grid."""
-        return positive_curves(self.grid, self._tabulated())
+        return positive_interpolants(self.grid, self._tabulated())
 
     @cached_property
     def stiffness(self) -> PPoly:
-        """K [N/m^1.5] as a piecewise polynomial of x."""
+        """K [N/m^1.5] as a piecewise polynomial in x."""
         return PPoly(self.spline.c[:, :, LAW_COLUMNS.hertz_stiffness], self.grid)
 
     def _tabulated(self) -> np.ndarray:
-        """Columns of the law (n, 7) at the nodes."""
+        """Return the columns (n, 9) of the law at the nodes."""
         beta = self.inclinations
         load = self.law.disk.weight
         springs = self.law.springs(beta, load)
@@ -116,17 +120,22 @@ class LawTable:
             *springs[:2],
             *springs[3:],
             c / load,
+            slip_arm(self.law, beta, load),
+            spin_creep_moment_coefficient(self.law, beta, load),
         )
         return np.column_stack(columns)
 
-    def columns(self, inclination) -> np.ndarray:
-        """Return the columns (k, 7) under the weight at inclinations (k,) [rad]."""
+    def columns(self, inclination: ArrayLike) -> np.ndarray:
+        """Return the tabulated columns (k, 9) at inclinations (k,) [rad].
+
+        They apply to a normal force equal to the weight.
+        """
         return self.spline(np.log(np.sin(inclination)))
 
-    def springs(self, inclination, load):
-        """Return the ContactSprings, the half-length (k,) [m] and the damping (k,) [N s/m] under loads
-        (k,) [N].
-        """
+    def springs(
+        self, inclination: ArrayLike, load: Any
+    ) -> tuple[ContactSprings, np.ndarray, np.ndarray]:
+        """Return springs, half-length [m] and damping [N s/m] under loads (k,) [N]."""
         value = self.columns(inclination).T
         root = np.cbrt(load / self.law.disk.weight)
         kn = 1.5 * value[LAW_COLUMNS.hertz_stiffness] ** (2 / 3) * np.cbrt(load)
@@ -143,11 +152,16 @@ class LawTable:
             value[LAW_COLUMNS.loss_coefficient] * load,
         )
 
-    def system(self, inclination, load, speed=0.0, rolls=True) -> LinearContact:
-        """Return the linearised contact at inclinations [rad], loads [N] and speeds along the path
-        [m/s], (k,) each.
+    def linear_contact(
+        self,
+        inclination: ArrayLike,
+        load: ArrayLike,
+        speed: ArrayLike = 0.0,
+        rolls: ArrayLike = True,
+    ) -> LinearContact:
+        """Return the linearised contact at inclinations [rad], loads [N], speeds [m/s].
 
-        A contact that does not roll has no spring along a_2.
+        The arguments are (k,). A contact that does not roll has no spring along a_2.
         """
         springs, _, c = self.springs(inclination, load)
         springs = springs._replace(k2=np.where(rolls, springs.k2, 0.0))
@@ -158,36 +172,46 @@ class LawTable:
             speed,
             c,
             flexibility=self.flexibility(inclination),
+            fillet=self.law.rolling_fillet,
         )
 
-    def carrier(self, inclination, load, speed) -> Resonances:
-        """Return frequency (k,) [Hz] and loss factor (k,) of the contact resonance along a rolling
-        motion.
+    def contact_resonance(
+        self, inclination: ArrayLike, load: ArrayLike, speed: ArrayLike
+    ) -> Resonances:
+        """Return frequency (k,) [Hz] and loss factor (k,) of the contact resonance.
 
-        Arguments (k,): inclination [rad], normal force [N], speed of the contact along its path
-        [m/s].
+        The arguments (k,) are inclination [rad], normal force [N] and speed of the
+        rolling contact along its path [m/s].
         """
-        found = resonances(self.system(inclination, load, speed))
+        found = resonances(self.linear_contact(inclination, load, speed))
         return Resonances(found.frequency[:, 2], found.loss_factor[:, 2])
 
-    def flexibility(self, inclination) -> np.ndarray:
-        """Return the flexibility (k, 3, 3) [m/N] of the edge along a_1, a_2, a_3 at inclinations
-        (k,).
-        """
-        return RIGID_FLEXIBILITY if self.edge is None else self.yields(np.log(np.sin(inclination)))
+    def flexibility(self, inclination: ArrayLike) -> np.ndarray:
+        """Return the edge flexibility (k, 3, 3) [m/N] at inclinations (k,) [rad]."""
+        return (
+            RIGID_FLEXIBILITY
+            if self.edge is None
+            else self.flexibility_spline(np.log(np.sin(inclination)))
+        )
 
     @cached_property
-    def yields(self) -> CubicSpline:
-        """Flexibility (3, 3) of the edge over the grid, at the frequency w of the normal contact
-        resonance under the weight.
+    def flexibility_spline(self) -> CubicSpline:
+        """Spline of the edge flexibility at the frequency w of the contact resonance.
 
-        F(w) = F + sum of s s^T w^2/(w_i^2 (w_i^2 - w^2)) over the modes s, which makes the contact
-        resonance exact. For the lateral components w^2 is at most MAX_LATERAL_FREQUENCY_RATIO of
-        that of the lowest mode, since that mode may move the contact laterally only.
+        The resonance is that under the weight. F(w) = F + sum of s s^T w^2/(w_i^2
+        (w_i^2 - w^2)) over the modes s makes it exact. For the lateral components, w^2
+        is at most `max_lateral_frequency_ratio` times that of the lowest mode, because
+        that mode may move the contact only laterally.
         """
+        # for the frequency of the contact resonance
+        bisection_steps = 40
+        # largest squared frequency of the lateral flexibility over that of the lowest mode
+        max_lateral_frequency_ratio = 0.5
         beta = self.inclinations
         edge = self.edge
-        turn = np.zeros((len(beta), 3, 3))  # from radius, rim, axis to a_1, a_2, a_3
+        turn = np.zeros(
+            (len(beta), 3, 3)
+        )  # rotation from radius, rim, axis to a_1, a_2, a_3
         turn[:, 0, 1] = -1.0
         turn[:, 1, 0] = np.cos(beta)
         turn[:, 2, 2] = np.cos(beta)
@@ -197,32 +221,40 @@ class LawTable:
         raised = shapes[:, :, 2] ** 2
         still = turn @ edge.flexibility @ turn.swapaxes(1, 2)
         springs = self.law.springs(beta, self.law.disk.weight)
-        W = mobility(self.law.disk, beta)[:, 2, 2]
+        W = mobility(self.law.disk, beta, self.law.rolling_fillet)[:, 2, 2]
         lowest = edge.squared.min(initial=np.inf)
         low = np.zeros(len(beta))
         high = np.minimum(lowest, springs.kn * W)
-        for _ in range(BISECTION_STEPS):
+        for _ in range(bisection_steps):
             square = (low + high) / 2
-            normal = still[:, 2, 2] + (raised * dynamic_part(edge.squared, square)).sum(axis=1)
+            normal = still[:, 2, 2] + (
+                raised * dynamic_flexibility(edge.squared, square)
+            ).sum(axis=1)
             below = square * (1 / springs.kn + normal) < W
             low = np.where(below, square, low)
             high = np.where(below, high, square)
-        sideways = dynamic_part(
+        sideways = dynamic_flexibility(
             edge.squared,
-            np.minimum(square, MAX_LATERAL_FREQUENCY_RATIO * lowest),
+            np.minimum(square, max_lateral_frequency_ratio * lowest),
         )
         yields = still + (shapes.swapaxes(1, 2) * sideways[:, None]) @ shapes
-        moving = edge.squared < (2 * np.pi * self.moves) ** 2
-        part = np.where(moving, -1 / edge.squared, dynamic_part(edge.squared, square))
+        moving = edge.squared < (2 * np.pi * self.max_moving_frequency) ** 2
+        part = np.where(
+            moving, -1 / edge.squared, dynamic_flexibility(edge.squared, square)
+        )
         yields[:, 2, 2] = still[:, 2, 2] + (raised * part).sum(axis=1)
-        return CubicSpline(self.grid, bound_flexibility(yields, np.column_stack(springs[:3])))
+        return CubicSpline(
+            self.grid, bounded_flexibility(yields, np.column_stack(springs[:3]))
+        )
 
 
-def positive_curves(grid, columns, steep: float = 2.0) -> PPoly:
-    """Return interpolating curves through positive columns (n, k) at the nodes (n,).
+def positive_interpolants(
+    grid: np.ndarray, columns: np.ndarray, steep: float = 2.0
+) -> PPoly:
+    """Return interpolants of positive columns (n, k) at the nodes (n,).
 
-    If a column changes by more than the factor `steep` between nodes, where a spline may become
-    negative, it gets a monotone curve.
+    A column that changes by more than the factor `steep` between nodes, where a spline
+    might become negative, has a monotone interpolant.
     """
     above = np.maximum(columns[1:], columns[:-1])
     below = np.minimum(columns[1:], columns[:-1])
@@ -234,25 +266,25 @@ def positive_curves(grid, columns, steep: float = 2.0) -> PPoly:
     return PPoly(np.where(leaps, monotone.c, smooth.c), grid)
 
 
-def dynamic_part(squared, square):
-    """Return w^2/(w_i^2 (w_i^2 - w^2)) (k, m) for `squared` w_i^2 (m,) and `square` w^2 (k,), below
-    all w_i^2.
-    """
+def dynamic_flexibility(squared: np.ndarray, square: np.ndarray) -> np.ndarray:
+    """Return w^2/(w_i^2 (w_i^2 - w^2)) (k, m); `squared` is w_i^2, `square` is w^2."""
     return square[:, None] / (squared * (squared - square[:, None]))
 
 
-def bound_flexibility(flexibility, stiffness):
-    """Return flexibilities (k, 3, 3) [m/N], bounded below relative to springs (k, 3) [N/m] in
-    series.
+def bounded_flexibility(flexibility: np.ndarray, stiffness: np.ndarray) -> np.ndarray:
+    """Return flexibilities (k, 3, 3) [m/N] with a lower bound.
 
-    The bound is -MAX_NEGATIVE_FLEXIBILITY of the flexibility of the springs. Without the part near
-    the contact, which the springs contain, and without the moving modes, the flexibility of the
-    edge is negative. Where the ellipse is as long as the waves of these modes both count this part,
-    and the sum could become negative.
+    The bound is -`max_negative_flexibility` times the flexibility of springs (k, 3)
+    [N/m] in series. The edge flexibility excludes the deformation near the contact,
+    which the springs include, and the modes solved in time, so it can be negative. If
+    the ellipse is as long as the waves of these modes, the total could become negative
+    as well.
     """
+    # largest negative flexibility of the edge over the flexibility of the springs
+    max_negative_flexibility = 0.5
     root = np.sqrt(stiffness)
     part, axes = np.linalg.eigh(flexibility * root[:, :, None] * root[:, None, :])
-    raised = np.maximum(-MAX_NEGATIVE_FLEXIBILITY - part, 0.0)
+    raised = np.maximum(-max_negative_flexibility - part, 0.0)
     back = axes / root[:, :, None]
     return flexibility + (back * raised[:, None]) @ back.swapaxes(1, 2)
 
@@ -260,25 +292,41 @@ def bound_flexibility(flexibility, stiffness):
 class SeriesLawTable(LawTable):
     """Tabulated law with the flexibility of the edge in series with every spring.
 
-    Creep force and contact loss are unchanged. Under another load all springs scale as the Hertz
-    contact. The model neglects the coupling between the directions a_1, a_2, a_3: the error of the
-    contact resonance is 0.3 to 0.9 % for the toy, and up to 6 % for an upright coin
-    (tests/compliant/test_edge_flexibility.py).
+    Creep forces and contact losses are unchanged. All springs scale with the load like
+    the Hertz contact. The coupling between the directions a_1, a_2, a_3 is neglected:
+    the error of the contact resonance is 0.3 to 0.9 % for the toy, and up to 6 % for an
+    upright coin (tests/compliant/test_edge_flexibility.py).
     """
 
-    def flexibility(self, inclination) -> np.ndarray:
-        """Return zero flexibility: the springs include it."""
+    def flexibility(self, inclination: ArrayLike) -> np.ndarray:
+        """Return zero flexibility, because the springs include it."""
         return RIGID_FLEXIBILITY
 
     def _tabulated(self) -> np.ndarray:
         columns = super()._tabulated()
         one = np.ones(len(self.grid))
         kn = (
-            1.5 * columns[:, LAW_COLUMNS.hertz_stiffness] ** (2 / 3) * np.cbrt(self.law.disk.weight)
+            1.5
+            * columns[:, LAW_COLUMNS.hertz_stiffness] ** (2 / 3)
+            * np.cbrt(self.law.disk.weight)
         )
-        held = np.column_stack([columns[:, [LAW_COLUMNS.stiffness_1, LAW_COLUMNS.stiffness_2]], kn])
+        stiffness = np.column_stack(
+            [columns[:, [LAW_COLUMNS.stiffness_1, LAW_COLUMNS.stiffness_2]], kn]
+        )
         yields = super().flexibility(self.inclinations)
-        first, second, normal = (1 / (1 + held * np.diagonal(yields, axis1=-2, axis2=-1))).T
+        first, second, normal = (
+            1 / (1 + stiffness * np.diagonal(yields, axis1=-2, axis2=-1))
+        ).T
         return columns * np.column_stack(
-            [normal**1.5, one, first, second, 1 / first, 1 / second, normal**2]
+            [
+                normal**1.5,
+                one,
+                first,
+                second,
+                1 / first,
+                1 / second,
+                normal**2,
+                one,
+                one,
+            ]
         )

@@ -1,7 +1,8 @@
-"""Unevenness of table and edge along one turn of the rim, and the numbers that follow from it.
+"""Unevenness of table and edge along one turn of the rim, and its curvature number.
 
-In the last seconds of its motion a disk hardly turns about its axis, so that the same points of
-edge and table meet again and again: their heights act as one profile of the rim.
+In the last seconds of its motion a disk hardly rotates about its axis, so that the same
+points of edge and table meet repeatedly. Their heights are therefore combined in one
+profile of the rim.
 """
 
 from functools import lru_cache
@@ -17,27 +18,22 @@ from dynamics.compliant.law.sections import Imperfection, Roughness
 from dynamics.disk import Disk
 
 LOWEST_ORDER = 2
-"""Waves round the rim of the first order are a tilt of the table."""
-POINTS_PER_WAVE = 13
-"""Points of the rim per shortest wave."""
-MIN_GRAIN_PERIODS = 16
-"""Period of a ruled table over its longest wave or the diameter of the disk."""
-MIN_RIM_POINTS = 4096
-"""Smallest number of points of the rim; they resolve the contact of a coin."""
+"""Lowest order of the waves around the rim; order 1 would be a tilt of the table."""
 
 
 def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:
-    """Return the complex amplitudes (n,) [m] of the heights round the rim, by order from 0 on.
+    """Return the complex amplitudes (n,) [m] of the heights around the rim, by order.
 
-    The height at an angle a is the real part of the sum of amplitude[n] exp(i n a). Raises
-    ValueError if no wave fits the rim, or if a measured profile is shorter than one turn.
+    The height at an angle a is the real part of the sum of amplitude[n] exp(i n a),
+    from n = 0. Raises ValueError if no wavelength fits the rim, or if a measured
+    profile is shorter than one turn.
     """
     if roughness is None:
         return np.zeros(LOWEST_ORDER, complex)
     measured = roughness.profile is not None
     rms = 0.0 if measured or roughness.grain else roughness.rms or 0.0
     parts = [spectral_amplitudes(roughness, np.hypot(rms, roughness.edge_rms), radius)]
-    if measured:
+    if roughness.profile is not None:
         parts.append(measured_amplitudes(roughness.profile, radius))
     elif roughness.grain:
         parts.append(grain_amplitudes(roughness, radius))
@@ -51,22 +47,22 @@ def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:
 
 
 def spectral_amplitudes(roughness: Roughness, rms: float, radius: float) -> np.ndarray:
-    """Return the amplitudes (n,) [m] of random heights with this root mean square [m].
+    """Return the amplitudes (n,) [m] of random heights with a root mean square [m].
 
-    The squared amplitudes vary as n^-p with the exponent p of the roughness. The phases are random,
-    and the root mean square is exact.
+    The squared amplitudes vary as n^-p with the exponent p of the roughness. The phases
+    are random, and the root mean square is exact.
     """
     if rms == 0.0:
         return np.zeros(LOWEST_ORDER, complex)
     rim = 2 * pi * radius
     first = max(int(np.ceil(rim / roughness.longest)), LOWEST_ORDER)
-    last = int(rim / roughness.shortest)
-    if last < first:
+    highest_order = int(rim / roughness.shortest)
+    if highest_order < first:
         raise ValueError(
-            f"roughness.shortest = {roughness.shortest:g}: no wave between it and longest fits "
-            f"{rim:g} m"
+            f"roughness.shortest = {roughness.shortest:g}: no wavelength between shortest and "
+            f"longest fits {rim:g} m"
         )
-    order = np.arange(first, last + 1)
+    order = np.arange(first, highest_order + 1)
     size = order ** (-roughness.exponent / 2)
     size *= sqrt(2) * rms / sqrt(np.sum(size**2))
     phase = np.random.default_rng(roughness.seed).uniform(0, 2 * pi, len(order))
@@ -74,12 +70,17 @@ def spectral_amplitudes(roughness: Roughness, rms: float, radius: float) -> np.n
 
 
 def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
-    """Return the amplitudes (n,) [m] along the circle of the contact on a ruled table.
+    """Return the amplitudes (n,) [m] along the contact circle on a ruled table.
 
-    Its height depends on x = R cos(a) only. The waves along x have the spectrum of the roughness.
+    The height depends only on x = R cos(a). The waves along x have the spectrum of the
+    roughness.
     """
-    period = MIN_GRAIN_PERIODS * max(roughness.longest, 2 * radius)
-    along = np.arange(ceil(period / roughness.longest), int(period / roughness.shortest) + 1)
+    # period of a ruled table, divided by its longest wave or the diameter of the disk
+    min_grain_periods = 16
+    period = min_grain_periods * max(roughness.longest, 2 * radius)
+    along = np.arange(
+        ceil(period / roughness.longest), int(period / roughness.shortest) + 1
+    )
     size = along ** (-roughness.exponent / 2)
     size *= sqrt(2) * (roughness.rms or 0.0) / sqrt(np.sum(size**2))
     phase = np.random.default_rng(roughness.seed).uniform(0, 2 * pi, len(along))
@@ -88,44 +89,52 @@ def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
     heights = np.zeros(count)
     for number, amplitude, shift in zip(along, size, phase, strict=True):
         heights += amplitude * np.cos(2 * pi * number / period * x + shift)
-    return amplitudes_of(heights, int(2 * pi * radius / roughness.shortest))
+    return fourier_amplitudes(heights, int(2 * pi * radius / roughness.shortest))
 
 
 def measured_amplitudes(file: str, radius: float) -> np.ndarray:
     """Return the amplitudes (n,) [m] of the first turn of a measured profile.
 
-    The straight line between its ends is subtracted, which closes the turn. Raises ValueError if
-    the profile is shorter than one turn.
+    The straight line between both ends is subtracted, which makes the turn periodic.
+    Raises ValueError if the profile is shorter than one turn.
     """
     length, height = profile_columns(Path(file))
     length = length - length[0]
     rim = 2 * pi * radius
     if length[-1] < rim:
         raise ValueError(
-            f"{file}: is {length[-1]:g} m long, and must be at least one turn of the rim, {rim:g} m"
+            f"{file}: is {length[-1]:g} m long, but must be at least one turn of the rim, {rim:g} m"
         )
-    last = int(rim / (2 * np.diff(length).min()))
-    count = rim_point_count(last)
+    highest_order = int(rim / (2 * np.diff(length).min()))
+    count = rim_point_count(highest_order)
     path = rim * np.arange(count) / count
     start, end = np.interp([0.0, rim], length, height)
-    return amplitudes_of(np.interp(path, length, height) - (end - start) * path / rim, last)
+    return fourier_amplitudes(
+        np.interp(path, length, height) - (end - start) * path / rim, highest_order
+    )
 
 
-def amplitudes_of(heights: np.ndarray, last: int) -> np.ndarray:
-    """Return the complex amplitudes (last + 1,) [m] of heights (p,) [m] at equidistant angles."""
-    return np.fft.rfft(heights)[: last + 1] * 2 / len(heights)
+def fourier_amplitudes(heights: np.ndarray, highest_order: int) -> np.ndarray:
+    """Return the complex amplitudes (n,) [m] of heights (p,) [m] at equidistant angles.
+
+    The orders are 0 to `highest_order`.
+    """
+    return np.fft.rfft(heights)[: highest_order + 1] * 2 / len(heights)
 
 
-def rim_point_count(last: int) -> int:
-    """Return the number of points of the rim for waves up to the order `last`: a power of two."""
-    needed = max(MIN_RIM_POINTS, POINTS_PER_WAVE * (last + 1))
+def rim_point_count(highest_order: int) -> int:
+    """Return a number of rim points, a power of two, that resolves `highest_order`."""
+    # smallest number of points of the rim, which resolves the contact of a coin
+    min_rim_points = 4096
+    points_per_wave = 13  # points of the rim per shortest wave
+    needed = max(min_rim_points, points_per_wave * (highest_order + 1))
     return 2 ** int(np.ceil(np.log2(needed)))
 
 
 def rim_heights(
     roughness: Roughness | None, imperfection: Imperfection | None, radius: float
 ) -> np.ndarray:
-    """Return the heights (p,) [m] of the rim's profile at equidistant angles."""
+    """Return the heights (p,) [m] of table and edge at equidistant angles."""
     amplitudes = rim_amplitudes(roughness, radius)
     if imperfection is not None:
         missing = max(imperfection.order + 1 - len(amplitudes), 0)
@@ -138,7 +147,7 @@ def rim_heights(
 
 
 def static_depth(weight, modulus, radius, fillet, inclination):
-    """Return the depth [m] of the static elastic contact of the edge on a smooth table.
+    """Return the static approach [m] of the elastic edge to a smooth table.
 
     Examples
     --------
@@ -149,12 +158,14 @@ def static_depth(weight, modulus, radius, fillet, inclination):
     return (weight / stiffness) ** (2 / 3)
 
 
-def curvature_number(amplitudes, radius: float, inclination: float, depth: float) -> float:
-    """Return kappa, the rms curvature of the unevenness over the curvature of the tilted rim.
+def curvature_number(
+    amplitudes, radius: float, inclination: float, depth: float
+) -> float:
+    """Return kappa, the rms curvature of the unevenness over that of the tilted rim.
 
-    Waves shorter than the contact, which has this static depth [m], are not felt. Contact is first
-    lost at a value of 0.25 to 0.5; from about 0.6 on the disk is off the table for a third of the
-    time.
+    Waves shorter than the contact, which has the static `depth` [m], are excluded.
+    Contact is first lost at values from 0.25 to 0.5; above about 0.6 the disk is off
+    the table for a third of the time.
     """
     order = np.arange(len(amplitudes))
     felt = order < sqrt(radius * inclination / (2 * depth))
@@ -167,14 +178,14 @@ class Unevenness(NamedTuple):
 
     Attributes
     ----------
-    curvature : float
-        kappa, as `curvature_number` returns it.
-    depths : float
-        Root mean square of the heights over the depth of the static contact.
+    curvature_number : float
+        kappa, as returned by the function `curvature_number`.
+    rms_over_depth : float
+        Root mean square of the heights divided by the static depth of the contact.
     """
 
-    curvature: float
-    depths: float
+    curvature_number: float
+    rms_over_depth: float
 
 
 @lru_cache(32)
@@ -185,9 +196,9 @@ def _amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
 def unevenness(
     disk: Disk, law: ContactLaw, roughness: Roughness | None, inclination: float
 ) -> Unevenness:
-    """Return how uneven table and edge are for a disk at an inclination [rad].
+    """Return the unevenness of table and edge for a disk at an inclination [rad].
 
-    Raises ValueError if no wave fits the rim.
+    Raises ValueError if no wavelength fits the rim.
     """
     if roughness is None:
         return Unevenness(0.0, 0.0)
@@ -199,7 +210,7 @@ def unevenness(
 
 
 def damping_ratio(restitution: float) -> float:
-    """Return the damping ratio of a linear contact with this restitution.
+    """Return the damping ratio of a linear contact with a coefficient of restitution.
 
     The restitution is exp(-pi zeta/sqrt(1 - zeta^2)).
 
@@ -212,25 +223,25 @@ def damping_ratio(restitution: float) -> float:
     return logarithm / sqrt(1 + logarithm**2)
 
 
-def restitution_of(ratio: float) -> float:
-    """Return the restitution of a linear contact of this damping ratio.
+def restitution_from_damping(ratio: float) -> float:
+    """Return the coefficient of restitution of a linear contact with a damping ratio.
 
     Examples
     --------
-    >>> round(restitution_of(damping_ratio(0.5)), 12)
+    >>> round(restitution_from_damping(damping_ratio(0.5)), 12)
     0.5
     """
     return exp(-pi * ratio / sqrt(1 - ratio**2))
 
 
-def rate_exponent(spectrum_exponent: float) -> float:
-    """Return n of the precession rate ~ (t_end - t)^-n of a disk that impacts alone slow down.
+def precession_rate_exponent(spectrum_exponent: float) -> float:
+    """Return n in the rate ~ (t_end - t)^-n of the precession, slowed only by impacts.
 
-    The unevenness has the power spectrum k^-p with p = 1 + 2 H, and n = (2 - H)/(4 - H).
+    For unevenness with the power spectrum k^-p, p = 1 + 2 H, it is n = (2 - H)/(4 - H).
 
     Examples
     --------
-    >>> rate_exponent(1.0)
+    >>> precession_rate_exponent(1.0)
     0.5
     """
     slope = (spectrum_exponent - 1) / 2

@@ -1,1 +1,1 @@
-"""Time stepping of the full compliant motion, compiled by numba."""
+"""Compiled time stepping of the full compliant motion."""

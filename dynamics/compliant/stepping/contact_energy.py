@@ -1,6 +1,4 @@
-"""Contact energy as a function of the gap, its difference quotient over a step, and the tabulated
-law.
-"""
+"""Contact energy as a function of the gap, and evaluation of the tabulated law."""
 
 from typing import NamedTuple
 
@@ -11,16 +9,17 @@ from dynamics.numba_kernels import kernel
 
 
 class LawCubics(NamedTuple):
-    """Tabulated law as cubics over ln(sin(beta)).
+    """Tabulated contact law as cubic polynomials of ln(sin(beta)).
 
     Attributes
     ----------
     grid_start : float
         First node.
     intervals_per_unit : float
-        Reciprocal distance of the nodes.
+        Reciprocal distance between nodes.
     cubics : (intervals, columns, 4) array
-        Coefficients over the position within each interval (0 to 1), highest power first.
+        Coefficients for the position within each interval (0 to 1), highest power
+        first.
     """
 
     grid_start: float
@@ -30,26 +29,26 @@ class LawCubics(NamedTuple):
 
 @kernel
 def law_interval(law, sine):
-    """Return the interval of the tabulated law that contains ln(sine), and the position within it
-    (0 to 1).
-    """
+    """Return the table interval that contains ln(sine), and the position in it."""
     x = (np.log(sine) - law.grid_start) * law.intervals_per_unit
     i = min(max(int(x), 0), len(law.cubics) - 1)
     return i, x - i
 
 
 @kernel
-def locate_in_law(y, law):
-    """Store the position of the present inclination in the tabulated law in the state."""
+def update_law_interval(y, law):
+    """Update the sine of the inclination in the state, and its table interval."""
     y[STATE.sin_inclination] = np.sqrt(
         y[STATE.axis] * y[STATE.axis] + y[STATE.axis + 1] * y[STATE.axis + 1]
     )
-    y[STATE.law_interval], y[STATE.law_fraction] = law_interval(law, y[STATE.sin_inclination])
+    y[STATE.law_interval], y[STATE.law_fraction] = law_interval(
+        law, y[STATE.sin_inclination]
+    )
 
 
 @kernel
 def law_column(law, i, u, column):
-    """Return a column of the law at the fraction u of the interval i."""
+    """Return the value of a column of the law at the fraction u of interval i."""
     cubics = law.cubics
     return cubics[i, column, 3] + u * (
         cubics[i, column, 2] + u * (cubics[i, column, 1] + u * cubics[i, column, 0])
@@ -58,15 +57,18 @@ def law_column(law, i, u, column):
 
 @kernel
 def law_slope(law, i, u, column):
-    """Return the derivative of a column by ln sin(beta), divided by the intervals per unit."""
+    """Return the derivative of a column by the position in interval i."""
     cubics = law.cubics
-    return cubics[i, column, 2] + u * (2 * cubics[i, column, 1] + u * 3 * cubics[i, column, 0])
+    return cubics[i, column, 2] + u * (
+        2 * cubics[i, column, 1] + u * 3 * cubics[i, column, 0]
+    )
 
 
 @kernel
 def approach_root(gap):
-    """Return r = sqrt(-G) [m^0.5] for a gap G [m], or 0 for an open gap; the contact energy is U =
-    2/5 K r^5.
+    """Return r = sqrt(-G) [m^0.5] of a gap G [m], or 0 for an open gap.
+
+    The contact energy is U = 2/5 K r^5.
     """
     return np.sqrt(-gap) if gap < 0 else 0.0
 

@@ -1,10 +1,9 @@
-"""Full compliant motion: a rigid disk on an elastic, rough contact with creep, slip and loss of
-contact.
+"""Model of the full compliant motion, with creep, slip, roughness and loss of contact.
 
-Valid from the upright disk down to MIN_CONTACT_INCLINATION, where the contact is no longer one ellipse,
-and while the roughness under the ellipse makes one contact (roughness.shift_of_contact below 1).
-The normal force follows the gap in every step. The tangential springs and the length of the ellipse
-are those under the weight, at the inclination of the step.
+It is valid for inclinations above MIN_CONTACT_INCLINATION, and while the roughness
+leaves a single contact (roughness.shift_of_contact below 1). The normal force follows
+from the gap in every step. The tangential springs and the length of the ellipse are
+those under the weight.
 """
 
 from collections.abc import Iterator, Sequence
@@ -18,60 +17,67 @@ from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias, required_step_rate
 from dynamics.compliant.law.sections import Imperfection
-from dynamics.compliant.law.tabulated import GRID_STEP, LawTable
+from dynamics.compliant.law.tabulated import LOG_SINE_GRID_STEP, LawTable
 from dynamics.compliant.stepping.contact_energy import LawCubics
 from dynamics.compliant.stepping.rim_modes import NO_RIM_MODES, RimModes
 from dynamics.compliant.stepping.state_layout import STATE, STATE_SIZE, ModelConstants
-from dynamics.compliant.stepping.table_modes import modes_at_rest, settle_modes, wavy_table
+from dynamics.compliant.stepping.table_modes import (
+    ContactModes,
+    modes_at_rest,
+    set_steady_mode_response,
+    wavy_table,
+)
 from dynamics.compliant.stepping.time_loop import EndReason, step_motion
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film
 
 DEFAULT_STEP_RATE = 400e3
-"""Steps per second; sufficient down to 1e-6 rad."""
+"""Default number of steps per second; sufficient down to 1e-6 rad."""
 STEPS_PER_CALL = 2**15
-"""Steps in one call of the time loop, or one row if a row has more steps."""
+"""Number of steps in one call of the time loop, unless a row has more."""
 NODES_PER_RATE_CHECK = 10
-"""Spacing of the nodes of the tabulated law at which the required step rate is computed.
+"""Number of table nodes between those at which the required step rate is computed.
 
-Linear interpolation between them is accurate to 2e-4.
+Linear interpolation between these is accurate to 2e-4.
 """
 END_REASONS = {
-    EndReason.LIES_FLAT: "the inclination reached its final value; below it the contact is not one ellipse",
-    EndReason.STANDS_UPRIGHT: "the disk stood upright on its lateral surface; the contact passes to the "
+    EndReason.LIES_FLAT: "the inclination reached its final value, below which the contact is "
+    "not a single ellipse",
+    EndReason.STANDS_UPRIGHT: "the disk stood upright on its lateral surface; the contact moves to the "
     "other rim",
-    EndReason.UNSOLVED: "the roughness turned the disk too far in one step: several contacts, or too low a "
-    "rate",
-    EndReason.IS_AIRBORNE: "the air film carried the disk; without a contact it is not a wedge",
+    EndReason.UNSOLVED: "the roughness rotated the disk too far in one step: there are several contacts, "
+    "or the step rate is too low",
+    EndReason.IS_AIRBORNE: "the air film supported the disk; "
+    "the wedge model of the film requires a contact",
 }
 """Reasons for the end of a motion."""
 
 
 class ContactLoss(NamedTuple):
-    """Loss of contact: begin and duration [s], largest height [m] of the edge above the table."""
+    """Loss of contact: start and duration [s], and largest height [m] of the edge."""
 
     t: float
     duration: float
     height: float
 
 
-class ContactLosses(Sequence):
-    """Losses of contact as an array (n, 3): begin [s], duration [s], height [m]."""
+class ContactLosses(Sequence[ContactLoss]):
+    """Losses of contact as an array (n, 3): start [s], duration [s], height [m]."""
 
-    def __init__(self, array):
+    def __init__(self, array: np.ndarray) -> None:
         self.array = array
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.array)
 
-    def __getitem__(self, i):
+    def __getitem__(self, i: Any) -> Any:
         return (
             ContactLosses(self.array[i])
             if isinstance(i, slice)
             else ContactLoss(*self.array[i].tolist())
         )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Losses({len(self)}, {self.array[:, 1].sum():.4g} s in all)"
 
 
@@ -85,13 +91,13 @@ class MotionPiece(NamedTuple):
     state : (n, STATE_SIZE) array
         States.
     force : (n p, 3) array
-        Mean forces [N] along a_1 and a_2 and mean normal force, p for each row.
+        Mean forces [N] along a_1, a_2 and the normal, p for each row.
     losses : ContactLosses
         Losses of contact that ended.
     slips : (s, 2) array
-        Begin and end [s] of each slip that ended.
-    why : int
-        Reason of the end, EndReason.CONTINUES if the motion continues.
+        Start and end [s] of each slip that ended.
+    end_reason : EndReason
+        Reason for the end, or EndReason.CONTINUES.
     """
 
     t: np.ndarray
@@ -99,7 +105,7 @@ class MotionPiece(NamedTuple):
     force: np.ndarray
     losses: ContactLosses
     slips: np.ndarray
-    why: int
+    end_reason: EndReason
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -115,22 +121,27 @@ class CompliantModel:
     powers : tuple of (float, float)
         Power laws (c [W s^b], b) of the precession rate.
     viscous : (float, float)
-        Moment per angular velocity [N m s] and force per velocity [N s/m].
+        Moment divided by angular velocity [N m s], and force divided by velocity [N
+        s/m].
     profiles : (Profile, Profile)
         Heights of table and edge.
     impedance : float
         Impedance of the table [N s/m].
     modes : modal.SurfaceModes, optional
-        Modes of the table with two-way coupling.
-    bending : RimModes
-        Modes of the disk that move together with those of the table.
+        Modes of the table, for two-way coupling.
+    disk_modes : RimModes
+        Modes of the disk that are solved in time.
     imperfection : Imperfection, optional
         Waviness of the table.
     film : Film, optional
         Air film.
-    fitted : bool
-        True if the friction was fitted to a rough disk and includes the losses of contact and
-        creep.
+    friction_is_fitted : bool
+        True if the friction was fitted to a rough disk and includes its losses by
+        contact and creep.
+    bowl_curvature : float
+        Curvature of a concave table [1/m].
+    bowl_place : (float, float)
+        Position [m] of the origin relative to the middle of a concave table.
     rate : float
         Steps per second.
     """
@@ -142,157 +153,179 @@ class CompliantModel:
     profiles: tuple[Profile, Profile] = (SMOOTH_PROFILE, SMOOTH_PROFILE)
     impedance: float = np.inf
     modes: Any = None
-    bending: RimModes = NO_RIM_MODES
+    disk_modes: RimModes = NO_RIM_MODES
     imperfection: Imperfection | None = None
     film: Film | None = None
-    fitted: bool = False
+    friction_is_fitted: bool = False
+    bowl_curvature: float = 0.0
+    bowl_place: tuple[float, float] = (0.0, 0.0)
     rate: float = DEFAULT_STEP_RATE
 
     @cached_property
     def constants(self) -> ModelConstants:
-        """The constants of the model."""
+        """The constants of the model for the time loop."""
         disk = self.table.law.disk
         f = self.friction
-        body = disk.mass, *inertias(disk), disk.radius, disk.thickness / 2, disk.weight
+        has_spin_friction = f.arm_pivoting == "contact"
+        fillet = self.table.law.rolling_fillet
+        core = disk.radius - fillet, disk.thickness / 2 - fillet, fillet
+        body = disk.mass, *inertias(disk), disk.radius, *core, disk.weight
         friction = (
             min(f.mu_static, MAX_FINITE_FRICTION),
             min(f.mu_dynamic, MAX_FINITE_FRICTION),
             f.arm_nutation,
             f.arm_rolling,
-            f.arm_pivoting,
+            0.0 if has_spin_friction else f.arm_pivoting,
         )
         chi = disk.time_unit
+        bowl = disk.weight * self.bowl_curvature, *self.bowl_place
         energy = disk.mass * disk.radius**2 / disk.time_unit**2
-        units = energy * chi, energy * chi, chi**2, chi, energy, 1.0
-        air = np.multiply(self.film or np.zeros(len(units)), units)  # type: ignore[arg-type]
-        values = *body, *friction, self.impedance, *self.viscous, *air, self.fitted
+        units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
+        air = np.multiply(self.film or np.zeros(len(units)), units)
+        extra = *bowl, has_spin_friction, self.friction_is_fitted
+        values = *body, *friction, self.impedance, *self.viscous, *air, *extra
         return ModelConstants(*map(float, values))
 
     @cached_property
     def cubics(self) -> LawCubics:
         """The tabulated law for the time loop."""
-        powers = GRID_STEP ** np.array([3, 2, 1, 0])
+        powers = LOG_SINE_GRID_STEP ** np.array([3, 2, 1, 0])
         cubics = self.table.spline.c.transpose(1, 2, 0) * powers
-        return LawCubics(float(self.table.grid[0]), 1 / GRID_STEP, np.ascontiguousarray(cubics))
+        return LawCubics(
+            float(self.table.grid[0]),
+            1 / LOG_SINE_GRID_STEP,
+            np.ascontiguousarray(cubics),
+        )
 
     @cached_property
     def _required_rate_at_nodes(self) -> np.ndarray:
-        """Required step rate (n,) [1/s] at every NODES_PER_RATE_CHECK-th node of the tabulated
-        law."""
-        return required_step_rate(self.table.law, self.table.inclinations[::NODES_PER_RATE_CHECK])
+        """Required step rates (n,) [1/s] at every NODES_PER_RATE_CHECK-th table node."""
+        return required_step_rate(
+            self.table.law, self.table.inclinations[::NODES_PER_RATE_CHECK]
+        )
 
     def with_half_time_step(self) -> "CompliantModel":
         """Return the model with half the time step."""
         return replace(self, rate=2 * self.rate)
 
     def with_double_stiffness(self) -> "CompliantModel":
-        """Return the model with twice the contact stiffness, and a smaller time step where
-        required.
+        """Return the model with twice the contact stiffness.
+
+        The time step is reduced if required.
         """
         law = self.table.law
-        body, table = (side._replace(young=2 * side.young) for side in (law.body, law.table))
+        body, table = (
+            side._replace(young=2 * side.young) for side in (law.body, law.table)
+        )
         law = replace(law, body=body, table=table)
         rate = max(
-            self.rate, float(required_step_rate(law, np.array([MIN_CONTACT_INCLINATION]))[0])
+            self.rate,
+            float(required_step_rate(law, np.array([MIN_CONTACT_INCLINATION]))[0]),
         )
         return replace(self, table=replace(self.table, law=law), rate=rate)
 
     def run(
         self,
-        y,
-        every: int,
-        stop: float,
-        last: float = MIN_CONTACT_INCLINATION,
-        parts: int = 1,
-        waves=None,
+        y: np.ndarray,
+        steps_per_row: int,
+        end_time: float,
+        final_inclination: float = MIN_CONTACT_INCLINATION,
+        forces_per_row: int = 1,
+        waves: ContactModes | None = None,
     ) -> Iterator[MotionPiece]:
-        """Simulate from the state y until `stop` [s] or the inclination `last` [rad], one row every
-        `every` steps.
+        """Simulate from the state y to `end_time` [s] or `final_inclination` [rad].
 
         Parameters
         ----------
         y : (STATE_SIZE,) array
-            Initial state; advanced in place.
-        every : int
+            Initial state, which is advanced in place.
+        steps_per_row : int
             Steps per row.
-        stop : float
+        end_time : float
             End time [s].
-        last : float
+        final_inclination : float
             Final inclination [rad].
-        parts : int
+        forces_per_row : int
             Number of mean forces per row.
         waves : ContactModes, optional
-            Modes of the state y, if the caller has computed them.
+            Modes for the state y; computed if not given.
 
         Yields
         ------
         MotionPiece
-            The `why` of the last piece gives the reason of the end, see END_REASONS.
+            Pieces of the motion; END_REASONS explains the `end_reason` of the last one.
 
         Raises
         ------
         ValueError
-            If the step rate is too low for the stiffness of the contact; the message names the
-            required rate.
+            If the step rate is too low for the stiffness of the contact; the message
+            states the required rate.
         """
         powers = np.reshape(np.array(self.powers, dtype=float), (-1, 2))
-        sine = np.sin(max(last, MIN_CONTACT_INCLINATION))
-        waves = waves or self.waves(y)
-        count = 0
-        left = int(np.ceil(stop * self.rate / every - 1e-9))
-        why = EndReason.CONTINUES
+        sine = np.sin(max(final_inclination, MIN_CONTACT_INCLINATION))
+        waves = waves or self.supporting_modes(y)
+        steps = 0
+        rows_left = int(np.ceil(end_time * self.rate / steps_per_row - 1e-9))
+        end_reason = EndReason.CONTINUES
         flying = [np.nan, np.nan, 0.0]
         slipping = [np.nan, np.nan]
-        while left > 0 and why == EndReason.CONTINUES:
+        while rows_left > 0 and end_reason == EndReason.CONTINUES:
             self._check_step_rate(y)
-            rows = np.empty((min(max(STEPS_PER_CALL // every, 1), left), STATE_SIZE))
-            forces = np.empty((len(rows) * parts, 3))
-            flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
+            rows = np.empty(
+                (min(max(STEPS_PER_CALL // steps_per_row, 1), rows_left), STATE_SIZE)
+            )
+            forces = np.empty((len(rows) * forces_per_row, 3))
+            flights, slips = (
+                np.full((len(rows) * steps_per_row // 2 + 2, k), np.nan) for k in (3, 2)
+            )
             flights[0] = flying
             slips[0] = slipping
             report = rows, forces, (flights, slips)
-            why, n, flown, slid = step_motion(
+            end_reason, n, flight_count, slip_count = step_motion(
                 y,
-                count,
+                steps,
                 self.constants,
                 powers,
                 self.cubics,
                 *self.profiles,
                 waves,
                 1 / self.rate,
-                every,
+                steps_per_row,
                 sine,
                 *report,
             )
-            t = (count + every * np.arange(1, n + 1)) / self.rate
-            flying = flights[flown]
-            slipping = slips[slid]
-            count = count + every * n
-            left = left - n
-            if left == 0 or why != EndReason.CONTINUES:  # events that continue end with the motion
-                flying[1] = slipping[1] = end = count / self.rate
-                flown = flown + (flying[0] < end)
-                slid = slid + (slipping[0] < end)
-            begin, end, top = flights[:flown].T
+            t = (steps + steps_per_row * np.arange(1, n + 1)) / self.rate
+            flying = flights[flight_count]
+            slipping = slips[slip_count]
+            steps = steps + steps_per_row * n
+            rows_left = rows_left - n
+            # unfinished events end with the motion
+            if rows_left == 0 or end_reason != EndReason.CONTINUES:
+                end = steps / self.rate
+                flying[1] = end
+                slipping[1] = end
+                flight_count = flight_count + (flying[0] < end)
+                slip_count = slip_count + (slipping[0] < end)
+            begin, end, top = flights[:flight_count].T
             losses = ContactLosses(np.column_stack([begin, end - begin, top]))
             yield MotionPiece(
                 t,
                 rows[:n],
-                forces[: n * parts] * [-1.0, 1.0, 1.0],
+                forces[: n * forces_per_row] * [-1.0, 1.0, 1.0],
                 losses,
-                slips[:slid],
-                why,
+                slips[:slip_count],
+                end_reason,
             )
 
-    def waves(self, y):
-        """Return the modes that support a disk in the state y, and raise the disk onto them."""
+    def supporting_modes(self, y: np.ndarray) -> ContactModes:
+        """Return the modes that support a disk in the state y, and adjust its height."""
         if self.imperfection is not None:
             return wavy_table(self.imperfection, y, self.constants)
-        waves = modes_at_rest(self.modes, 1 / self.rate, self.bending)
-        settle_modes(waves, self.modes, self, y)
+        waves = modes_at_rest(self.modes, 1 / self.rate, self.disk_modes)
+        set_steady_mode_response(waves, self.modes, self, y)
         return waves
 
-    def _check_step_rate(self, y):
+    def _check_step_rate(self, y: np.ndarray) -> None:
         """Raise ValueError if the phase of a resonance changes too much in one step."""
         fastest = np.interp(
             np.hypot(*y[STATE.axis : STATE.axis + 2]),
@@ -301,6 +334,6 @@ class CompliantModel:
         )
         if fastest > self.rate:
             raise ValueError(
-                f"rate = {self.rate:g}: too low for so stiff a contact, at least {fastest:.4g} "
-                f"1/s needed"
+                f"rate = {self.rate:g}: too low for the stiffness of the contact, must be at least "
+                f"{fastest:.4g} 1/s"
             )

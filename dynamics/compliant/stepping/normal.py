@@ -1,28 +1,30 @@
-"""Normal part of a time step: gravity, contact energy, contact loss and the yielding table.
+"""Normal part of a time step: gravity, contact energy and loss, table impedance.
 
-The scheme conserves or dissipates energy for every step length. Let v and L be the velocity and the
-angular momentum, n the axis, J1 and J2 the moments of inertia, e = 1/J2 - 1/J1, and let ~ denote
-the mean of both ends of a step h:
+The scheme conserves or dissipates energy for every step length. Let v and L be the
+velocity and the angular momentum, n the axis, J1 and J2 the moments of inertia, e =
+1/J2 - 1/J1, and let ~ denote the mean of both ends of a step h:
 
     dz = h v~,  dn = (h/J1) L~ x n~,  m dv = h (F - m g),  dL = h T.
 
-Then |n| is constant. With w~ = L~/J1 + e (L.n)~ n~ the kinetic energy changes by exactly
-h (F.v~ + T.w~), since d(L.n) = h T.n~.
+Then |n| is constant. With w~ = L~/J1 + e (L.n)~ n~ the kinetic energy changes by
+exactly h (F.v~ + T.w~), since d(L.n) = h T.n~.
 
-The gap is G = z - R s + H (1 - c) - w - z_t(path) - z_r(edge) with s = |n_xy| = sin(beta). Its
-energy is U = 2/5 K(s) (-G)^2.5. The difference quotients N = -dU/dG, g = dU/ds, m_t = dz_t/dpath
-and m_r = dz_r/dedge, with f = R - H (s0 + s1)/(c0 + c1), satisfy without a remainder
+The gap is G = z - R s + H (1 - c) - w - z_t(path) - z_r(edge) with s = |n_xy| =
+sin(beta), where R and H are those of the circle of the centres of the fillet. Its
+energy is U = 2/5 K(s) (-G)^2.5. The difference quotients N = -dU/dG, g = dU/ds, m_t =
+dz_t/dpath and m_r = dz_r/dedge, with f = R - H (s0 + s1)/(c0 + c1), satisfy exactly
 
     dU = -N dG + g ds,    dG = dz - f ds - dw - m_t dpath - m_r dedge.
 
-The path lengths advance by dpath = h (t.v~ + a.w~) and dedge = h b.w~. The force N (e3 - m_t t) and
-the torque (N f + g)/s~ n~_xy x n~ - N (m_t a + m_r b) therefore do the work -dU - N dw, and kinetic
-energy + m g z + U is conserved.
+The path lengths advance by dpath = h (t.v~ + a.w~) and dedge = h b.w~. The force N (e3
+- m_t t) and the torque (N f + g)/s~ n~_xy x n~ - N (m_t a + m_r b) therefore do the
+work -dU - N dw, and kinetic energy + m g z + U is conserved.
 
-The contact loss adds c N of the approach to N, and N is never negative. Both dissipate energy: c N
-(dG)^2/h, or the remaining U where the contact separates. The table yields by dw = -h (N - m g)/Z
-and carries the weight, so that the potential energy is m g (z - w) and h (N - m g)^2/Z is radiated.
-The balance holds once the scalar equation for N is solved.
+The contact loss increases N by the factor 1 - c dG/h, and N is never negative. Both
+dissipate energy: c N (dG)^2/h, or the remaining U when the contact opens. The table
+moves by dw = -h (N - m g)/Z and supports the weight, so that the potential energy is m
+g (z - w) and h (N - m g)^2/Z is radiated. The balance holds once the scalar equation
+for N is solved.
 """
 
 import numpy as np
@@ -40,48 +42,55 @@ from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.numba_kernels import kernel
 
 FORCE_TOLERANCE = 1e-12
-"""Tolerance of the normal force, relative to the sum of force and weight."""
+"""Tolerance of the normal force, divided by the sum of force and weight."""
 MAX_ITERATIONS = 40
-"""Iterations for the normal force in one step."""
-LAST_STEP_TOLERANCE = 3e-6
-"""Relative error below which the last Newton step is linear.
+"""Largest number of iterations for the normal force in one step."""
+FINAL_NEWTON_TOLERANCE = 3e-6
+"""Relative error of force and torque below which one more Newton step is sufficient.
 
-An impact then keeps its energy to 1e-12. The estimate must include the contact energy as well as
-the force.
+The energy of an impact is then conserved to 1e-12.
 """
-STANDING_DISTANCE = 1e-10
-"""Displacement per step [m] below which the contact counts as stationary."""
-REREAD_DISTANCE = 1e-9
-"""Heights are evaluated again if the path length of the estimate changes by more [m].
+MAX_STATIONARY_DISPLACEMENT = 1e-10
+"""Displacement per step [m] below which the contact is considered stationary."""
+HEIGHT_UPDATE_DISTANCE = 1e-9
+"""Change of the estimated path length [m] above which heights are evaluated again.
 
-The energy balance does not depend on this number, because the slopes are difference quotients.
+It does not affect the energy balance, because the slopes are difference quotients.
 """
-MAX_HEIGHT_READS = 3
-"""Evaluations of the heights in one step."""
+MAX_HEIGHT_EVALUATIONS = 3
+"""Largest number of evaluations of the heights in one step."""
 MIN_RELATIVE_SINE_CHANGE = 1e-4
-"""Below this relative change of sin(beta) the mean of dK/ds replaces the difference quotient."""
+"""Relative change of sin(beta) below which the mean of dK/ds replaces its difference
+quotient."""
 
 
 @kernel
-def rotation_step(n0, n1, n2, b0, b1, b2):
-    """Return m - n, where m - n = b x (m + n)."""
+def rotation_change(n0, n1, n2, b0, b1, b2):
+    """Return the change m - n of the vector n that satisfies m - n = b x (m + n)."""
     k0 = b1 * n2 - b2 * n1
     k1 = b2 * n0 - b0 * n2
     k2 = b0 * n1 - b1 * n0
     q = 2 / (1 + b0 * b0 + b1 * b1 + b2 * b2)
-    return q * (k0 + b1 * k2 - b2 * k1), q * (k1 + b2 * k0 - b0 * k2), q * (k2 + b0 * k1 - b1 * k0)
+    m0 = q * (k0 + b1 * k2 - b2 * k1)
+    m1 = q * (k1 + b2 * k0 - b0 * k2)
+    m2 = q * (k2 + b0 * k1 - b1 * k0)
+    return m0, m1, m2
 
 
 @kernel
-def height_after(profile, path, moved, half, before):
-    """Return the height at the end of a step along a path; the height before if it is stationary."""
-    return mean_height(profile, path + moved, half) if abs(moved) > STANDING_DISTANCE else before
+def height_at_step_end(profile, path, moved, half, before):
+    """Return the height after a step, which is unchanged if the contact is stationary."""
+    return (
+        mean_height(profile, path + moved, half)
+        if abs(moved) > MAX_STATIONARY_DISPLACEMENT
+        else before
+    )
 
 
 @kernel
 def mean_slope(y0, y1, dx):
     """Return the mean slope of heights along a path; 0 if the contact is stationary."""
-    return (y1 - y0) / dx if abs(dx) > STANDING_DISTANCE else 0.0
+    return (y1 - y0) / dx if abs(dx) > MAX_STATIONARY_DISPLACEMENT else 0.0
 
 
 @kernel
@@ -100,8 +109,7 @@ def midpoint_velocities(
     h,
     weight,
 ):
-    """Return velocity (3) and angular momentum (3) half a step later, under the force N and its
-    torques.
+    """Return velocity (3) and angular momentum (3) at mid-step under the force N.
 
     A0 and A1 are the sums of the horizontal axis components at both ends of the step.
     """
@@ -115,13 +123,11 @@ def midpoint_velocities(
 
 @kernel
 def step_normal(y, constants, law, table, rim, h):
-    """Advance the state y by the normal part of a step h; return False if the normal force has no
-    solution.
-    """
+    """Advance y by the normal part of a step h; return False if there is no solution."""
     m = constants.mass
     J = constants.diametral_inertia
-    R = constants.radius
-    H = constants.half_thickness
+    R = constants.core_radius
+    H = constants.core_depth
     weight = constants.weight
     step_over_2m = h / (2 * m)
     step_over_2J = h / (2 * J)
@@ -134,7 +140,7 @@ def step_normal(y, constants, law, table, rim, h):
     L0 = y[9]
     L1 = y[10]
     L2 = y[11]
-    # begin of the step: contact energy, stiffness K and its loss
+    # start of the step: contact energy, stiffness K and its loss
     s0 = y[STATE.sin_inclination]
     c0 = n2
     axial_momentum = L0 * n0 + L1 * n1 + L2 * n2
@@ -151,7 +157,7 @@ def step_normal(y, constants, law, table, rim, h):
     r0 = approach_root(y[STATE.gap])
     U0 = 0.4 * r0**5
     # directions d (to the contact) and t (path) at mid-step; a = reach e3 - lever d, b = -(R/s) d
-    p0, p1, p2 = rotation_step(
+    p0, p1, p2 = rotation_change(
         n0,
         n1,
         n2,
@@ -166,9 +172,9 @@ def step_normal(y, constants, law, table, rim, h):
     d0 = p0 / sp
     d1 = p1 / sp
     reach = R * p2 - H * sp
-    rim_lever = R / sp
+    rim_lever = constants.radius / sp
     lever = reach * p2 / sp
-    # first estimate: the gap without the heights is far smoother than the force
+    # initial estimate from the gap without heights, which is smoother than the force
     N = 0.0
     g = 0.0
     predicted_gap_change = (
@@ -200,26 +206,31 @@ def step_normal(y, constants, law, table, rim, h):
             return False
         iterations_left -= 1
         if (
-            iterations_left >= MAX_ITERATIONS - MAX_HEIGHT_READS
-            and max(abs(dpath - read_path), abs(dedge - read_edge)) > REREAD_DISTANCE
+            iterations_left >= MAX_ITERATIONS - MAX_HEIGHT_EVALUATIONS
+            and max(abs(dpath - read_path), abs(dedge - read_edge))
+            > HEIGHT_UPDATE_DISTANCE
         ):
             read_path = dpath
             read_edge = dedge
-            zt1 = height_after(table, y[STATE.table_path], dpath, half_length, zt0)
-            zr1 = height_after(rim, y[STATE.edge_path], dedge, half_length, zr0)
+            zt1 = height_at_step_end(
+                table, y[STATE.table_path], dpath, half_length, zt0
+            )
+            zr1 = height_at_step_end(rim, y[STATE.edge_path], dedge, half_length, zr0)
             mt = mean_slope(zt0, zt1, dpath)
             mr = mean_slope(zr0, zr1, dedge)
             if iterations_left == MAX_ITERATIONS - 1:
                 dgap = predicted_gap_change - (zt1 - zt0) - (zr1 - zr0)
                 r1 = approach_root(gap0 + dgap)
-                N = max(0.0, K0 * mean_force(r0, r1, gap0, gap0 + dgap) * (1 - loss * dgap))
+                N = max(
+                    0.0, K0 * mean_force(r0, r1, gap0, gap0 + dgap) * (1 - loss * dgap)
+                )
                 g = (U0 + 0.4 * r1**5) / 2 * dK
         turn = (N * arm + g) * A2 * inverse_sine_sum / 2
         roll = N * (mt * lever + mr * rim_lever)
         V0, V1, V2, M0, M1, M2 = midpoint_velocities(
             N, turn, roll, mt, A0, A1, reach, d0, d1, y, step_over_2m, h, weight
         )
-        q0, q1, q2 = rotation_step(
+        q0, q1, q2 = rotation_change(
             n0,
             n1,
             n2,
@@ -238,33 +249,56 @@ def step_normal(y, constants, law, table, rim, h):
         arm = R - H * (s0 + s1) / (c0 + a2)
         ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
         mean = (
-            e / 4 * (axial_momentum + (2 * M0 - L0) * a0 + (2 * M1 - L1) * a1 + (2 * M2 - L2) * a2)
+            e
+            / 4
+            * (
+                axial_momentum
+                + (2 * M0 - L0) * a0
+                + (2 * M1 - L1) * a1
+                + (2 * M2 - L2) * a2
+            )
         )
         wd = (M0 * d0 + M1 * d1) * inverse_inertia + mean * (A0 * d0 + A1 * d1)
         dedge = -h * rim_lever * wd
-        dpath = h * (d0 * V1 - d1 * V0 + reach * (M2 * inverse_inertia + mean * A2) - lever * wd)
+        dpath = h * (
+            d0 * V1 - d1 * V0 + reach * (M2 * inverse_inertia + mean * A2) - lever * wd
+        )
         i, u = law_interval(law, s1)
         K1 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
-        dK1 = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s1
-        dgap = h * V2 + table_yield * (N - weight) - arm * ds - (zt1 - zt0) - (zr1 - zr0)
+        dK1 = (
+            law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness)
+            * law.intervals_per_unit
+            / s1
+        )
+        dgap = (
+            h * V2 + table_yield * (N - weight) - arm * ds - (zt1 - zt0) - (zr1 - zr0)
+        )
         r1 = approach_root(gap0 + dgap)
         elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
         error = max(0.0, elastic_force * (1 - loss * dgap)) - N
         stiffness_slope = (
-            (K1 - K0) / ds if abs(ds) > MIN_RELATIVE_SINE_CHANGE * s0 else (dK + dK1) / 2
+            (K1 - K0) / ds
+            if abs(ds) > MIN_RELATIVE_SINE_CHANGE * s0
+            else (dK + dK1) / 2
         )
         previous_g = g
         g = (U0 + 0.4 * r1**5) / 2 * stiffness_slope
         W = 1 / m + (arm * A2) ** 2 / (4 * J)
         stiffness = K1 * (r0 / 2 + r1)
         correction = error / (
-            1 + stiffness * (h * h / 4 * W + table_yield / 2) + h * h / 2 * loss * elastic_force * W
+            1
+            + stiffness * (h * h / 4 * W + table_yield / 2)
+            + h * h / 2 * loss * elastic_force * W
         )
         correction = max(correction, -N)
         mt = mean_slope(zt0, zt1, dpath)
         mr = mean_slope(zr0, zr1, dedge)
-        torque_error = abs(g - previous_g) + abs(N * (mt * lever + mr * rim_lever) - roll)
-        converged = max(abs(correction), torque_error / R) <= LAST_STEP_TOLERANCE * (N + weight)
+        torque_error = abs(g - previous_g) + abs(
+            N * (mt * lever + mr * rim_lever) - roll
+        )
+        converged = max(abs(correction), torque_error / R) <= FINAL_NEWTON_TOLERANCE * (
+            N + weight
+        )
         N += correction
     turn = (N * arm + g) * A2 * inverse_sine_sum / 2
     roll = N * (mt * lever + mr * rim_lever)

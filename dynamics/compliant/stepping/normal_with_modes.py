@@ -1,21 +1,21 @@
-"""Both parts of a time step on a table with modes; regular where the disk is flat.
+"""Both parts of a time step on a table with modes; regular for a flat disk.
 
-The scheme conserves or dissipates energy. The rim touches the table in the horizontal direction e
-of least gap G = z - R n.e + H (1 - c) - sum q_m w_m - r. Here n is the axis, c = n_z, and r the sum
-of the heights of table and edge. With e and the mode shapes w_m at both ends of a step h, and ~ for
-the mean of both ends,
+The scheme conserves or dissipates energy. The rim touches the table in the horizontal
+direction e of the smallest gap G = z - R n.e + H (1 - c) - sum q_m w_m - r. Here n is
+the axis, c = n_z, and r the sum of the heights of table and edge. With e and the mode
+shapes w_m at both ends of a step h, and ~ for the mean of both ends,
 
     dG = dz - u.dn - sum w~ dq + T,    u = (R e~, H),    T = -R n~.de - sum q~ dw - dr,
 
-without a remainder. T is of third order, because G is a minimum. With U = 2/5 K (-G)^2.5 and the
-difference quotient N = -dU/dG, the force N on the centre, the torque N u x n~ and the forces -N w~
-on the modes do the work N (dG - T). Kinetic energy + m g z + U + the energy of the modes thus
-changes by -N T only. This work is returned to the velocities of the disk in proportion, or taken
-from U.
+exactly. T is of third order, because G is a minimum. With U = 2/5 K (-G)^2.5 and the
+difference quotient N = -dU/dG, the force N on the centre, the torque N u x n~ and the
+forces -N w~ on the modes do the work N (dG - T). Kinetic energy + m g z + U + the
+energy of the modes therefore changes only by -N T. This error is compensated by scaling
+the velocities of the disk, or by changing U.
 
-K is the stiffness at the present inclination. Where K grows the force is kept, where it falls the
-approach is kept; both dissipate energy. The model neglects the horizontal force of the inclined
-table, which would do a little work on the centre.
+K is the stiffness at the current inclination. If K increases, the force does not
+change; if K decreases, the approach does not change. Both dissipate energy. The
+horizontal force of the inclined table, which would do little work, is neglected.
 """
 
 import numpy as np
@@ -28,36 +28,34 @@ from dynamics.compliant.stepping.contact_energy import (
     law_interval,
     mean_force,
 )
-from dynamics.compliant.stepping.normal import FORCE_TOLERANCE, MAX_ITERATIONS, rotation_step
+from dynamics.compliant.stepping.normal import (
+    FORCE_TOLERANCE,
+    MAX_ITERATIONS,
+    rotation_change,
+)
 from dynamics.compliant.stepping.rim_modes import twist_rate
 from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
 from dynamics.compliant.stepping.table_modes import (
     CONTACT,
     advance_modes,
     angle_between,
+    mode_work_sums,
     predict_free_motion,
     track_contact,
-    work_sums,
 )
 from dynamics.compliant.stepping.tangential import step_tangential_at
 from dynamics.numba_kernels import kernel
 
-MAX_ROLLING_TURN = 0.3
-"""Largest turn of the contact in one step [rad].
-
-A contact that turns by more has jumped to another place and did not roll there.
-"""
-
 
 @kernel
 def update_gap_stiffness(y, modes, law):
-    """Update the contact stiffness to the present inclination.
-
-    Either the force or the approach remains the same; see the description of this module.
-    """
+    """Update the contact stiffness to the current inclination; see above."""
     K0 = modes.contact[CONTACT.gap_stiffness]
     K1 = law_column(
-        law, int(y[STATE.law_interval]), y[STATE.law_fraction], LAW_COLUMNS.hertz_stiffness
+        law,
+        int(y[STATE.law_interval]),
+        y[STATE.law_fraction],
+        LAW_COLUMNS.hertz_stiffness,
     )
     r0 = approach_root(y[STATE.gap])
     if r0 > 0 and K0 > 0:
@@ -82,10 +80,12 @@ def step_normal_with_modes(
 
     Returns False if the normal force has no solution.
     """
+    # largest rotation [rad] of a rolling contact in one step; beyond it, the contact has jumped
+    max_rolling_turn = 0.3
     m = constants.mass
     J = constants.diametral_inertia
-    R = constants.radius
-    H = constants.half_thickness
+    R = constants.core_radius
+    H = constants.core_depth
     weight = constants.weight
     step_over_2J = h / (2 * J)
     i = int(y[STATE.law_interval])
@@ -102,7 +102,9 @@ def step_normal_with_modes(
     L0 = y[9]
     L1 = y[10]
     L2 = y[11]
-    p0, p1, p2 = rotation_step(n0, n1, n2, step_over_2J * L0, step_over_2J * L1, step_over_2J * L2)
+    p0, p1, p2 = rotation_change(
+        n0, n1, n2, step_over_2J * L0, step_over_2J * L1, step_over_2J * L2
+    )
     a0 = n0 + p0
     a1 = n1 + p1
     a2 = n2 + p2
@@ -113,14 +115,20 @@ def step_normal_with_modes(
     table_path = y[STATE.table_path] + h * (
         v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle)
     )
-    edge_path = y[STATE.edge_path] + R * (
+    edge_path = y[STATE.edge_path] + constants.radius * (
         angle_between(
             np.arctan2(n1, n0),
             previous_angle,
         )
         - twist_change
     )
-    rough = table, rim, table_path, edge_path, law_column(law, i, u, LAW_COLUMNS.half_length)
+    rough = (
+        table,
+        rim,
+        table_path,
+        edge_path,
+        law_column(law, i, u, LAW_COLUMNS.half_length),
+    )
     angle, height, path_change = track_contact(
         modes,
         constants,
@@ -133,7 +141,7 @@ def step_normal_with_modes(
         scratch,
     )
     rise = height - y[STATE.roughness_heights] - y[STATE.roughness_heights + 1]
-    D, E, P, S = work_sums(modes, h)
+    D, E, P, S = mode_work_sums(modes, h)
     e0 = (np.cos(previous_angle) + np.cos(angle)) / 2
     e1 = (np.sin(previous_angle) + np.sin(angle)) / 2
     c0 = np.cos(angle) - np.cos(previous_angle)
@@ -142,7 +150,9 @@ def step_normal_with_modes(
     gap0 = y[STATE.gap]
     r0 = approach_root(y[STATE.gap])
     N = max(
-        0.0, 3 * (y[STATE.normal_force] - y[STATE.previous_forces]) + y[STATE.previous_forces + 1]
+        0.0,
+        3 * (y[STATE.normal_force] - y[STATE.previous_forces])
+        + y[STATE.previous_forces + 1],
     )
     gap = gap0
     M0 = L0
@@ -161,7 +171,7 @@ def step_normal_with_modes(
         M0 = L0 + h / 2 * N * (R * e1 * t2 - H * t1)
         M1 = L1 + h / 2 * N * (H * t0 - R * e0 * t2)
         M2 = L2 + h / 2 * N * R * (e0 * t1 - e1 * t0)
-        q0, q1, q2 = rotation_step(
+        q0, q1, q2 = rotation_change(
             n0,
             n1,
             n2,
@@ -199,7 +209,8 @@ def step_normal_with_modes(
     if iterations_left == 0:
         return False
     y[STATE.contact_loss] += (elastic_force - N) * (gap - gap0)
-    y[STATE.edge_path] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twist_change)
+    turned = np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1)
+    y[STATE.edge_path] += constants.radius * (turned - twist_change)
     table, body = advance_modes(modes, N, h)
     y[STATE.table_loss] = y[STATE.table_loss] + table
     y[STATE.body_loss] = y[STATE.body_loss] + body
@@ -217,7 +228,7 @@ def step_normal_with_modes(
     y[STATE.table_path] = table_path + path_change
     y[STATE.roughness_heights] = height
     y[STATE.roughness_heights + 1] = 0.0
-    if turn < MAX_ROLLING_TURN:
+    if turn < max_rolling_turn:
         y[STATE.path_speed] = R * turn / h
     modes.contact[CONTACT.angle] = angle
     y[STATE.previous_forces + 1] = y[STATE.previous_forces]
@@ -236,8 +247,9 @@ def step_normal_with_modes(
 def step_tangential_with_modes(y, constants, powers, law, modes, h):
     """Advance the state y by the tangential part of a step h.
 
-    Away from the lowest point of the rim, t and d are not exactly the principal directions of the
-    mobility. The energy error of the midpoint rule is returned to the velocities.
+    Away from the lowest point of the rim, t and d are not exactly the principal
+    directions of the mobility. The velocities are scaled to compensate for the energy
+    error of the midpoint rule.
     """
     energy_before = kinetic_energy(y, constants) + stored_and_lost_energy(y)
     angle = modes.contact[CONTACT.angle]
@@ -252,7 +264,7 @@ def step_tangential_with_modes(y, constants, powers, law, modes, h):
 
 @kernel
 def stored_and_lost_energy(y):
-    """Return the energy of springs and squeezed air plus the energy lost so far."""
+    """Return the energy of springs and squeezed air plus that lost so far."""
     springs = (
         y[STATE.spring_stiffness] * y[STATE.spring_stretch] ** 2
         + y[STATE.spring_stiffness + 1] * y[STATE.spring_stretch + 1] ** 2
@@ -275,22 +287,24 @@ def kinetic_energy(y, constants):
     turning = (
         y[9] * y[9] + y[10] * y[10] + y[11] * y[11]
     ) / constants.diametral_inertia + e * spin * spin
-    return (constants.mass * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) + turning) / 2
+    moving = constants.mass * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5])
+    return (moving + turning) / 2
 
 
 @kernel
 def add_kinetic_energy(y, constants, modes, work):
-    """Add `work` to the kinetic energy of the disk by scaling all its velocities.
+    """Add `work` to the kinetic energy of the disk by scaling its velocities.
 
-    Where the disk has too little kinetic energy, the contact energy supplies the rest, then the
-    velocities of the modes. The remainder is recorded as STATE.energy_deficit, and the motion ends. This
-    happens only where an almost flat disk jumps to another wave of the table.
+    If the kinetic energy is insufficient, the contact energy and then the modes supply
+    the rest. The remainder is recorded as STATE.energy_deficit, which ends the motion.
+    This happens only if an almost flat disk jumps to another wave of the table.
     """
     energy = kinetic_energy(y, constants)
     change = max(work, -energy)
     scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
     for i in range(3):
-        y[3 + i], y[9 + i] = scale * y[3 + i], scale * y[9 + i]
+        y[3 + i] = scale * y[3 + i]
+        y[9 + i] = scale * y[9 + i]
     if energy > 0 and change == work:
         return
     missing = change - work

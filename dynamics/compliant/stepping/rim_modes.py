@@ -1,11 +1,13 @@
-"""Free elastic modes of the disk that move its lower rim while the contact runs round it.
+"""Elastic modes of the free disk that displace its lower rim under the moving contact.
 
-A mode with n waves lifts the rim at an angle a on the disk by r (c A - s B) cos(n a - phase). A and
-B are its motion along axis and radius at unit modal mass, c and s the cosine and sine of the
-inclination, and r'' = -k r - c' r' + N times this shape. To the contact it is a mode of the table
-with the opposite shape, and table_modes.py advances both in the same way. The disk turns about its axis
-by the twist rate omega.(n + e3)/(1 + c), which is regular where the disk is flat; the contact in
-the direction phi is at a = phi - twist. The model neglects the excitation of the modes by friction.
+A mode with n waves raises the rim at an angle a on the disk by r (c A - s B) cos(n a -
+phase). A and B are its displacements along axis and radius at unit modal mass, c and s
+are cosine and sine of the inclination, and r'' = -k r - c' r' + N times this shape.
+Such a mode is equivalent to a mode of the table with the opposite shape, and
+table_modes.py advances both in the same way. The disk rotates about its axis at the
+twist rate omega.(n + e3)/(1 + c), which is regular for a flat disk; the contact in the
+direction phi is at a = phi - twist. The excitation of the modes by friction is
+neglected.
 """
 
 from typing import NamedTuple
@@ -16,8 +18,9 @@ from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.numba_kernels import kernel
 
 MAX_MOVING_FREQUENCY = 20e3
-"""Modes below this frequency move; modes above it yield in series with the springs of the contact
-[Hz].
+"""Frequency [Hz] below which modes are solved in time.
+
+Modes above it are quasi-static, in series with the springs of the contact.
 """
 
 
@@ -27,11 +30,11 @@ class RimModes(NamedTuple):
     Attributes
     ----------
     order : array
-        Number n of waves round the rim.
+        Number n of waves around the rim.
     phase : array
         Phase [rad].
     axial, radial : arrays
-        Motion A along the axis and B along the radius [kg^-1/2].
+        Displacements A along the axis and B along the radius [kg^-1/2].
     squared : array
         Squared angular frequency [1/s^2].
     decay : array
@@ -47,19 +50,18 @@ class RimModes(NamedTuple):
 
 
 NO_RIM_MODES = RimModes(*np.zeros((6, 0)))
-"""Modes of a rigid disk."""
+"""Rim modes of a rigid disk, which has none."""
 RIM_COLUMNS = RimModes(*range(len(RimModes._fields)))
-"""Columns of an array (d, 6) of the fields of `RimModes`."""
+"""Column indices of the fields of `RimModes` in an array (d, 6)."""
 
 
 def moving_rim_modes(edge, loss_factor: float) -> RimModes:
-    """Return the `RimModes` of an `Edge` below MAX_MOVING_FREQUENCY, for a material with this loss
-    factor.
-    """
+    """Return the `RimModes` of an `Edge` below MAX_MOVING_FREQUENCY."""
     if edge is None:
         return NO_RIM_MODES
     moves = np.flatnonzero(
-        (edge.squared < (2 * np.pi * MAX_MOVING_FREQUENCY) ** 2) & (edge.shapes[:, 2] != 0)
+        (edge.squared < (2 * np.pi * MAX_MOVING_FREQUENCY) ** 2)
+        & (edge.shapes[:, 2] != 0)
     )
     pairs = []
     for mode in moves:
@@ -79,16 +81,14 @@ def moving_rim_modes(edge, loss_factor: float) -> RimModes:
 
 
 def rim_shapes(body: RimModes, angle, inclination: float) -> np.ndarray:
-    """Return the lowering (k, d) [kg^-1/2] of the rim by the modes at angles (k,) [rad] on the
-    disk.
-    """
+    """Return the lowering (k, d) [kg^-1/2] of the rim at angles (k,) [rad] on the disk."""
     lowering = np.sin(inclination) * body.radial - np.cos(inclination) * body.axial
     return np.cos(np.outer(angle, body.order) - body.phase) * lowering
 
 
 @kernel
 def twist_rate(constants, n0, n1, n2, L0, L1, L2):
-    """Return the twist rate of the disk about its axis [rad/s]."""
+    """Return the twist rate [rad/s] of the disk about its axis."""
     J1 = constants.diametral_inertia
     spin = n0 * L0 + n1 * L1 + n2 * L2
     return (spin + L2) / (J1 * (1 + n2)) + (1 / constants.axial_inertia - 1 / J1) * spin
@@ -96,9 +96,9 @@ def twist_rate(constants, n0, n1, n2, L0, L1, L2):
 
 @kernel
 def store_rim_shapes(rim, angle, down, up, shapes):
-    """Store the lowering of the rim by the modes in the last entries of `shapes`.
+    """Store the lowering of the rim by each mode in the last entries of `shapes`.
 
-    `down` and `up` are n.e and n_z of the axis.
+    `down` and `up` are n.e and n_z of the axis n.
     """
     first = shapes.size - len(rim)
     for m in range(len(rim)):
@@ -110,9 +110,7 @@ def store_rim_shapes(rim, angle, down, up, shapes):
 
 @kernel
 def evaluate_rim_ripple(modes, angle, down, up, out):
-    """Write the lowering of the rim at the end of the step and its first two derivatives by the
-    angle to `out`.
-    """
+    """Write the rim lowering at the end of a step and two angular derivatives to `out`."""
     out[0:3] = 0.0
     rim = modes.rim
     first = len(modes.state) - len(rim)
@@ -122,7 +120,9 @@ def evaluate_rim_ripple(modes, angle, down, up, out):
             modes.state[first + m, MODE_STATE.amplitude]
             + modes.state[first + m, MODE_STATE.free_change]
         )
-        lowers = moved * (down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial])
+        lowers = moved * (
+            down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial]
+        )
         turn = n * angle - rim[m, RIM_COLUMNS.phase]
         c = lowers * np.cos(turn)
         s = lowers * np.sin(turn)

@@ -1,4 +1,4 @@
-"""Row store for long motions, and interpolation between its rows."""
+"""Storage of the rows of long motions, and interpolation between rows."""
 
 from tempfile import TemporaryFile
 from weakref import finalize
@@ -8,13 +8,13 @@ import numpy as np
 from dynamics.numba_kernels import outermost
 
 INTERPOLATION_ROWS = 6
-"""Rows that determine the polynomial between them."""
+"""Number of rows that determine an interpolating polynomial."""
 
 
 class RowStore:
-    """Rows (n, width) of doubles in a temporary file, which limits the memory of long motions.
+    """Rows (n, width) of doubles in a temporary file, which limits memory use.
 
-    The file is deleted with its last reader. The store begins with the rows `first`.
+    The file is deleted after its last use. `first` contains the initial rows.
     """
 
     def __init__(self, first):
@@ -30,20 +30,21 @@ class RowStore:
         self._rows += len(rows)
 
     def rows(self) -> np.ndarray:
-        """Return all rows so far, (n, width), read-only."""
+        """Return all rows (n, width), read-only."""
         if not self._rows:
             return np.empty((0, self._width))
         self._file.flush()
-        return np.asarray(np.memmap(self._file, float, "r", shape=(self._rows, self._width)))
+        return np.asarray(
+            np.memmap(self._file, float, "r", shape=(self._rows, self._width))
+        )
 
 
 @outermost
 def interpolate_rows(rows, x, derivative):
-    """Interpolate rows at positions x (k,), counted in rows, by the polynomial through the nearest
-    rows.
+    """Return values (k, width) at row positions x (k,), or their derivatives by x.
 
-    Returns the values (k, width), or the derivatives by x. Each value depends on its own position
-    only.
+    They are those of the polynomial through the nearest rows. Each value depends only
+    on its own position.
     """
     n, width = rows.shape
     nodes = min(INTERPOLATION_ROWS, n)

@@ -4,13 +4,13 @@ from itertools import accumulate
 from typing import Annotated, NamedTuple, get_type_hints
 
 Pair = Annotated[int, 2]
-"""First of two successive entries."""
+"""Index of the first of two successive entries."""
 Vector = Annotated[int, 3]
-"""First of three successive entries."""
+"""Index of the first of three successive entries."""
 
 
 def first_indices(layout):
-    """Return the `layout`, a NamedTuple class, with the index of the first entry of each field."""
+    """Return a `layout` (NamedTuple class) of first indices, and the number of entries."""
     hints = get_type_hints(layout, include_extras=True).values()
     sizes = [getattr(hint, "__metadata__", (1,))[0] for hint in hints]
     return layout(*accumulate(sizes[:-1], initial=0)), sum(sizes)
@@ -20,7 +20,7 @@ class StateLayout(NamedTuple):
     """First index of each quantity in the state y, an array (STATE_SIZE,)."""
 
     position: Vector
-    """Centre of the disk [m]; its height is measured from that of the disk lying flat."""
+    """Position of the centre [m]; its height is relative to that of a flat disk."""
     velocity: Vector
     """Velocity of the centre [m/s]."""
     axis: Vector
@@ -28,7 +28,8 @@ class StateLayout(NamedTuple):
     angular_momentum: Vector
     """Angular momentum about the centre [kg m^2/s]."""
     spring_stretch: Pair
-    """Stretch of the tangential springs [m], along t (the path) and d (towards the contact)."""
+    """Stretch of the tangential springs [m] along t (the path) and d (towards the
+    contact)."""
     table_path: int
     """Path length of the contact on the table [m]."""
     edge_path: int
@@ -52,7 +53,7 @@ class StateLayout(NamedTuple):
     tangential_force: Pair
     """Force on the disk along t and d [N]."""
     contact_loss: int
-    """Energy lost since the start [J]: in the compression of the contact; the fields down to
+    """Energy lost in the compression of the contact since the start [J]. The fields to
     `body_loss` are in the order of CAUSES."""
     creep_loss: int
     slip_loss: int
@@ -67,25 +68,27 @@ class StateLayout(NamedTuple):
     law_fraction: int
     """Position within that interval, 0 to 1."""
     friction_excess: int
-    """Largest excess of the friction over its cone so far [N]."""
+    """Largest excess of friction over its limit so far [N]."""
     table_mode_energy: int
     """Energy of the modes of the table [J]."""
     relieved_friction_energy: int
-    """Energy not taken by fitted friction, because contact and creep had already taken it [J]."""
+    """Energy by which fitted friction was reduced, because contact and creep had
+    dissipated it [J]."""
     film_lift: int
     """Lift of the air film [N]."""
     flight_duration: int
     """Duration of the current loss of contact [s]."""
     flight_lift_impulse: int
-    """Impulse of the film's lift during the current loss of contact [N s]."""
+    """Impulse of the lift of the film during the current loss of contact [N s]."""
     squeezed_air_energy: int
     """Energy of the compressed air in the film [J]."""
     energy_deficit: int
-    """Energy missing after a jump of the contact to another wave of the table [J]."""
+    """Energy that is missing after the contact jumped to another wave of the table [J]."""
     disk_mode_energy: int
     """Energy of the modes of the disk [J]."""
     gap_changes: Vector
-    """Opening of the gap in each of the last three steps, without the change of the heights [m]."""
+    """Change of the gap in each of the last three steps, without that of the heights
+    [m]."""
 
 
 STATE, STATE_SIZE = first_indices(StateLayout)
@@ -96,14 +99,19 @@ ENERGY_LOSSES = slice(STATE.contact_loss, STATE.body_loss + 1)
 class ModelConstants(NamedTuple):
     """Constants of a compliant model, in SI units.
 
-    The constants of the film are those of `film_parts`.
+    The constants of the film are those of `film_moment_parts`.
     """
 
     mass: float
     diametral_inertia: float
     axial_inertia: float
     radius: float
-    half_thickness: float
+    core_radius: float
+    """Distance [m] of the centre of the fillet from the axis."""
+    core_depth: float
+    """Distance [m] of the centre of the fillet from the middle plane."""
+    fillet: float
+    """Radius of the edge [m]."""
     weight: float
     mu_static: float
     mu_dynamic: float
@@ -113,30 +121,38 @@ class ModelConstants(NamedTuple):
     table_impedance: float
     """[N s/m]"""
     viscous_moment: float
-    """Moment per angular velocity [N m s]."""
+    """Moment divided by angular velocity [N m s]."""
     viscous_force: float
-    """Force per velocity [N s/m]."""
+    """Force divided by velocity [N s/m]."""
     film_turning: float
     film_falling: float
     film_inertia: float
     film_number: float
     film_ambient: float
     film_slip: float
+    film_bowl: float
+    bowl_stiffness: float
+    """Restoring force of a concave table [N/m]."""
+    bowl_x: float
+    bowl_y: float
+    """Position of the origin relative to the middle of a concave table [m]."""
+    has_spin_friction: float
+    """1 if slip and creep in the contact replace arm_pivoting, else 0."""
     friction_is_fitted: float
     """1 if the friction was fitted to a rough disk and includes its losses, else 0."""
 
 
 class ModeState(NamedTuple):
-    """Columns of the state of the modes."""
+    """Column indices of the state of the modes."""
 
     amplitude: int
     velocity: int
     shape_before: int
-    """Mode shape at the contact at the begin of the step."""
+    """Mode shape at the contact at the start of the step."""
     shape_after: int
     """Mode shape at the contact at the end of the step."""
     free_change: int
-    """Change of the amplitude in the step without a contact force."""
+    """Change of the amplitude in a step without contact force."""
 
 
 MODE_STATE, _ = first_indices(ModeState)

@@ -1,11 +1,11 @@
-"""Modes of the table (and of the disk) that deflect under the contact, and the search for the
-contact on the rim.
+"""Modes of table and disk under the contact, and the search for the contact.
 
-The table rises by W = sum q_m w_m(x, y), with shapes w_m of unit modal mass. Each mode obeys q'' =
--k q - c q' - N w~, where ~ denotes the mean of both ends of a step h. The midpoint rule advances it
-with k and c chosen such that frequency and decay are exact for every step. The energy (q'^2 + k
-q^2)/2 changes by the work -N w~ dq minus h c q'~^2. The modes of the disk, which lower the rim by q
-w, obey the same equation (see rim_modes.py).
+The table rises by W = sum q_m w_m(x, y), with shapes w_m of unit modal mass. Each mode
+obeys q'' = -k q - c q' - N w~, where ~ denotes the mean of both ends of a step h. In
+the midpoint rule, k and c are chosen such that frequency and decay are exact for every
+step. The energy (q'^2 + k q^2)/2 changes by the work -N w~ dq minus h c q'~^2. The
+modes of the disk, which lower the rim by q w, obey the same equation (see
+rim_modes.py).
 """
 
 from typing import NamedTuple
@@ -25,30 +25,22 @@ from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE, first_in
 from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
-"""Points of a scan of the whole rim for minima of the gap."""
-BENT_SCAN_INTERVAL = 16
-"""Steps between two scans of the rim on a bent table."""
-LEVEL_SCAN_INTERVAL = 256
-"""Steps between two scans of the rim on a nearly level table."""
-SAME_CONTACT_ANGLE = 3 * np.pi / RIM_SCAN_POINTS
-"""A minimum of the gap closer to the contact than this angle is the contact itself [rad]."""
-BENT_TABLE_RATIO = 1e-3
-"""A table is bent if its heights along the rim differ by more than this fraction of R sin(beta)."""
+"""Number of points in a scan of the whole rim for minima of the gap."""
 MAX_GAP_MINIMA = 4
-"""Minima of the gap that are followed at the same time."""
+"""Largest number of minima of the gap that are tracked."""
 
 
 class ContactLayout(NamedTuple):
-    """First index of each quantity in the data of the contact on a table with modes."""
+    """First index of each quantity in `ContactModes.contact`."""
 
     angle: int
     """Direction from the centre to the contact [rad]."""
     steps_to_scan: int
-    """Steps until the next scan of the rim."""
+    """Number of steps until the next scan of the rim."""
     gap_stiffness: int
     """Contact stiffness K [N/m^1.5]."""
     flat_steps: int
-    """Steps since the disk has been flat."""
+    """Number of steps for which the disk has been flat."""
     minimum_count: int
     """Number of minima of the gap."""
     twist_angle: int
@@ -61,8 +53,7 @@ CONTACT, _ = first_indices(ContactLayout)
 
 
 class ContactModes(NamedTuple):
-    """Shapes, constants and state of m modes: those of the table first, then the d modes of the
-    disk.
+    """Shapes, constants and state of m modes: t of the table, then d of the disk.
 
     Attributes
     ----------
@@ -71,18 +62,19 @@ class ContactModes(NamedTuple):
     knots_x, knots_y : arrays
         Knots of the splines [m].
     place : (2,) array
-        Origin [m] in the frame of the splines: of the table (`stays` = 1) or of the centre of the
-        disk (`stays` = 0).
-    stays : float
-        0 if the modes move with the disk, as modes given by numbers do; else 1.
+        Position [m] in the frame of the splines of the origin (`table_is_fixed` = 1) or
+        of the centre of the disk (`table_is_fixed` = 0).
+    table_is_fixed : float
+        0 if the mode shapes move with the disk, like those of modes given by numbers;
+        else 1.
     stiffness, damping : (m,) arrays
         Constants k [1/s^2] and c [1/s] of the modes.
     compliance : (m,) array
         1/(1 + h c/2 + h^2 k/4) for the step h.
     state : (m, 5) array
-        State of the modes, see `ModeState`.
+        State of the modes; see `ModeState`.
     contact : array
-        Data of the contact, see `ContactLayout`.
+        Data of the contact; see `ContactLayout`.
     rim : (d, 6) array
         Fields of `RimModes`.
     """
@@ -91,7 +83,7 @@ class ContactModes(NamedTuple):
     knots_x: np.ndarray
     knots_y: np.ndarray
     place: np.ndarray
-    stays: float
+    table_is_fixed: float
     stiffness: np.ndarray
     damping: np.ndarray
     compliance: np.ndarray
@@ -100,11 +92,12 @@ class ContactModes(NamedTuple):
     rim: np.ndarray
 
 
-def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> ContactModes:
-    """Return the modes of a table (`modal.SurfaceModes`) and of the disk on it at rest, for steps
-    of h [s].
+def modes_at_rest(
+    modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES
+) -> ContactModes:
+    """Return table modes (`modal.SurfaceModes`) and disk modes at rest for steps h [s].
 
-    Without a table there are no modes.
+    Without table modes, there are no disk modes.
     """
     if modes is None or not len(modes.frequency):
         nothing = np.zeros(0)
@@ -113,7 +106,7 @@ def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> 
             nothing,
             nothing,
             place=np.zeros(2),
-            stays=1.0,
+            table_is_fixed=1.0,
             stiffness=nothing,
             damping=nothing,
             compliance=nothing,
@@ -125,11 +118,11 @@ def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> 
     midpoint = 2 / h * np.tanh(pole * h / 2)
     k = np.abs(midpoint) ** 2
     c = -2 * midpoint.real
-    # copies, since read-only arrays have another Numba type
+    # copies, because read-only arrays have a different Numba type
     return _at_rest(
         *(np.array(part, order="C") for part in (modes.coefficients, *modes.knots)),
         place=np.array(modes.place, dtype=float),
-        stays=float(modes.mass > 0),  # modes given by numbers have no mass
+        table_is_fixed=float(modes.mass > 0),  # modes given by numbers have no mass
         stiffness=k,
         damping=c,
         compliance=1 / (1 + h * c / 2 + h * h * k / 4),
@@ -138,7 +131,7 @@ def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> 
 
 
 def _at_rest(coefficients, knots_x, knots_y, **constants):
-    """Return the `ContactModes` with zero state."""
+    """Return `ContactModes` whose amplitudes and velocities are zero."""
     m = len(constants["stiffness"])
     return ContactModes(
         coefficients,
@@ -151,23 +144,29 @@ def _at_rest(coefficients, knots_x, knots_y, **constants):
 
 
 def wavy_table(imperfection, y, constants) -> ContactModes:
-    """Return a rigid, wavy table as one mode with constant amplitude, and raise the disk of the
-    state y onto it.
+    """Return a rigid wavy table as one constant mode; raise the disk onto it.
 
-    The height is amplitude (r/R)^n cos(n theta) and moves with the disk, as modes given by numbers
-    do. The angle is measured from the crest under the initial contact.
+    The height is amplitude (r/R)^n cos(n theta), where R is the radius of the contact
+    circle of a flat disk, and r is measured from the centre of the disk. The angle is
+    measured from the crest under the initial contact. The disk is that of the state y.
     """
     n = imperfection.order
-    R = constants.radius
-    a = y[STATE.axis : STATE.axis + 2] / np.hypot(*y[STATE.axis : STATE.axis + 2])
-    x = np.linspace(-R, R, 4 + 8 * n)
-    height = imperfection.amplitude * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
+    R = constants.core_radius
+    horizontal = y[STATE.axis : STATE.axis + 2]
+    sine = np.hypot(*horizontal)
+    a = horizontal / sine
+    reach = R * y[STATE.axis + 2] - constants.core_depth * sine
+    x = np.linspace(-constants.radius, constants.radius, 4 + 8 * n)
+    height = (
+        imperfection.amplitude
+        * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
+    )
     spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
     waves = modes_at_rest()._replace(
         coefficients=np.ascontiguousarray(spline.c.T[:, :, None]),
         knots_x=spline.t,
         knots_y=spline.t,
-        stays=0.0,
+        table_is_fixed=0.0,
         stiffness=np.zeros(1),
         damping=np.zeros(1),
         compliance=np.zeros(1),
@@ -175,7 +174,11 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
     )
     waves.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
     store_table_shapes(
-        waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), waves.state[:, MODE_STATE.shape_before]
+        waves,
+        *(reach * a),
+        np.zeros((3, 4)),
+        np.zeros((3, 4)),
+        waves.state[:, MODE_STATE.shape_before],
     )
     y[2] += waves.state[0, MODE_STATE.shape_before]
     return waves
@@ -183,8 +186,9 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
 
 @kernel
 def cubic_basis(knots, x, out):
-    """Write the four cubic B-splines at x and their first two derivatives to `out` (3, 4); return
-    the first index.
+    """Write four cubic B-splines at x and two derivatives to `out` (3, 4).
+
+    Returns the index of the first spline.
     """
     n = knots.size - 4
     x = min(max(x, knots[3]), knots[n])
@@ -224,7 +228,7 @@ def cubic_basis(knots, x, out):
 
 @kernel
 def store_table_shapes(waves, x, y, bx, by, shapes):
-    """Store the shapes of the table modes at (x, y) [m] in `shapes`."""
+    """Store the table mode shapes at (x, y) [m] in `shapes`."""
     i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
     j = cubic_basis(waves.knots_y, y + waves.place[1], by)
     modes = waves.coefficients.shape[2]
@@ -240,8 +244,9 @@ def store_table_shapes(waves, x, y, bx, by, shapes):
 
 @kernel
 def table_deflection(waves, x, y, bx, by, out):
-    """Write W at the end of the step, its gradient and its derivatives xx, xy, yy at (x, y) to
-    `out` (6,).
+    """Write W at (x, y), its gradient and its derivatives xx, xy, yy to `out` (6,).
+
+    W is the deflection at the end of a step without contact force.
     """
     i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
     j = cubic_basis(waves.knots_y, y + waves.place[1], by)
@@ -252,7 +257,8 @@ def table_deflection(waves, x, y, bx, by, out):
             value = 0.0
             for m in range(row.size):
                 value += row[m] * (
-                    waves.state[m, MODE_STATE.amplitude] + waves.state[m, MODE_STATE.free_change]
+                    waves.state[m, MODE_STATE.amplitude]
+                    + waves.state[m, MODE_STATE.free_change]
                 )
             out[0] += bx[0, a] * by[0, b] * value
             out[1] += bx[1, a] * by[0, b] * value
@@ -264,22 +270,22 @@ def table_deflection(waves, x, y, bx, by, out):
 
 @kernel
 def angle_between(before, after):
-    """Return the signed angle between two directions, at most pi in size."""
+    """Return the signed angle [rad] from one direction to another, in [-pi, pi]."""
     return after - before - 2 * np.pi * np.rint((after - before) / (2 * np.pi))
 
 
 @kernel
 def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
-    """Evaluate table and rim at an angle of the rim of a disk with the axis (n0, n1, n2) and its
-    centre at (x, y).
+    """Evaluate table and rim at an angle of a disk with axis n and centre (x, y).
 
-    Deflection and slopes of the table go to scratch[6], those of the rim to scratch[7]. Returns
-    cosine and sine of the angle, the reach from the centre [m], and n.e.
+    The deflection of the table and its derivatives are written to scratch[6], those of
+    the rim to scratch[7]. Returns cosine and sine of the angle, the reach from the
+    centre [m], and n.e.
     """
     c = np.cos(angle)
     s = np.sin(angle)
     down = n0 * c + n1 * s
-    reach = constants.radius * n2 - down * constants.half_thickness
+    reach = constants.core_radius * n2 - down * constants.core_depth
     table_deflection(
         waves,
         x + reach * c,
@@ -299,16 +305,23 @@ def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
 
 
 @kernel
-def scan_rim(waves, constants, x, y, n0, n1, n2, scratch):
-    """Scan the whole rim for minima of the gap and store the directions of at most MAX_GAP_MINIMA.
+def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
+    """Scan the whole rim for minima of the gap; store up to MAX_GAP_MINIMA of them.
 
-    A minimum near the contact keeps the direction of the contact.
+    A minimum near the contact is replaced by the contact.
     """
-    R = constants.radius
+    # range of table heights along the rim, divided by R sin(beta), above which it is bent
+    bent_table_ratio = 1e-3
+    # angle [rad] from the contact below which a minimum of the gap is the contact itself
+    same_contact_angle = 3 * np.pi / RIM_SCAN_POINTS
+    level_scan_interval = 256  # steps between two scans on a nearly level table
+    bent_scan_interval = 16  # steps between two scans on a bent table
+    R = constants.core_radius
     highest = -np.inf
     lowest = np.inf
     count = 0
-    previous = current = 0.0
+    previous = 0.0
+    current = 0.0
     for n in range(RIM_SCAN_POINTS + 2):
         _, _, _, down = evaluate_gap(
             waves,
@@ -330,45 +343,50 @@ def scan_rim(waves, constants, x, y, n0, n1, n2, scratch):
                 waves.contact[CONTACT.angle],
                 2 * np.pi * (n - 1) / RIM_SCAN_POINTS,
             )
-            waves.contact[CONTACT.minimum_angles + count] = waves.contact[CONTACT.angle] + (
-                turn if abs(turn) > SAME_CONTACT_ANGLE else 0.0
-            )
+            waves.contact[CONTACT.minimum_angles + count] = waves.contact[
+                CONTACT.angle
+            ] + (turn if abs(turn) > same_contact_angle else 0.0)
             count += 1
         previous = current
         current = value
     waves.contact[CONTACT.minimum_count] = count
-    bends = highest - lowest > BENT_TABLE_RATIO * R * np.sqrt(n0 * n0 + n1 * n1)
-    waves.contact[CONTACT.steps_to_scan] = BENT_SCAN_INTERVAL if bends else LEVEL_SCAN_INTERVAL
+    bends = highest - lowest > bent_table_ratio * R * np.sqrt(n0 * n0 + n1 * n1)
+    waves.contact[CONTACT.steps_to_scan] = (
+        bent_scan_interval if bends else level_scan_interval
+    )
 
 
 @kernel
 def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
-    """Find the direction in which a disk with the axis (n0, n1, n2) and its centre at (x, y)
-    touches the table.
+    """Find the contact of a disk with axis (n0, n1, n2) and centre (x, y) on the table.
 
-    One Newton step updates each minimum of the gap; the lowest one is the contact. `rough` holds
-    the height profiles of table and edge, the path lengths [m] on them at the previous contact, and
-    the half-length of the ellipse. The function stores the mode shapes at the contact as
-    `shape_after`. Returns the direction, the heights of table and edge [m], and the path length from
-    the previous contact [m].
+    One Newton step updates each minimum of the gap; the lowest one is the contact.
+    `rough` contains the height profiles of table and edge, their path lengths [m] at
+    the previous contact, and the half-length of the ellipse. The mode shapes at the
+    contact are stored as `shape_after`. Returns the direction [rad], the sum of the
+    heights of table and edge [m], and the path length from the previous contact [m].
     """
     field = scratch[6]
     rim_field = scratch[7]
-    R = constants.radius
-    x = waves.stays * x
-    y = waves.stays * y
+    R = constants.core_radius
+    x = waves.table_is_fixed * x
+    y = waves.table_is_fixed * y
     waves.contact[CONTACT.steps_to_scan] -= 1
     if waves.contact[CONTACT.steps_to_scan] < 0:
-        scan_rim(waves, constants, x, y, n0, n1, n2, scratch)
+        find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch)
     last = waves.contact[CONTACT.angle]
     lowest_gap = -np.inf
     contact_angle = last
     for n in range(int(waves.contact[CONTACT.minimum_count])):
         angle = waves.contact[CONTACT.minimum_angles + n]
-        c, s, reach, down = evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch)
+        c, s, reach, down = evaluate_gap(
+            waves, constants, x, y, n0, n1, n2, angle, scratch
+        )
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
-        add_rim_heights(*rough, reach, R, angle_between(last, angle), rim_field)
+        add_rim_heights(
+            *rough, reach, constants.radius, angle_between(last, angle), rim_field
+        )
         slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
         bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
@@ -381,7 +399,7 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
             contact_angle = angle + step
     c = np.cos(contact_angle)
     s = np.sin(contact_angle)
-    reach = R * n2 - (n0 * c + n1 * s) * constants.half_thickness
+    reach = R * n2 - (n0 * c + n1 * s) * constants.core_depth
     store_table_shapes(
         waves,
         x + reach * c,
@@ -404,7 +422,7 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
 
 @kernel
 def predict_free_motion(waves, h):
-    """Store the change of each amplitude in a step without a contact force."""
+    """Store the change of each amplitude in a step without contact force."""
     for m in range(len(waves.state)):
         q = waves.state[m, MODE_STATE.amplitude]
         v = waves.state[m, MODE_STATE.velocity]
@@ -414,19 +432,27 @@ def predict_free_motion(waves, h):
 
 
 @kernel
-def work_sums(waves, h):
-    """Return D, E, P, S of the sums over the modes sum w~ dq = D - E N and sum q~ dw = P - S N."""
-    D = E = P = S = 0.0
+def mode_work_sums(waves, h):
+    """Return D, E, P, S in the mode sums sum w~ dq = D - E N and sum q~ dw = P - S N."""
+    D = 0.0
+    E = 0.0
+    P = 0.0
+    S = 0.0
     for m in range(len(waves.state)):
         mean = (
-            waves.state[m, MODE_STATE.shape_before] + waves.state[m, MODE_STATE.shape_after]
+            waves.state[m, MODE_STATE.shape_before]
+            + waves.state[m, MODE_STATE.shape_after]
         ) / 2
-        change = waves.state[m, MODE_STATE.shape_after] - waves.state[m, MODE_STATE.shape_before]
+        change = (
+            waves.state[m, MODE_STATE.shape_after]
+            - waves.state[m, MODE_STATE.shape_before]
+        )
         compliance = h * h / 2 * waves.compliance[m] * mean
         D = D + mean * waves.state[m, MODE_STATE.free_change]
         E = E + compliance * mean
         P = P + change * (
-            waves.state[m, MODE_STATE.amplitude] + waves.state[m, MODE_STATE.free_change] / 2
+            waves.state[m, MODE_STATE.amplitude]
+            + waves.state[m, MODE_STATE.free_change] / 2
         )
         S = S + change * compliance / 2
     return D, E, P, S
@@ -434,18 +460,26 @@ def work_sums(waves, h):
 
 @kernel
 def advance_modes(waves, N, h):
-    """Advance the modes by a step h under the contact force N; return the energies lost by table
-    and disk modes.
+    """Advance the modes by a step h under the force N; return their energy losses.
+
+    The losses are those of the table modes and of the disk modes.
     """
-    lost = total = 0.0
+    lost = 0.0
+    total = 0.0
     first = len(waves.state) - len(waves.rim)
     for m in range(len(waves.state)):
         mean = (
-            waves.state[m, MODE_STATE.shape_before] + waves.state[m, MODE_STATE.shape_after]
+            waves.state[m, MODE_STATE.shape_before]
+            + waves.state[m, MODE_STATE.shape_after]
         ) / 2
-        change = waves.state[m, MODE_STATE.free_change] - h * h / 2 * waves.compliance[m] * mean * N
+        change = (
+            waves.state[m, MODE_STATE.free_change]
+            - h * h / 2 * waves.compliance[m] * mean * N
+        )
         waves.state[m, MODE_STATE.amplitude] += change
-        waves.state[m, MODE_STATE.velocity] = 2 * change / h - waves.state[m, MODE_STATE.velocity]
+        waves.state[m, MODE_STATE.velocity] = (
+            2 * change / h - waves.state[m, MODE_STATE.velocity]
+        )
         waves.state[m, MODE_STATE.shape_before] = waves.state[m, MODE_STATE.shape_after]
         total += waves.damping[m] * change * change / h
         if m < first:
@@ -456,7 +490,8 @@ def advance_modes(waves, N, h):
 @kernel
 def mode_energies(waves):
     """Return the energies of the table modes and of the disk modes [J]."""
-    energy = total = 0.0
+    energy = 0.0
+    total = 0.0
     first = len(waves.state) - len(waves.rim)
     for m in range(len(waves.state)):
         q = waves.state[m, MODE_STATE.amplitude]
@@ -467,11 +502,11 @@ def mode_energies(waves):
     return energy, total - energy
 
 
-def settle_modes(waves: ContactModes, modes, model, y) -> None:
-    """Set the modes to their steady response to the force of a contact that precesses steadily.
+def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
+    """Set the modes to their steady response to a steadily precessing contact force.
 
-    The Fourier series of each mode shape round the rim drives that mode, so no free vibration is
-    excited.
+    Each mode is excited by the Fourier series of its shape around the rim, without free
+    vibration.
     """
     if modes is None or not len(waves.state):
         return
@@ -479,7 +514,7 @@ def settle_modes(waves: ContactModes, modes, model, y) -> None:
     n = y[STATE.axis : STATE.angular_momentum]
     s = np.hypot(n[0], n[1])
     start = np.arctan2(n[1], n[0])
-    reach = constants.radius * n[2] - constants.half_thickness * s
+    reach = constants.core_radius * n[2] - constants.core_depth * s
     turning = (
         (
             np.cross(
@@ -492,14 +527,14 @@ def settle_modes(waves: ContactModes, modes, model, y) -> None:
         / s**2
     )
     angle = start + 2 * np.pi * np.arange(RIM_SCAN_POINTS) / RIM_SCAN_POINTS
-    east, north = (waves.stays * y[:2] + modes.place)[:, None] + reach * np.array(
-        [np.cos(angle), np.sin(angle)]
-    )
+    east, north = (waves.table_is_fixed * y[:2] + modes.place)[
+        :, None
+    ] + reach * np.array([np.cos(angle), np.sin(angle)])
     shapes = np.hstack(
         [
             modes.at(east, north),
             rim_shapes(
-                model.bending,
+                model.disk_modes,
                 angle,
                 np.arctan2(s, n[2]),
             ),

@@ -1,22 +1,25 @@
-"""Tangential part of a time step: creeping springs, slip, resisting moments and the air film.
+"""Tangential part of a time step: creep, slip, resisting moments and air film.
 
-The scheme conserves or dissipates energy. The midpoint rule for u' = -W p, q' = u - q V/l, p = k q
-conserves kinetic energy + k q^2/2 except for creep, which takes k q~^2 V h/l >= 0.
+The scheme conserves or dissipates energy. The midpoint rule for u' = -W p, q' = u - q
+V/l, p = k q conserves kinetic energy + k q^2/2, except that creep dissipates k q~^2 V
+h/l >= 0.
 
-Where p exceeds the friction limit, it is replaced by p on the friction circle with C p + y p = C
-p0. Here p0 is the force without slip, C is positive and y >= 0. The slip 2 y p is parallel to p and
-takes 2 y p^2. At incipient slip the spring relaxes to the force of dynamic friction. It sticks as
-soon as its stretch no longer grows. A spring keeps its force while k grows and its stretch while k
-falls; both reduce its energy.
+If p exceeds the friction limit, it is replaced by a force on the friction circle with C
+p + y p = C p0, where p0 is the force without slip, C is positive and y >= 0. The slip 2
+y p is parallel to p and dissipates 2 y p^2. At incipient slip the spring relaxes to the
+force of dynamic friction. It sticks as soon as its stretch no longer increases. If k
+increases, the force of a spring does not change; if k decreases, its stretch does not
+change. Both reduce its energy.
 
-The resisting moments are impulses against omega.a_i, clipped where they stop the rotation, so they
-only take kinetic energy. Friction fitted to a rough disk includes the losses in contact and creep:
-the moments of rolling are reduced by this energy.
+The resisting moments are impulses against omega.a_i, at most those that stop the
+rotation, so that they only dissipate kinetic energy. Friction fitted to a rough disk
+includes the losses by contact and creep; the moments of rolling are therefore reduced
+by this energy.
 
-The air film (film/forces.py) acts against omega_3, and its pressure acts on the face at the centre of
-pressure, against the velocity there, as its law requires for a stationary contact. The compressed
-air stores energy up to the energy of the film in this state and loses the rest. It exerts no
-pressure once its energy is used up, whatever the contact does.
+The air film (film/forces.py) opposes omega_3, and its pressure acts at the centre of
+pressure of the face against the velocity there. The compressed air stores at most the
+energy of the film in the current state; the rest is dissipated. It exerts no pressure
+when no energy is stored.
 """
 
 import numpy as np
@@ -24,20 +27,20 @@ import numpy as np
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import law_column
 from dynamics.compliant.stepping.state_layout import STATE
-from dynamics.film.forces import film_parts, squeezed_air_energy
+from dynamics.film.forces import film_moment_parts, squeezed_air_energy
 from dynamics.numba_kernels import kernel
+from dynamics.pivoting import friction_limited_arm
 
-film_parts_kernel = kernel(film_parts)
+film_moment_parts_kernel = kernel(film_moment_parts)
 squeezed_air_kernel = kernel(squeezed_air_energy)
-MIN_PRECESSION_RATE = 1e-30
-"""Added to the precession rate, because the drag is divided by it [rad/s]."""
+limited_arm_kernel = kernel(friction_limited_arm)
+PRECESSION_RATE_OFFSET = 1e-30
+"""Offset [rad/s] of the precession rate, which avoids division by zero."""
 
 
 @kernel
 def step_tangential(y, constants, powers, law, h):
-    """Advance the state y by the tangential part of a step h, with the contact at the lowest point
-    of the rim.
-    """
+    """Advance y by the tangential part of a step h at the lowest point of the rim."""
     step_tangential_at(
         y,
         constants,
@@ -51,37 +54,37 @@ def step_tangential(y, constants, powers, law, h):
 
 @kernel
 def step_tangential_at(y, constants, powers, law, d0, d1, h):
-    """Advance the state y by the tangential part of a step h, with the contact in the horizontal
-    direction d.
-    """
+    """Advance y by the tangential part of a step h at a contact in direction d."""
     m = constants.mass
     J = constants.diametral_inertia
-    R = constants.radius
-    H = constants.half_thickness
+    R = constants.core_radius
+    H = constants.core_depth
     down = y[6] * d0 + y[7] * d1
     c = y[8]
     i = int(y[STATE.law_interval])
     u = y[STATE.law_fraction]
     s = max(y[STATE.sin_inclination], 1e-9)
     reach = R - down * (R * down / (1 + c) + H)
-    rise = R * down + H * c
+    rise = R * down + H * c + constants.fillet
     for side in range(2):
-        k = law_column(law, i, u, LAW_COLUMNS.stiffness_1 if side == 0 else LAW_COLUMNS.stiffness_2)
+        k = law_column(
+            law, i, u, LAW_COLUMNS.stiffness_1 if side == 0 else LAW_COLUMNS.stiffness_2
+        )
         q = y[STATE.spring_stretch + side]
         before = y[STATE.spring_stiffness + side]
         y[STATE.spring_stretch + side] = q * min(1.0, before / k)
         y[STATE.spring_stiffness + side] = k
-        y[STATE.creep_loss] += (before * q * q - k * y[STATE.spring_stretch + side] ** 2) / 2
+        y[STATE.creep_loss] += (
+            before * q * q - k * y[STATE.spring_stretch + side] ** 2
+        ) / 2
+    e = 1 / constants.axial_inertia - 1 / J
     apply_resisting_moments(y, constants, powers, s, c, d0, d1, h)
+    if constants.has_spin_friction > 0:
+        apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h)
     if constants.film_turning > 0:
         apply_film(y, constants, s, c, d0, d1, reach, h)
-    e = 1 / constants.axial_inertia - 1 / J
-    spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
-    wd = (y[9] * d0 + y[10] * d1) / J + spin * down
-    wt = (y[10] * d0 - y[9] * d1) / J
-    ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * c) + rise * wd
-    ud = y[3] * d0 + y[4] * d1 - rise * wt
-    Wt = 1 / m + R * R / constants.axial_inertia + H * H / J
+    ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
+    Wt = 1 / m + (reach * reach + rise * rise) / J + e * (reach * c + rise * down) ** 2
     Wd = 1 / m + rise * rise / J
     pt, pd = advance_springs(
         y,
@@ -94,7 +97,7 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
         law_column(law, i, u, LAW_COLUMNS.relaxation_length_2),
         h,
     )
-    # the force -p acts at reach d - rise e3
+    # the force -p acts at the position reach d - rise e3
     y[3] = y[3] - h / m * (pd * d0 - pt * d1)
     y[4] = y[4] - h / m * (pd * d1 + pt * d0)
     y[9] = y[9] - h * rise * (pt * d0 + pd * d1)
@@ -105,8 +108,29 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
 
 
 @kernel
+def apply_bowl_force(y, constants, h):
+    """Advance the velocity under the restoring force of a concave table by a time h."""
+    if constants.bowl_stiffness > 0:
+        rate = constants.bowl_stiffness / constants.mass
+        y[3] -= h * rate * (y[0] + constants.bowl_x)
+        y[4] -= h * rate * (y[1] + constants.bowl_y)
+
+
+@kernel
+def contact_velocity(y, constants, d0, d1, down, reach, rise):
+    """Return the velocities of the disk at the contact along t and d."""
+    J = constants.diametral_inertia
+    e = 1 / constants.axial_inertia - 1 / J
+    spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
+    wd = (y[9] * d0 + y[10] * d1) / J + spin * down
+    wt = (y[10] * d0 - y[9] * d1) / J
+    ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * y[8]) + rise * wd
+    return ut, y[3] * d0 + y[4] * d1 - rise * wt
+
+
+@kernel
 def advance_springs(y, constants, ut, ud, Wt, Wd, length_t, length_d, h):
-    """Advance the springs; return their mean force on the contact point along t and d."""
+    """Advance the springs; return their mean forces on the contact point along t and d."""
     kt = y[STATE.spring_stiffness]
     kd = y[STATE.spring_stiffness + 1]
     N = y[STATE.normal_force]
@@ -147,20 +171,22 @@ def advance_springs(y, constants, ut, ud, Wt, Wd, length_t, length_d, h):
     creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
     work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
     y[STATE.creep_loss] += creep
-    y[STATE.slip_loss] += work - (kt * qt * qt + kd * qd * qd - spring_energy_before) / 2 - creep
+    y[STATE.slip_loss] += (
+        work - (kt * qt * qt + kd * qd * qd - spring_energy_before) / 2 - creep
+    )
     return pt, pd
 
 
 @kernel
 def limit_stretch(qt, qd, kt, kd, limit):
-    """Return the stretch of the springs, reduced to the force `limit` where it exceeds that."""
+    """Return the spring stretch, reduced so that the force is at most `limit`."""
     keep = min(1.0, limit / max(np.sqrt((kt * qt) ** 2 + (kd * qd) ** 2), 1e-300))
     return keep * qt, keep * qd
 
 
 @kernel
 def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
-    """Return the force with |p| = limit and C p + y p = C p0."""
+    """Return the force p with |p| = limit and C p + y p = C p0."""
     if limit == 0:
         return 0.0, 0.0
     y = (Ct + Cd) / 2 * (trial_force / limit - 1)
@@ -179,16 +205,19 @@ def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
 
 @kernel
 def apply_resisting_moments(y, constants, powers, s, c, d0, d1, h):
-    """Apply the moments of k1, k2, k3, the power laws (n, 2) of the precession rate, and the
-    viscous loads as impulses.
-    """
+    """Apply the resisting moments, power laws (n, 2) and viscous loads as impulses."""
     J = constants.diametral_inertia
     e = 1 / constants.axial_inertia - 1 / constants.diametral_inertia
     arms = constants.arm_nutation, constants.arm_rolling, constants.arm_pivoting
     for i in range(3):
-        a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
+        if i == 0:
+            a0, a1, a2 = -d1, d0, 0.0
+        elif i == 1:
+            a0, a1, a2 = d0, d1, 0.0
+        else:
+            a0, a1, a2 = 0.0, 0.0, 1.0
         size = h * arms[i] * y[STATE.normal_force]
-        held = 0.0 if i != 1 else constants.friction_is_fitted
+        fitted = 0.0 if i != 1 else constants.friction_is_fitted
         apply_angular_impulse(
             y,
             a0,
@@ -199,11 +228,12 @@ def apply_resisting_moments(y, constants, powers, s, c, d0, d1, h):
             J,
             e,
             STATE.moment_loss,
-            held,
+            fitted,
         )
     if constants.viscous_force > 0:
         left = max(0.0, 1 - h * constants.viscous_force / constants.mass)
-        y[STATE.moment_loss] += constants.mass / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
+        horizontal_energy = constants.mass / 2 * (y[3] * y[3] + y[4] * y[4])
+        y[STATE.moment_loss] += horizontal_energy * (1 - left * left)
         y[3] = left * y[3]
         y[4] = left * y[4]
     for i in range(len(powers)):
@@ -227,17 +257,40 @@ def apply_resisting_moments(y, constants, powers, s, c, d0, d1, h):
 
 
 @kernel
+def apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h):
+    """Apply the moment by which the contact ellipse resists pivoting as an impulse."""
+    J = constants.diametral_inertia
+    e = 1 / constants.axial_inertia - 1 / J
+    i = int(y[STATE.law_interval])
+    u = y[STATE.law_fraction]
+    pivoting = y[11] / J + e * y[8] * (y[6] * y[9] + y[7] * y[10] + y[8] * y[11])
+    slides = y[STATE.is_sliding] > 0
+    speed_square = y[STATE.path_speed] ** 2
+    if slides:
+        ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
+        speed_square = ut * ut + ud * ud
+    arm = limited_arm_kernel(
+        law_column(law, i, u, LAW_COLUMNS.slip_arm),
+        law_column(law, i, u, LAW_COLUMNS.creep_moment),
+        abs(pivoting),
+        speed_square,
+        slides,
+        constants.mu_dynamic,
+    )
+    size = h * arm * y[STATE.normal_force]
+    apply_angular_impulse(y, 0.0, 0.0, 1.0, size, 0.0, J, e, STATE.moment_loss, 0.0)
+
+
+@kernel
 def apply_film(y, constants, s, c, d0, d1, reach, h):
-    """Apply the air film as impulses: drag about e_3, pressure of the falling disk, pressure of the
-    compressed air.
-    """
+    """Apply drag, pressure of the fall and pressure of the compressed air as impulses."""
     a0 = -c * d0
     a1 = -c * d1
     a2 = s
     J = constants.diametral_inertia
     m = constants.mass
-    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + MIN_PRECESSION_RATE
-    drag, fall, lever, tip, lift = film_parts_kernel(
+    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + PRECESSION_RATE_OFFSET
+    drag, fall, lever, tip, lift = film_moment_parts_kernel(
         s,
         rate,
         constants.film_turning,
@@ -246,6 +299,7 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
         constants.film_number,
         constants.film_ambient,
         constants.film_slip,
+        constants.film_bowl,
     )
     apply_angular_impulse(
         y,
@@ -274,7 +328,9 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
         v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
         mobility = 1 / m + arm * arm / J
         speed = np.sqrt(v * v + 2 * mobility * y[STATE.squeezed_air_energy])
-        lift_impulse = min(lift_impulse, (speed - v) / mobility)  # at most the stored energy
+        lift_impulse = min(
+            lift_impulse, (speed - v) / mobility
+        )  # limited by the stored energy
         work = lift_impulse * (v + lift_impulse * mobility / 2)
         y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
         y[5] = y[5] + lift_impulse / m
@@ -283,21 +339,28 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
     stored_energy = min(
         y[STATE.squeezed_air_energy],
         squeezed_air_kernel(
-            s, rate, constants.film_number, constants.film_ambient, constants.film_slip
+            s,
+            rate,
+            constants.film_number,
+            constants.film_ambient,
+            constants.film_slip,
+            constants.film_bowl,
         ),
     )
-    y[STATE.film_loss] = y[STATE.film_loss] + y[STATE.squeezed_air_energy] - stored_energy
+    y[STATE.film_loss] = (
+        y[STATE.film_loss] + y[STATE.squeezed_air_energy] - stored_energy
+    )
     y[STATE.squeezed_air_energy] = stored_energy
     y[STATE.film_lift] = (fall_impulse + lift_impulse) / h
 
 
 @kernel
 def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
-    """Apply an impulse against omega along the unit vector a, at most the one that stops the
-    rotation.
+    """Apply an angular impulse along the unit vector a that at most stops the rotation.
 
-    The impulse is `size` + `per_rate` times the rate. With `fitted` = 1 it is reduced by the energy
-    that contact and creep have already taken. `cause` is the index of the loss in the state.
+    The impulse is `size` + `per_rate` times the rate. With `fitted` = 1 it is reduced
+    by the energy that contact and creep have dissipated. `cause` is the index of the
+    loss in the state.
     """
     if size == 0 and per_rate == 0:
         return
@@ -307,11 +370,14 @@ def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
     )
     mobility = 1 / J + e * n * n
     available_relief = (
-        fitted * (y[STATE.contact_loss] + y[STATE.creep_loss]) - y[STATE.relieved_friction_energy]
+        fitted * (y[STATE.contact_loss] + y[STATE.creep_loss])
+        - y[STATE.relieved_friction_energy]
     )
     if fitted > 0 and available_relief > 0 and rate != 0:
         relief = min(size, available_relief / abs(rate))
-        y[STATE.relieved_friction_energy] = y[STATE.relieved_friction_energy] + relief * abs(rate)
+        y[STATE.relieved_friction_energy] = y[
+            STATE.relieved_friction_energy
+        ] + relief * abs(rate)
         size = size - relief
     turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / mobility)
     y[9] = y[9] + turn * a0

@@ -1,11 +1,10 @@
-"""Time loop of the compliant motion: many steps in one compiled call, with a record of rows and
-events.
-"""
+"""Time loop of the compliant motion, with many steps per compiled call."""
 
 from enum import IntEnum, auto
 
 import numpy as np
 
+from dynamics import pivoting
 from dynamics.compliant.law import height_profile
 from dynamics.compliant.law import tabulated as table
 from dynamics.compliant.stepping import contact_energy as gap
@@ -17,7 +16,7 @@ from dynamics.compliant.stepping import (
     table_modes,
     tangential,
 )
-from dynamics.compliant.stepping.contact_energy import locate_in_law
+from dynamics.compliant.stepping.contact_energy import update_law_interval
 from dynamics.compliant.stepping.normal import step_normal
 from dynamics.compliant.stepping.normal_with_modes import (
     step_normal_with_modes,
@@ -26,33 +25,19 @@ from dynamics.compliant.stepping.normal_with_modes import (
 )
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.table_modes import CONTACT, mode_energies
-from dynamics.compliant.stepping.tangential import step_tangential
+from dynamics.compliant.stepping.tangential import apply_bowl_force, step_tangential
 from dynamics.film import forces
 from dynamics.numba_kernels import fingerprint, kernel, outermost
 
-MIN_INCLINATION_RATIO = 0.6
-"""The disk is flat after a step that reduces sin(inclination) below this fraction.
-
-The next steps would take the disk through the table.
-"""
 FLAT_INCLINATION = 1e-5
-"""On a table with modes the disk is flat below this sine of its inclination [rad]."""
-REST_DURATION = 0.02
-"""On a table with modes the motion ends when the disk has been flat for this time [s].
-
-With several waves the point of contact is not unique, and the disk would rattle forever.
-"""
-AIRBORNE_DURATION = 2e-3
-"""Shortest loss of contact after which the air film may carry the disk [s]."""
-AIRBORNE_LIFT_SHARE = 0.5
-"""The air film carries the disk if its mean lift exceeds this fraction of the weight."""
+"""Inclination [rad] below which a disk on a table with modes is considered flat."""
 
 
 class EndReason(IntEnum):
-    """Reason for the end of a call of `step_motion`."""
+    """Reason why a call of `step_motion` returned."""
 
     CONTINUES = auto()
-    """The rows are full; the motion continues."""
+    """All rows are filled; the motion continues."""
     LIES_FLAT = auto()
     STANDS_UPRIGHT = auto()
     UNSOLVED = auto()
@@ -77,7 +62,13 @@ def _step_rows(
     forces,
     events,
 ):
-    """Fill the rows step by step; see `step_motion`."""
+    """Fill the rows; see `step_motion`."""
+    # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
+    # With several waves the contact is not unique, and the disk would rattle forever.
+    rest_duration = 0.02
+    # Ratio of sin(inclination) after and before a step below which the disk is flat, because
+    # it would pass through the table in the next steps.
+    min_inclination_ratio = 0.6
     flights, slips = events
     flying = flights[0, 0] == flights[0, 0]
     sliding = slips[0, 0] == slips[0, 0]
@@ -86,27 +77,38 @@ def _step_rows(
     forces[:] = 0.0
     scratch = np.zeros((8, 6))
     has_modes = len(modes.state) > 0
-    steps_per_force = steps_per_row * len(rows) // len(forces)  # steps averaged in each mean force
+    steps_per_force = (
+        steps_per_row * len(rows) // len(forces)
+    )  # number of steps in each mean force
     previous_force = 0
     current_force = 0
     steps_left = steps_per_force
     half_weight = 1 / (2 * steps_per_force)
     for row in range(len(rows)):
         if row == 0 or not has_modes:
-            locate_in_law(y, law)
+            update_law_interval(y, law)
         for i in range(steps_per_row + 1):
             tangential_step = h / 2 if i in (0, steps_per_row) else h
+            # outside the tangential parts, which balance the energy without gravity
+            apply_bowl_force(y, constants, tangential_step / 2)
             if has_modes:
-                step_tangential_with_modes(y, constants, powers, law, modes, tangential_step)
+                step_tangential_with_modes(
+                    y, constants, powers, law, modes, tangential_step
+                )
             else:
                 step_tangential(y, constants, powers, law, tangential_step)
+            apply_bowl_force(y, constants, tangential_step / 2)
             for k in range(
                 2
-            ):  # half of each tangential step belongs to the force before, half to the next
+            ):  # half of each tangential step counts for the previous force, half for the next
                 if i > 0:
-                    forces[previous_force, k] += half_weight * y[STATE.tangential_force + k]
+                    forces[previous_force, k] += (
+                        half_weight * y[STATE.tangential_force + k]
+                    )
                 if i < steps_per_row:
-                    forces[current_force, k] += half_weight * y[STATE.tangential_force + k]
+                    forces[current_force, k] += (
+                        half_weight * y[STATE.tangential_force + k]
+                    )
             if (y[STATE.is_sliding] > 0) != sliding:
                 slips[slip, 1 if sliding else 0] = steps_before * h
                 slip += 1 if sliding else 0
@@ -132,12 +134,12 @@ def _step_rows(
                     else 0
                 )
                 flat = (
-                    modes.contact[CONTACT.flat_steps] * h > REST_DURATION
+                    modes.contact[CONTACT.flat_steps] * h > rest_duration
                     or y[STATE.energy_deficit] > 0
                 )
             else:
                 solved = step_normal(y, constants, law, table, rim, h)
-                flat = y[STATE.sin_inclination] < MIN_INCLINATION_RATIO * sine_before
+                flat = y[STATE.sin_inclination] < min_inclination_ratio * sine_before
             if not solved:
                 return EndReason.UNSOLVED, row, flight, slip
             forces[current_force, 2] += 2 * half_weight * y[STATE.normal_force]
@@ -165,7 +167,7 @@ def _step_rows(
             y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
         for j in range(
             len(y)
-        ):  # `rows[row] = y` would compile an error message, which takes seconds
+        ):  # `rows[row] = y` would add seconds to the compilation time
             rows[row, j] = y[j]
         if (y[STATE.sin_inclination] < final_sine and not has_modes) or y[8] <= 0:
             return (
@@ -179,28 +181,33 @@ def _step_rows(
 
 @kernel
 def update_airborne(y, constants, h):
-    """Update duration and lift impulse of a flight; return True if the air film carries the
-    disk."""
+    """Update a loss of contact; return True if the air film supports the disk."""
+    # mean lift, divided by the weight, above which the air film supports the disk
+    airborne_lift_share = 0.5
+    # shortest loss of contact [s] in which the air film may support the disk
+    airborne_duration = 2e-3
     in_flight = 1.0 if y[STATE.gap] > 0 else 0.0
     y[STATE.flight_duration] = in_flight * (y[STATE.flight_duration] + h)
     y[STATE.flight_lift_impulse] = in_flight * (
         y[STATE.flight_lift_impulse] + h * y[STATE.film_lift]
     )
     return (
-        y[STATE.flight_duration] > AIRBORNE_DURATION
+        y[STATE.flight_duration] > airborne_duration
         and y[STATE.flight_lift_impulse]
-        > AIRBORNE_LIFT_SHARE * constants.weight * y[STATE.flight_duration]
+        > airborne_lift_share * constants.weight * y[STATE.flight_duration]
     )
 
 
 @kernel
 def record_flight(flights, flight, flying, gap_before, gap, t, h):
-    """Record the opening and closing of the gap in the step from t, by linear interpolation.
+    """Record the opening or closing of the gap in a step that starts at time t.
 
-    Returns whether the gap is open, and the index of the current flight.
+    Returns True if the gap is open, and the index of the current flight.
     """
     if gap > 0 and not flying:
-        flights[flight, 0] = t + h * max(0.0, -gap_before) / (gap - min(gap_before, 0.0))
+        flights[flight, 0] = t + h * max(0.0, -gap_before) / (
+            gap - min(gap_before, 0.0)
+        )
         flights[flight, 2] = 0.0
     if gap > 0:
         flights[flight, 2] = max(flights[flight, 2], gap)
@@ -210,8 +217,8 @@ def record_flight(flights, flight, flying, gap_before, gap, t, h):
     return gap > 0, flight
 
 
-def _compiled(version):
-    """Compile `step_motion` with the fingerprint of its sources as a part of the cache key."""
+def _compile_step_motion(version):
+    """Compile `step_motion` with a fingerprint of its sources as part of the cache key."""
 
     @outermost
     def step_motion(
@@ -230,8 +237,7 @@ def _compiled(version):
         forces,
         events,
     ):
-        """Advance the state y and fill `rows` (n, STATE_SIZE), one row after every `steps_per_row`
-        steps h [s].
+        """Advance the state y and fill `rows`, one after every `steps_per_row` steps.
 
         Parameters
         ----------
@@ -254,20 +260,19 @@ def _compiled(version):
         final_sine : float
             Sine of the inclination at which the motion ends.
         rows : (n, STATE_SIZE) array
-            Receives the states.
+            Output: the states.
         forces : (n p, 3) array
-            Receives the mean forces on the disk along t and d and the mean normal force [N], p per
-            row.
+            Output: mean forces on the disk along t, d and the normal [N], p per row.
         events : tuple
-            Receives flights (f, 3), begin, end [s] and height [m] of each loss of contact, and
-            slips (g, 2), begin
-            and end [s]. The first event may have begun before the call; an event without an end
-            (NaN) continues.
+            Output: flights (f, 3), with start, end [s] and height [m] of each loss of
+            contact, and slips (g, 2), with start and end [s]. The first event may have
+            started before the call; an event without an end (NaN) continues.
 
         Returns
         -------
         tuple of int
-            Reason of the return, rows filled, flights ended, slips ended.
+            Reason for the return, and the numbers of filled rows, ended flights and
+            ended slips.
         """
         version  # noqa: B018 -- part of the key of the cached machine code
         return _step_rows(
@@ -290,10 +295,11 @@ def _compiled(version):
     return step_motion
 
 
-step_motion = _compiled(
+step_motion = _compile_step_motion(
     fingerprint(
         rim_modes,
         forces,
+        pivoting,
         gap,
         normal,
         height_profile,

@@ -1,1 +1,2 @@
-"""SOUND -> SETTLING RUNS: disks and coins that come to rest, by the rising rate of their bursts."""
+"""Detection of disks and coins that come to rest, from the rising rate of their
+bursts."""

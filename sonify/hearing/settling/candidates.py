@@ -1,4 +1,4 @@
-"""FRAMES -> CANDIDATES: windows whose bursts follow the law of a disk, scored against rival
+"""Candidate windows with bursts that follow the law of a disk, scored against rival
 laws."""
 
 from concurrent.futures import ThreadPoolExecutor
@@ -8,7 +8,10 @@ import numpy as np
 
 from sonify.hearing.settling.ends import drop_peaks, end_drops
 from sonify.hearing.settling.onset_strength import FRAME_RATE, Frames, OnsetStrength
-from sonify.hearing.settling.prediction_score import correlation_length, law_phases, predicted_gain
+from sonify.hearing.settling.prediction_score import (
+    independent_samples,
+    predicted_gain,
+)
 from sonify.hearing.settling.rate_laws import Law, distance_to_end, families
 from sonify.hearing.settling.refinement import refine
 from sonify.hearing.settling.settings import SettlingSettings
@@ -20,8 +23,8 @@ RISING_RIVALS = ("linear", "exponential")
 
 @dataclass(frozen=True)
 class Window:
-    """Frames `first` up to `stop` before the end at frame `end`, where the power drops by `drop`
-    [dB]."""
+    """Frames from `first` up to `stop`, before a `drop` [dB] of the power at frame
+    `end`."""
 
     first: int
     stop: int
@@ -36,11 +39,10 @@ class Window:
 
 @dataclass(frozen=True)
 class Candidate:
-    """A window, the channel and the law of a disk that fit it best, and how well rival laws predict
-    it.
+    """A window with the best channel and disk law for it, and the scores of rival laws.
 
-    `scores` holds the prediction score of every family, `slope` that of the pulse levels against
-    the time left."""
+    `scores` contains the prediction score of each family. `slope` is that of the pulse
+    levels against the remaining time."""
 
     window: Window
     channel: int
@@ -50,17 +52,21 @@ class Candidate:
 
     @property
     def steady_margin(self):
-        """T: how much better the disk predicts than steady or slowing rates."""
-        return self.scores["disk"] - max(0.0, *(self.scores[name] for name in STEADY_RIVALS))
+        """Margin T of the prediction score of the disk over those of steady and slowing
+        rates."""
+        return self.scores["disk"] - max(
+            0.0, *(self.scores[name] for name in STEADY_RIVALS)
+        )
 
     @property
     def rising_margin(self):
-        """W: how much better the disk predicts than linearly or exponentially rising rates."""
+        """Margin W of the prediction score of the disk over those of linearly and
+        exponentially rising rates."""
         return self.scores["disk"] - max(self.scores[name] for name in RISING_RIVALS)
 
     @property
     def score(self):
-        """Q, by which candidates are ranked and heard."""
+        """Score Q, by which candidates are ranked and detected."""
         return min(self.steady_margin, self.rising_margin + 20)
 
     @property
@@ -70,7 +76,7 @@ class Candidate:
 
     @property
     def t_end(self):
-        """Time of the end of the law [s]."""
+        """Time at which the rate of the law diverges [s]."""
         left = distance_to_end(self.law.shape.ratio, self.law.shape.exponent)
         return self.window.stop / FRAME_RATE + left * self.window.seconds
 
@@ -81,19 +87,26 @@ class Candidate:
 
 
 def candidates_of(
-    frames: Frames, onsets: OnsetStrength, settings: SettlingSettings, span: tuple[float, float]
+    frames: Frames,
+    onsets: OnsetStrength,
+    settings: SettlingSettings,
+    span: tuple[float, float],
 ) -> list[Candidate]:
-    """Return the refined candidates of a sound whose power drops within a span of time [s], the
-    best first."""
+    """Return the refined candidates that end within a time span [s], the best first."""
     broadband = frames.power.sum(axis=1)
     drops = end_drops(frames)
     peaks = drop_peaks(drops, settings.heard_drop_db)
     peaks = peaks[(peaks >= span[0] * FRAME_RATE) & (peaks < span[1] * FRAME_RATE)]
     block = np.floor(peaks / (settings.block * FRAME_RATE)).astype(int)
-    ends = [peaks[block == number][: settings.ends_per_block] for number in np.unique(block)]
-    with ThreadPoolExecutor() as pool:  # the compiled loops and transforms release Python's lock
+    ends = [
+        peaks[block == number][: settings.ends_per_block] for number in np.unique(block)
+    ]
+    with (
+        ThreadPoolExecutor() as pool
+    ):  # the compiled loops and transforms release the lock of Python
         parts = pool.map(
-            lambda some: _best_candidates(onsets, broadband, some, drops, settings), ends
+            lambda some: _best_candidates(onsets, broadband, some, drops, settings),
+            ends,
         )
         found = [candidate for part in parts for candidate in part]
     return sorted(found, key=lambda candidate: -candidate.score)
@@ -106,7 +119,7 @@ def windows_of(end: int, drop: float, settings: SettlingSettings) -> list[Window
 
 
 def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
-    """The refined candidates of the best windows of a block."""
+    """Return the refined candidates of the best windows of a block."""
     rough = []
     for end in ends:
         for window in windows_of(int(end), float(drops[end]), settings):
@@ -114,19 +127,26 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
             distance = settings.coarse_distance
             found = _loudest_channels(onsets, window, settings, distance, every)
             if found[0][1] >= settings.rivals_from:
-                estimate = _estimate(onsets, window, found[0][0], settings, distance)
-                channels = [channel for channel, _ in found[: settings.searched_channels]]
-                rough.append((estimate[0], window, channels))
+                channels = [
+                    channel for channel, _ in found[: settings.searched_channels]
+                ]
+                rough.append(
+                    (
+                        _rough_score(onsets, window, channels[:1], settings),
+                        window,
+                        channels,
+                    )
+                )
     rough.sort(key=lambda entry: -entry[0])
     promising = []
-    for _, late, channels in rough[: settings.searched_windows]:
+    for _, window, channels in rough[: settings.searched_windows]:
         distance = settings.shape_distance
-        channel = _loudest_channels(onsets, late, settings, distance, channels)[0][0]
-        estimate = _estimate(onsets, late, channel, settings, distance)
-        early = _earlier(late, settings)
+        channel = _loudest_channels(onsets, window, settings, distance, channels)[0][0]
+        estimate = _estimate(onsets, window, channel, settings)
+        earlier = _earlier(window, settings)
         promising.append(estimate)
-        if estimate[0] >= settings.refined_from and early.first >= 0:
-            promising.append(_estimate(onsets, early, channel, settings, distance))
+        if estimate[0] >= settings.refined_from and earlier.first >= 0:
+            promising.append(_estimate(onsets, earlier, channel, settings))
     promising.sort(key=lambda entry: -entry[0])
     return [
         _refined(onsets, broadband, window, channel, starts, settings)
@@ -136,57 +156,80 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
 
 
 def _earlier(window, settings):
-    """The same window, `early_stop` earlier."""
+    """Return a window shifted to earlier times by `early_stop`."""
     frames = round(settings.early_stop * FRAME_RATE)
     return replace(window, first=window.first - frames, stop=window.stop - frames)
 
 
 def _loudest_channels(onsets, window, settings, distance, channels):
-    """Channels and the log likelihood of a disk in each, in a window, the most likely first."""
-    family = families(settings, distance)["disk"]
+    """Return pairs of a channel and the log likelihood of a disk in it, the most likely
+    first."""
+    disk = families(settings, distance, "disk")
     channels = np.array(channels)
     values = onsets.values[channels, window.first : window.stop]
-    best = likelihoods(values, onsets.scales_ms[channels], family, settings)
+    best = likelihoods(values, onsets.scales_ms[channels], disk, settings)[:, 0]
     order = np.argsort(-best, kind="stable")
     return list(zip(channels[order].tolist(), best[order].tolist(), strict=True))
 
 
-def _estimate(onsets, window, channel, settings, distance):
-    """A first estimate of the score of a window, the window, its channel and the best laws of every
-    family."""
+def _rough_score(onsets, window, channels, settings):
+    """Return a coarse estimate of the score of a window in the first of `channels`."""
+    shapes = families(settings, settings.coarse_distance)
+    values = onsets.values[channels, window.first : window.stop]
+    best = likelihoods(values, onsets.scales_ms[channels], shapes, settings)[0]
+    return _margin(dict(zip(shapes.names, best.tolist(), strict=True)))
+
+
+def _estimate(onsets, window, channel, settings):
+    """Return a first estimate of the score of a window, with the window, the channel
+    and the best laws."""
     values = onsets.values[channel, window.first : window.stop]
-    starts = {
-        name: strongest_laws(values, onsets.scales_ms[channel], family, settings)
-        for name, family in families(settings, distance).items()
-    }
+    shapes = families(settings, settings.shape_distance)
+    starts = strongest_laws(values, onsets.scales_ms[channel], shapes, settings)
     best = {name: laws[0].likelihood for name, laws in starts.items()}
+    return _margin(best), window, channel, starts
+
+
+def _margin(best):
+    """Return the difference of the log likelihood of a disk from that of its rivals."""
     steady = max(0.0, *(best[name] for name in STEADY_RIVALS))
     rising = max(best[name] for name in RISING_RIVALS)
-    return min(best["disk"] - steady, best["disk"] - rising + 20), window, channel, starts
+    return min(best["disk"] - steady, best["disk"] - rising + 20)
 
 
 def _refined(onsets, broadband, window, channel, starts, settings):
-    """A candidate with all its laws refined."""
+    """Return the candidate of a window after refinement of its laws."""
     values = onsets.values[channel, window.first : window.stop]
     scale = onsets.scales_ms[channel]
-    laws = {family: refine(values, scale, laws, settings) for family, laws in starts.items()}
-    disk = laws["disk"]
-    memory = correlation_length(values, law_phases(len(values), disk), disk.harmonics)
-    independent = len(values) / max(scale, memory)
-    scores = {family: independent * predicted_gain(values, law) for family, law in laws.items()}
-    levels = onsets.values[channel] ** 2 if onsets.kinds[channel] == "tone" else broadband
+    laws = {
+        family: refine(values, scale, laws, settings) for family, laws in starts.items()
+    }
+    independent = independent_samples(values, scale, laws["disk"])
+    scores = {
+        family: independent * predicted_gain(values, law)
+        for family, law in laws.items()
+    }
+    levels = (
+        onsets.values[channel] ** 2 if onsets.kinds[channel] == "tone" else broadband
+    )
     after = levels[window.end + 30 : window.end + 130].mean()
-    slope = pulse_slope(levels[window.first : window.stop], laws["disk"], window, 4 * after)
+    slope = pulse_slope(
+        levels[window.first : window.stop], laws["disk"], window, 4 * after
+    )
     return Candidate(window, channel, laws["disk"], scores, slope)
 
 
-def pulse_slope(power: np.ndarray, law: Law, window: Window, least: float = 0.0) -> float:
-    """Return the slope of the highest level of every turn [dB] against 20 log10 of the time left to
-    the end, where it exceeds the `least` power."""
+def pulse_slope(
+    power: np.ndarray, law: Law, window: Window, least: float = 0.0
+) -> float:
+    """Return the slope of the peak level of each turn [dB] against 20 log10 of the
+    remaining time, for peaks above the power `least`."""
     count = len(power)
     places = (np.arange(count) + 0.5) / count
     turn = np.floor(law.turns * law.shape.phase(places)).astype(int)
-    left = (1 + distance_to_end(law.shape.ratio, law.shape.exponent) - places) * window.seconds
+    left = (
+        1 + distance_to_end(law.shape.ratio, law.shape.exponent) - places
+    ) * window.seconds
     begins = np.flatnonzero(np.diff(turn, prepend=-1))
     level = 10 * np.log10(np.maximum.reduceat(power, begins) + 1e-14)
     ends = np.append(begins[1:], count) - 1

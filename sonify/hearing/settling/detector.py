@@ -1,5 +1,4 @@
-"""SOUND -> SETTLING RUNS: when disks or coins came to rest in it, by which law, and how certain
-that is."""
+"""Detect disks and coins that come to rest in a recording, and their rate laws."""
 
 import math
 from dataclasses import dataclass, replace
@@ -17,43 +16,47 @@ from sonify.hearing.settling.onset_strength import (
     frames_of,
     onset_strength,
 )
-from sonify.hearing.settling.prediction_score import correlation_length, law_phases, predicted_gain
-from sonify.hearing.settling.rate_laws import Law
+from sonify.hearing.settling.prediction_score import (
+    independent_samples,
+    predicted_gain,
+)
 from sonify.hearing.settling.settings import SettlingSettings
 from sonify.scene_errors import InputError
 
 SHORTEST = 0.4  # s
 PIECE = 60  # s
 OVERLAP = 6  # s, shared by neighbouring pieces
-LEAD = 4.5  # s of a piece that serve only to look back from ends
+LEAD = 4.5  # s; initial part of a piece that only precedes ends
 
 
 @dataclass(frozen=True)
 class SettlingRun:
-    """A disk or coin that comes to rest. Times in seconds of the sound, rates in Hz, intervals of
-    95 %.
+    """A disk or coin that comes to rest, with times in s, rates in Hz and 95 %
+    intervals.
 
     Attributes
     ----------
     kind : str
-        "tone" if it is heard in the sound itself, "repetition" if in the power of bands.
+        "tone" if it is detected in the waveform, "repetition" if in the power of bands.
     start, t_end, exponent, rate_at_1s : float, Estimate, Estimate, Estimate
-        Beginning of the best window, and the law rate ~ (t_end - t)^-exponent; the rate is that one
-        second before the end, or at the start if that is later.
+        Start of the best window, and the law rate ~ (t_end - t)^-exponent; the rate is
+        that one second before the end, or at the start if that is later.
     events_per_turn : int
-        2 if successive bursts alternate, as two per turn would; else 1. The number of turns may be
-        off by two.
+        2 if successive bursts alternate in strength, otherwise 1. The number of turns
+        may be wrong by a factor of two.
     score : float
-        Q, how much better the law predicts unseen parts of the sound than steady, slowing or
-        otherwise rising rates.
+        Q, the margin with which the law predicts held-out parts of the sound better
+        than steady, slowing or otherwise rising rates.
     certain : bool
-        Whether the score, or that of two windows, is clear of what other sounds reach.
+        True if the score, or the mean score of two windows, exceeds the scores of other
+        sounds.
     false_alarm : float
-        Expected number of events this strong in a sound of this length without a disk.
+        Expected number of events of this score in a sound of this length without a
+        disk.
     bands : tuple of (float, float)
-        Bands in which it is heard [Hz].
+        Bands in which the run is detected [Hz].
     region : JointRegion
-        The laws that all windows of this end admit.
+        Laws that the windows of this end admit.
     """
 
     kind: str
@@ -70,7 +73,7 @@ class SettlingRun:
     law_scores: dict[str, float]
 
     def turns_left(self, time: np.ndarray) -> np.ndarray:
-        """Return the turns, or bursts, from times [s] to the end of the law."""
+        """Return the number of turns (or bursts) between times [s] and the end."""
         reference = min(1.0, self.t_end.value - self.start)
         left = np.maximum(self.t_end.value - np.asarray(time), 1e-6) / reference
         turns = self.rate_at_1s.value * reference
@@ -86,7 +89,7 @@ class SettlingRun:
         return self.rate_at_1s.value * left**-self.region.best_exponent
 
     def later(self, seconds: float) -> "SettlingRun":
-        """Return the run so much later [s]."""
+        """Return the run shifted to later times by `seconds`."""
         return replace(
             self,
             start=self.start + seconds,
@@ -95,9 +98,10 @@ class SettlingRun:
         )
 
 
-def settling_runs(sound: Source, settings: SettlingSettings | None = None) -> list[SettlingRun]:
-    """Return the disks and coins that come to rest in a sound of any length, in the memory of one
-    piece.
+def settling_runs(
+    sound: Source, settings: SettlingSettings | None = None
+) -> list[SettlingRun]:
+    """Return the disks and coins that come to rest in a sound of any length.
 
     Parameters
     ----------
@@ -109,12 +113,13 @@ def settling_runs(sound: Source, settings: SettlingSettings | None = None) -> li
     Returns
     -------
     list of SettlingRun
-        In order of time; empty if none is heard or the sound is shorter than 0.4 s.
+        Runs in order of time; empty if none is detected or the sound is shorter than
+        0.4 s.
 
     Raises
     ------
     InputError
-        If the sound holds samples that are not finite.
+        If the sound contains nonfinite samples.
     """
     settings = settings or SettlingSettings()
     rate = sound.sample_rate
@@ -127,7 +132,9 @@ def settling_runs(sound: Source, settings: SettlingSettings | None = None) -> li
         begin = number * PIECE
         samples = piece[: sound.frames - begin * rate, channel]
         if not np.isfinite(samples).all():
-            raise InputError(f"the sound holds samples that are not finite, after {begin} s")
+            raise InputError(
+                f"the sound contains samples that are not finite, after {begin} s"
+            )
         last = (begin + PIECE + OVERLAP) * rate >= sound.frames
         span = (LEAD if number else 0, len(samples) / rate if last else PIECE + LEAD)
         if len(samples) >= SHORTEST * rate:
@@ -144,7 +151,7 @@ def settling_runs(sound: Source, settings: SettlingSettings | None = None) -> li
 
 
 def _loudest_channel(sound):
-    """The number of the channel of the largest energy."""
+    """Return the index of the channel with the largest energy."""
     energy = 0.0
     for block in sound.blocks():
         if block.shape[1] == 1:
@@ -154,10 +161,13 @@ def _loudest_channel(sound):
 
 
 def _apart(runs):
-    """Of runs that overlap in time, that of the highest score."""
+    """Return the runs without those that overlap a run of higher score."""
     kept: list[SettlingRun] = []
     for run in sorted(runs, key=lambda run: -run.score):
-        if all(run.start >= other.t_end.high or other.start >= run.t_end.high for other in kept):
+        if all(
+            run.start >= other.t_end.high or other.start >= run.t_end.high
+            for other in kept
+        ):
             kept.append(run)
     return kept
 
@@ -165,22 +175,27 @@ def _apart(runs):
 def runs_of_frames(
     frames: Frames, settings: SettlingSettings, span: tuple[float, float]
 ) -> list[SettlingRun]:
-    """Return the runs in frames of a sound that end within a span of time [s]; their false alarms
-    are per hour."""
+    """Return the runs in frames of a sound that end within a time span [s].
+
+    Their false alarms are per hour.
+    """
     onsets = onset_strength(frames, settings)
     candidates = candidates_of(frames, onsets, settings, span)
-    bouncing = [candidate for candidate in candidates if is_bouncing(candidate, settings)]
+    bouncing = [
+        candidate for candidate in candidates if is_bouncing(candidate, settings)
+    ]
     heard = [
         candidate
         for candidate in candidates
-        if is_heard(candidate, settings) and not _explained(candidate, bouncing, settings)
+        if is_heard(candidate, settings)
+        and not _explained(candidate, bouncing, settings)
     ]
     runs = [_run(group, frames, onsets, settings) for group in _groups(heard)]
     return [run for run in runs if run is not None]
 
 
 def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
-    """Return True if a candidate alone is evidence of a disk."""
+    """Return True if a candidate is sufficient evidence of a disk."""
     low, high = settings.pulse_slopes
     clear = candidate.score > settings.clear_score
     slow = candidate.first_rate <= settings.fastest_beginning
@@ -193,13 +208,18 @@ def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
 
 
 def is_bouncing(candidate: Candidate, settings: SettlingSettings) -> bool:
-    """Return True if the law and the levels of a candidate are those of a bouncing body."""
+    """Return True if the law and the levels of a candidate are those of a bouncing
+    body."""
     low, high = settings.bounce_slopes
-    return candidate.exponent >= settings.bounce_exponent and low <= candidate.slope <= high
+    return (
+        candidate.exponent >= settings.bounce_exponent
+        and low <= candidate.slope <= high
+    )
 
 
 def _explained(candidate, bouncing, settings):
-    """Whether a better bouncing candidate overlaps a candidate, or nearly does."""
+    """Return True if a bouncing candidate of higher score overlaps a candidate or is
+    close to it."""
     near = settings.bounce_separation * FRAME_RATE
     return any(
         other.score > candidate.score
@@ -210,7 +230,8 @@ def _explained(candidate, bouncing, settings):
 
 
 def _groups(candidates: list[Candidate]) -> list[list[Candidate]]:
-    """Candidates, the best first, that belong to one run each: their windows overlap."""
+    """Group the candidates whose windows overlap; each group belongs to a run, best
+    candidate first."""
     groups: list[list[Candidate]] = []
     for candidate in candidates:
         for group in groups:
@@ -223,8 +244,13 @@ def _groups(candidates: list[Candidate]) -> list[list[Candidate]]:
     return groups
 
 
-def _run(group: list[Candidate], frames: Frames, onsets: OnsetStrength, settings: SettlingSettings):
-    """The run of candidates of one end."""
+def _run(
+    group: list[Candidate],
+    frames: Frames,
+    onsets: OnsetStrength,
+    settings: SettlingSettings,
+):
+    """Return the run of a group of candidates, or None if its law is not admissible."""
     best = group[0]
     near = [
         candidate
@@ -260,8 +286,8 @@ def _run(group: list[Candidate], frames: Frames, onsets: OnsetStrength, settings
 
 
 def _certain(group, settings):
-    """Whether one score, or the mean of two windows of different length, is clear of other
-    sounds."""
+    """Return True if a score, or the mean score of two windows of different length,
+    exceeds the scores of other sounds."""
     best = group[0]
     others = [
         candidate.score
@@ -273,20 +299,20 @@ def _certain(group, settings):
 
 
 def false_alarms_per_hour(score: float, settings: SettlingSettings) -> float:
-    """Return the expected number of events per hour that reach a score in eventful sound without a
-    disk."""
+    """Return the expected number of events per hour that reach a score in sounds
+    without a disk."""
     above = (score - settings.heard_score) / settings.false_alarm_decay
     return settings.false_alarms_per_hour * math.exp(-above)
 
 
-def events_per_turn(onsets: OnsetStrength, candidate: Candidate, settings: SettlingSettings) -> int:
-    """Return 2 if the bursts of a candidate alternate in strength, as two per turn would, else
-    1."""
+def events_per_turn(
+    onsets: OnsetStrength, candidate: Candidate, settings: SettlingSettings
+) -> int:
+    """Return 2 if the bursts of a candidate alternate in strength, otherwise 1."""
     window = candidate.window
     values = onsets.values[candidate.channel, window.first : window.stop]
     law = candidate.law
-    memory = correlation_length(values, law_phases(len(values), law), law.harmonics)
-    independent = len(values) / max(onsets.scales_ms[candidate.channel], memory)
-    half = Law(law.shape, law.turns / 2, 2 * law.harmonics, law.likelihood)
-    alternation = independent * (predicted_gain(values, half) - predicted_gain(values, law))
-    return 2 if alternation > settings.alternation_score else 1
+    half = replace(law, turns=law.turns / 2, harmonics=2 * law.harmonics)
+    gain = predicted_gain(values, half) - predicted_gain(values, law)
+    gain *= independent_samples(values, onsets.scales_ms[candidate.channel], law)
+    return 2 if gain > settings.alternation_score else 1

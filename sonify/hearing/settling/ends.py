@@ -1,4 +1,4 @@
-"""FRAMES -> ENDS: where the power of a sound drops."""
+"""Detection of drops in the power of a sound, at which a run may end."""
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -7,11 +7,11 @@ from sonify.hearing.settling.onset_strength import TINY_POWER, Frames
 
 
 def end_drops(frames: Frames) -> np.ndarray:
-    """Return by how much [dB] the power drops at every frame: in all bands, in the waveform, or in
-    the clearest band.
+    """Return the largest drop [dB] of the power at every frame (n,), over all bands
+    together, the waveform and single bands.
 
-    A drop below -20 dB of the mean over the sound does not count.
-    """
+    Power more than 20 dB below the mean of the sound is ignored in the waveform and in
+    single bands."""
     total = frames.power.sum(axis=1)
     least = 0.01 * float(total.mean(dtype=float)) + TINY_POWER
     waveform = np.square(frames.waveform)
@@ -24,8 +24,10 @@ def end_drops(frames: Frames) -> np.ndarray:
 
 
 def power_drop(power: np.ndarray, least: float) -> np.ndarray:
-    """Return by how much [dB] a power (n,) drops: 80 ms before every frame against 30 to 130 ms
-    after."""
+    """Return the drop [dB] of a power (n,) at every frame.
+
+    It compares the 80 ms before the frame with the interval from 30 to 130 ms after it;
+    `least` is added to both powers."""
     cumulative = np.concatenate([[0.0], np.cumsum(power, dtype=float)])
     count = len(power)
     place = np.arange(count)
@@ -44,9 +46,12 @@ def power_drop(power: np.ndarray, least: float) -> np.ndarray:
 
 
 def drop_peaks(drop: np.ndarray, least: float, separation: int = 40) -> np.ndarray:
-    """Return the frames of peaks of at least `least` dB, the highest first, `separation` apart."""
+    """Return the frames of peaks of at least `least` dB and `separation` frames apart,
+    highest first."""
     inner = drop[1:-1]
-    peaks = np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= least)) + 1
+    peaks = (
+        np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= least)) + 1
+    )
     kept = []
     for place in peaks[np.argsort(-drop[peaks], kind="stable")]:
         if all(abs(place - other) >= separation for other in kept):
@@ -55,20 +60,25 @@ def drop_peaks(drop: np.ndarray, least: float, separation: int = 40) -> np.ndarr
 
 
 def knee(power: np.ndarray, end: int) -> int:
-    """Return the frame near an end at which the level of a power (n,) begins to fall for good.
+    """Return the frame near an end at which the level of a power (n,) begins its final
+    fall.
 
-    Two straight lines are fitted to the level; where none of them falls steeply, it is the end
-    itself."""
+    Two straight lines that meet there are fitted to the level. If the second line never
+    falls steeply, the end itself is returned."""
     smooth = uniform_filter1d(power.astype(float), 5)
     level = 10 * np.log10(smooth + TINY_POWER)
-    floor = 10 * np.log10(power[end + 30 : end + 130].mean(dtype=float) + TINY_POWER) + 6
+    floor = (
+        10 * np.log10(power[end + 30 : end + 130].mean(dtype=float) + TINY_POWER) + 6
+    )
     quiet = np.flatnonzero(level[max(end - 80, 0) : end + 130] <= floor)
     last = max(end - 80, 0) + (int(quiet[0]) if len(quiet) else 130)
     places = np.arange(max(end - 300, 0), min(max(last, end - 40), len(power)))
     levels = level[places]
     best = np.inf
     found = end
-    for corner in range(max(end - 150, places[0] + 10), min(end + 60, int(places[-1]) - 4), 2):
+    for corner in range(
+        max(end - 150, places[0] + 10), min(end + 60, int(places[-1]) - 4), 2
+    ):
         before = np.minimum(places - corner, 0) / 100
         after = np.maximum(places - corner, 0) / 100
         columns = np.stack([np.ones(len(places)), before, after], axis=1)

@@ -1,4 +1,4 @@
-"""SOUND -> ONSET STRENGTH: how suddenly the power of bands rises, millisecond by millisecond."""
+"""Onset strength of a sound, the suddenness with which the power of bands rises."""
 
 from dataclasses import dataclass
 
@@ -16,8 +16,11 @@ TINY_POWER = 1e-14  # of full scale
 
 @dataclass(frozen=True)
 class Frames:
-    """Power (frames, bands) and waveform (frames,) of a sound, one frame per millisecond; edges
-    (bands + 1) [Hz]."""
+    """Power (frames, bands) and waveform (frames,) of a sound, with one frame per
+    millisecond.
+
+    `edges` (bands + 1,) are the limits of the bands [Hz].
+    """
 
     power: np.ndarray
     waveform: np.ndarray
@@ -30,8 +33,8 @@ class Frames:
 
 @dataclass(frozen=True)
 class OnsetStrength:
-    """Channels (channels, frames) that are searched; scale of each [ms], and its band (low, high)
-    [Hz]."""
+    """Channels `values` (channels, frames) that are searched for bursts, each with a
+    burst duration [ms] and a band [Hz]."""
 
     values: np.ndarray
     scales_ms: np.ndarray
@@ -40,7 +43,7 @@ class OnsetStrength:
 
 
 def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> Frames:
-    """Return power and waveform of a sound (n,) at a sample rate [Hz]."""
+    """Return the power and the waveform of samples (n,) at `rate` [Hz]."""
     window_length = max(2 * round(rate * 4 / 3000), 8)
     window = np.hanning(window_length + 2)[1:-1]
     weights, edges = _band_weights(window_length, rate, settings)
@@ -52,28 +55,37 @@ def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> F
     scale = np.float32(2 / np.sum(window)) ** 2 / 2
     weights = weights.astype(np.float32) * scale
     for first in range(0, count, 4096):
-        spectrum = rfft(windows[centres[first : first + 4096]] * window.astype(np.float32))
+        spectrum = rfft(
+            windows[centres[first : first + 4096]] * window.astype(np.float32)
+        )
         power[first : first + 4096] = (spectrum.real**2 + spectrum.imag**2) @ weights
     low, high = settings.waveform_band
-    sos = butter(2, (low, min(high, 0.45 * rate)), "bandpass", fs=rate, output="sos")
+    sos = butter(
+        2,
+        (low, min(high, settings.highest_share_of_rate * rate)),
+        "bandpass",
+        fs=rate,
+        output="sos",
+    )
     waveform = sosfilt(sos, samples)[centres]
     return Frames(power=power, waveform=waveform.astype(np.float32), edges=edges)
 
 
 def _band_weights(window_length, rate, settings):
-    """Share (bins, bands) of every bin of the spectrum in every band, and the edges of the bands
-    [Hz]."""
+    """Return the fraction (bins, bands) of each spectral bin in each band, and the band
+    edges [Hz]."""
     spacing = rate / window_length
     bins = np.arange(window_length // 2 + 1) * spacing
     edges = np.array(settings.band_edges, dtype=float)
-    edges = edges[edges <= rate / 2]
+    edges = edges[edges <= settings.highest_share_of_rate * rate]
     low = np.maximum(bins[:, None] - spacing / 2, edges[:-1])
     high = np.minimum(bins[:, None] + spacing / 2, edges[1:])
     return np.maximum(high - low, 0) / spacing, edges
 
 
 def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
-    """Return the onset strength of all bands, of the bright ones, and the waveform itself."""
+    """Return the onset strength of all bands and of the bright ones, and the normalised
+    waveform."""
     power = frames.power.T
     mean = uniform_filter1d(power, 401, axis=1)
     level = np.log(power + 10 ** (-settings.floor_db / 10) * mean + TINY_POWER)
@@ -92,7 +104,9 @@ def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
         for group in groups:
             values.append(normalised(rise[group].mean(axis=0)))
             scales.append(scale)
-            bands.append((float(frames.edges[:-1][group][0]), float(frames.edges[1:][group][-1])))
+            bands.append(
+                (float(frames.edges[:-1][group][0]), float(frames.edges[1:][group][-1]))
+            )
     values.append(normalised(frames.waveform))
     scales.append(settings.waveform_scale_ms)
     bands.append(settings.waveform_band)
@@ -103,7 +117,10 @@ def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
 
 
 def normalised(values):
-    """Return values (..., n) over their running deviation of 0.3 s, clipped to -3 and 6."""
-    deviation = np.sqrt(np.maximum(uniform_filter1d(np.square(values), 301, axis=-1), 0))
+    """Return values (..., n) divided by their running rms over 0.3 s, clipped to -3 and
+    6."""
+    deviation = np.sqrt(
+        np.maximum(uniform_filter1d(np.square(values), 301, axis=-1), 0)
+    )
     silent = deviation <= 1e-9
     return np.where(silent, 0, np.clip(values / np.where(silent, 1, deviation), -3, 6))

@@ -1,4 +1,5 @@
-"""WINDOW, LAW -> SCORE: how well a law predicts the parts of a window that it was not fitted to."""
+"""Score a rate law by its prediction of the parts of a window that were left out of
+the fit."""
 
 from itertools import pairwise
 
@@ -11,20 +12,25 @@ PARTS = 5
 
 
 def law_phases(count: int, law: Law) -> np.ndarray:
-    """Return the phase of a law [turns] in the frames (count,) of a window."""
+    """Return the phase (count,) of a law [turns] in the frames of a window."""
     return law.turns * law.shape.phase((np.arange(count) + 0.5) / count)
 
 
 def harmonic_columns(phases: np.ndarray, harmonics: int) -> np.ndarray:
-    """Return a constant and the harmonics (frames, 1 + 2 harmonics) of a phase (frames,)
+    """Return a constant and harmonics, (frames, 1 + 2 harmonics), of a phase (frames,)
     [turns]."""
     angles = 2 * np.pi * phases[:, None] * np.arange(1, harmonics + 1)
-    return np.concatenate([np.ones((len(phases), 1)), np.cos(angles), np.sin(angles)], axis=1)
+    return np.concatenate(
+        [np.ones((len(phases), 1)), np.cos(angles), np.sin(angles)], axis=1
+    )
 
 
 def predicted_gain(values: np.ndarray, law: Law) -> float:
-    """Return the log likelihood ratio per independent sample of predicted parts of a window against
-    their mean."""
+    """Return the log likelihood gain per sample of a law over a constant, by
+    cross-validation.
+
+    Each part of the window `values` (frames,) is predicted from the other parts.
+    """
     count = len(values)
     columns = harmonic_columns(law_phases(count, law), law.harmonics)
     cuts = np.round(np.linspace(0, count, PARTS + 1)).astype(int)
@@ -47,11 +53,11 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
 def correlation_length(
     values: np.ndarray, phases: np.ndarray, harmonics: int, longest: int = 100
 ) -> float:
-    """Return over how many frames the part of a window that harmonics of a phase do not explain
-    resembles itself.
+    """Return the correlation length [frames] of a window after removal of the harmonics
+    of a phase.
 
-    It is the sum of the squared autocorrelation, the length that one independent sample of a power
-    takes."""
+    It is the sum of the squared autocorrelation, the number of frames per independent
+    sample of a power."""
     columns = harmonic_columns(phases, harmonics)
     residual = values - columns @ np.linalg.lstsq(columns, values)[0]
     spectrum = rfft(residual, 2 * len(residual))
@@ -59,3 +65,11 @@ def correlation_length(
     if correlation[0] <= 0:
         return 1.0
     return float(1 + 2 * np.sum(np.square(correlation[1:] / correlation[0])))
+
+
+def independent_samples(values: np.ndarray, scale_ms: float, law: Law) -> float:
+    """Return the number of independent samples in a window (frames,) for a law."""
+    phases = law_phases(len(values), law)
+    return len(values) / max(
+        scale_ms, correlation_length(values, phases, law.harmonics)
+    )

@@ -1,44 +1,58 @@
-"""FAMILIES OF RATE: how the rate of turns changes within a window, x from 0 to 1.
+"""Families of rate laws within a window, over the relative time x from 0 to 1.
 
-A shape is the phase over x, 0 at the beginning and 1 at the end of the window; `ratio` is the last
-rate over the first."""
+A shape is the phase as a function of x, from 0 at the beginning to 1 at the end of the
+window; `ratio` is the ratio of the last to the first rate."""
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import chain
 
 import numpy as np
+from numba import njit
 
 from sonify.hearing.settling.settings import SettlingSettings
 
-STEPS = 1024
+FAMILY_CODES = {
+    "disk": 0,
+    "linear": 1,
+    "exponential": 2,
+    "slowing disk": 3,
+    "slowing linear": 4,
+    "slowing exponential": 5,
+}
+"""Code of each family in compiled functions."""
 
 
 @dataclass(frozen=True)
 class Shape:
-    """One law of the rate: its family, the ratio of last to first rate, and the exponent of a
-    disk."""
+    """Rate law with its family, the ratio of the last to the first rate, and the
+    exponent of a disk."""
 
     family: str
     ratio: float
     exponent: float = 0.0
 
     def phase(self, x):
-        """Return the phase (n,) at places x (n,) of the window."""
+        """Return the phase (n,) at relative times x (n,)."""
         return phase(self.family, self.ratio, self.exponent, x)
 
     def time(self, phase):
-        """Return the places (n,) of the window at a phase (n,)."""
-        return time(self.family, self.ratio, self.exponent, phase)
+        """Return the relative times (n,) at a phase (n,)."""
+        return places(
+            FAMILY_CODES[self.family], self.ratio, self.exponent or 0.5, phase
+        )
 
     @property
     def first_rate(self):
-        """The rate at the beginning over the mean rate."""
+        """Ratio of the initial to the mean rate."""
         return (self.phase(1e-6) - self.phase(0.0)) / 1e-6
 
 
 @dataclass(frozen=True)
 class Law:
-    """A shape with its number of turns in a window, the harmonics fitted and the log likelihood."""
+    """Shape with its number of turns in a window, number of harmonics and log
+    likelihood."""
 
     shape: Shape
     turns: float
@@ -47,12 +61,13 @@ class Law:
 
 
 def distance_to_end(ratio, exponent):
-    """Return the time from the end of the window to that of the disk, over the window."""
+    """Return the time from the end of the window to that of the disk, divided by the
+    length of the window."""
     return 1 / (ratio ** (1 / exponent) - 1)
 
 
 def phase(family, ratio, exponent, x):
-    """Return the phase at places x of the window."""
+    """Return the phase at relative times x."""
     x = np.asarray(x, dtype=float)
     if family.startswith("slowing "):
         return 1 - phase(family.removeprefix("slowing "), ratio, exponent, 1 - x)
@@ -61,7 +76,9 @@ def phase(family, ratio, exponent, x):
         if abs(exponent - 1) < 1e-6:
             return np.log((left + 1) / (left + 1 - x)) / np.log((left + 1) / left)
         power = 1 - exponent
-        return ((left + 1) ** power - (left + 1 - x) ** power) / ((left + 1) ** power - left**power)
+        return ((left + 1) ** power - (left + 1 - x) ** power) / (
+            (left + 1) ** power - left**power
+        )
     if family == "linear" and abs(ratio - 1) > 1e-9:
         return (x + (ratio - 1) * x * x / 2) / ((1 + ratio) / 2)
     if family == "exponential" and abs(ratio - 1) > 1e-9:
@@ -69,33 +86,49 @@ def phase(family, ratio, exponent, x):
     return x
 
 
-def time(family, ratio, exponent, phase):
-    """Return the places of the window at a phase."""
-    y = np.asarray(phase, dtype=float)
-    if family.startswith("slowing "):
-        return 1 - time(family.removeprefix("slowing "), ratio, exponent, 1 - y)
-    if family == "disk":
-        left = distance_to_end(ratio, exponent)
+@njit(cache=True, nogil=True)
+def place(code, ratio, exponent, phase):
+    """Return the relative time, from 0 to 1, at a phase."""
+    if code >= 3:
+        return 1 - place(code - 3, ratio, exponent, 1 - phase)
+    if code == 0:
+        left = 1 / (ratio ** (1 / exponent) - 1)
         if abs(exponent - 1) < 1e-6:
-            return (left + 1) * (1 - (left / (left + 1)) ** y)
+            return (left + 1) * (1 - (left / (left + 1)) ** phase)
         power = 1 - exponent
         begin = (left + 1) ** power
-        return left + 1 - (begin - y * (begin - left**power)) ** (1 / power)
-    if family == "linear" and abs(ratio - 1) > 1e-9:
+        return left + 1 - (begin - phase * (begin - left**power)) ** (1 / power)
+    if abs(ratio - 1) < 1e-9:
+        return phase
+    if code == 1:
         curvature = (ratio - 1) / 2
-        return (np.sqrt(1 + 4 * curvature * y * (1 + ratio) / 2) - 1) / (2 * curvature)
-    if family == "exponential" and abs(ratio - 1) > 1e-9:
-        return np.log1p(y * (ratio - 1)) / np.log(ratio)
-    return y
+        return (math.sqrt(1 + 2 * curvature * phase * (1 + ratio)) - 1) / (
+            2 * curvature
+        )
+    return math.log1p(phase * (ratio - 1)) / math.log(ratio)
+
+
+@njit(cache=True, nogil=True)
+def places(code, ratio, exponent, phases):
+    """Return the relative times (n,) at phases (n,)."""
+    found = np.empty(len(phases))
+    for k in range(len(phases)):
+        found[k] = place(code, ratio, exponent, phases[k])
+    return found
 
 
 def covering_shapes(family: str, ratios, exponents, distance: float) -> list[Shape]:
-    """Return shapes such that every law of a family is near one of them, chosen greedily."""
+    """Return a greedy choice of shapes that has a member near every law of a family.
+
+    `distance` is the largest rms difference of the phases.
+    """
     candidates = [Shape(family, ratio, n) for n in exponents for ratio in ratios]
     x = np.linspace(0, 1, 257)
     phases = np.array([shape.phase(x) for shape in candidates])
     squares = np.sum(np.square(phases), axis=1)
-    apart = np.sqrt(np.maximum(squares[:, None] + squares - 2 * phases @ phases.T, 0) / len(x))
+    apart = np.sqrt(
+        np.maximum(squares[:, None] + squares - 2 * phases @ phases.T, 0) / len(x)
+    )
     near = apart < distance
     uncovered = np.ones(len(candidates), dtype=bool)
     chosen = []
@@ -108,15 +141,22 @@ def covering_shapes(family: str, ratios, exponents, distance: float) -> list[Sha
 
 @dataclass(frozen=True, eq=False)
 class ShapeSet:
-    """Shapes of a family that are searched together."""
+    """Shapes that are searched together: families by name, and the first shape of each."""
 
     shapes: tuple[Shape, ...]
+    names: tuple[str, ...]
+    begins: np.ndarray
 
 
 @lru_cache
-def families(settings: SettlingSettings, distance: float) -> dict[str, ShapeSet]:
-    """Return the shapes of all families that are searched, the disk and its four rivals, so far
-    apart."""
+def families(
+    settings: SettlingSettings, distance: float, only: str | None = None
+) -> ShapeSet:
+    """Return the searched shapes of the disk and its four rivals, or of `only` one
+    family.
+
+    `distance` is their spacing, as in `covering_shapes`.
+    """
     low, high = settings.rate_ratios
     disk_ratios = np.geomspace(low, high, 40)
     exponents = np.linspace(*settings.exponents, 18)
@@ -132,4 +172,7 @@ def families(settings: SettlingSettings, distance: float) -> dict[str, ShapeSet]
         "linear": covering_shapes("linear", rising, [0.0], distance),
         "exponential": covering_shapes("exponential", rising, [0.0], distance),
     }
-    return {name: ShapeSet(tuple(shapes)) for name, shapes in found.items()}
+    names = tuple(found) if only is None else (only,)
+    shapes = [found[name] for name in names]
+    begins = np.cumsum([0, *map(len, shapes[:-1])])
+    return ShapeSet(tuple(chain(*shapes)), names, begins)

@@ -1,46 +1,23 @@
-"""WINDOW, SHAPES -> LAW: a random search for the law of a family that fits a window best."""
+"""Random search for the law of a family that best fits a window."""
 
 import math
 
 import numpy as np
 from numba import njit
 
-from sonify.hearing.settling.rate_laws import Law, Shape
+from sonify.hearing.settling.rate_laws import FAMILY_CODES, Law, Shape, place
 
 TURNS_PER_HARMONIC = 4  # few turns with many harmonics would fit any pattern
-FAMILY_CODES = {
-    "disk": 0,
-    "linear": 1,
-    "exponential": 2,
-    "slowing disk": 3,
-    "slowing linear": 4,
-    "slowing exponential": 5,
-}
 
 
 @njit(cache=True, nogil=True)
-def _place(code, ratio, exponent, y):
-    """The place of the window, 0 to 1, at a phase."""
-    if code >= 3:
-        return 1 - _place(code - 3, ratio, exponent, 1 - y)
-    if code == 0:
-        left = 1 / (ratio ** (1 / exponent) - 1)
-        if abs(exponent - 1) < 1e-6:
-            return (left + 1) * (1 - (left / (left + 1)) ** y)
-        power = 1 - exponent
-        begin = (left + 1) ** power
-        return left + 1 - (begin - y * (begin - left**power)) ** (1 / power)
-    if abs(ratio - 1) < 1e-9:
-        return y
-    if code == 1:
-        curvature = (ratio - 1) / 2
-        return (math.sqrt(1 + 2 * curvature * y * (1 + ratio)) - 1) / (2 * curvature)
-    return math.log1p(y * (ratio - 1)) / math.log(ratio)
+def _likelihood(
+    cumulative, energy, independent, code, ratio, exponent, turns, harmonics
+):
+    """Return the log likelihood and the best number of harmonics of a law.
 
-
-@njit(cache=True, nogil=True)
-def _likelihood(cumulative, energy, independent, code, ratio, exponent, turns, harmonics):
-    """Log likelihood and best number of harmonics of one law, from the running sum of a window."""
+    `cumulative` (frames + 1,) is the cumulative sum of the window.
+    """
     length = len(cumulative) - 1
     harmonics = min(harmonics, max(int(turns / TURNS_PER_HARMONIC), 1))
     steps = max(int(12 * turns), 128)
@@ -52,9 +29,9 @@ def _likelihood(cumulative, energy, independent, code, ratio, exponent, turns, h
     sine = np.sin(turn / 2)
     before = 0.0
     for j in range(1, steps + 1):
-        place = length * _place(code, ratio, exponent, j / steps)
-        i = min(max(int(place), 0), length - 1)
-        now = cumulative[i] + (place - i) * (cumulative[i + 1] - cumulative[i])
+        cut = length * place(code, ratio, exponent, j / steps)
+        i = min(max(int(cut), 0), length - 1)
+        now = cumulative[i] + (cut - i) * (cumulative[i + 1] - cumulative[i])
         part = now - before
         before = now
         real = cosine
@@ -62,14 +39,22 @@ def _likelihood(cumulative, energy, independent, code, ratio, exponent, turns, h
         for h in range(harmonics):
             sums[h, 0] += part * real
             sums[h, 1] += part * imaginary
-            real, imaginary = real * cosine - imaginary * sine, real * sine + imaginary * cosine
-        cosine, sine = cosine * step_cos - sine * step_sin, cosine * step_sin + sine * step_cos
+            real, imaginary = (
+                real * cosine - imaginary * sine,
+                real * sine + imaginary * cosine,
+            )
+        cosine, sine = (
+            cosine * step_cos - sine * step_sin,
+            cosine * step_sin + sine * step_cos,
+        )
     best = -np.inf
     order = 1
     power = 0.0
     for h in range(harmonics):
         power += sums[h, 0] ** 2 + sums[h, 1] ** 2
-        value = -independent / 2 * math.log(1 - min(2 * power / energy, 0.999)) - (h + 1)
+        value = -independent / 2 * math.log(1 - min(2 * power / energy, 0.999)) - (
+            h + 1
+        )
         if value > best:
             best = value
             order = h + 1
@@ -78,9 +63,9 @@ def _likelihood(cumulative, energy, independent, code, ratio, exponent, turns, h
 
 @njit(cache=True, nogil=True)
 def _first_rate(code, ratio, exponent):
-    """Rate at the beginning of the window over its mean."""
+    """Return the ratio of the initial to the mean rate of a law."""
     small = 1e-5
-    return small / _place(code, ratio, exponent, small)
+    return small / place(code, ratio, exponent, small)
 
 
 @njit(cache=True, nogil=True)
@@ -96,12 +81,23 @@ def _climb(
     least_rate,
     harmonics,
 ):
-    """Follow random steps uphill from a start (code, log ratio, exponent, turns)."""
+    """Return the law reached by random uphill steps from `start` (code, log ratio,
+    exponent, turns).
+
+    Its log likelihood and number of harmonics are also returned.
+    """
     code = int(start[0])
     seconds = (len(cumulative) - 1) / 1000
     here = start[1:].copy()
     best, order = _likelihood(
-        cumulative, energy, independent, code, math.exp(here[0]), here[1], here[2], harmonics
+        cumulative,
+        energy,
+        independent,
+        code,
+        math.exp(here[0]),
+        here[1],
+        here[2],
+        harmonics,
     )
     tried = np.empty(3)
     for k in range(len(draws)):
@@ -124,18 +120,19 @@ def _climb(
     return here, best, order
 
 
-def draws_of_search(count: int) -> np.ndarray:
-    """Return the steps (count, 3) of the random search, ever smaller ones."""
+def shrinking_random_steps(count: int) -> np.ndarray:
+    """Return the steps (count, 3) of the random search, with decreasing sizes."""
     shrinking = np.geomspace(1, 0.03, count)
     return np.random.default_rng(7).normal(size=(count, 3)) * shrinking[:, None]
 
 
-DRAWS = draws_of_search(90)
-DRAWS_OF_WALK = draws_of_search(160)
+RANDOM_SEARCH_STEPS = shrinking_random_steps(90)
+RANDOM_WALK_STEPS = shrinking_random_steps(160)
 
 
 def ratio_range(shape: Shape, settings) -> tuple[float, float]:
-    """Return the ratios of last to first rate that the search may reach from a shape."""
+    """Return the limits of the ratio of the last rate to the first in a search that
+    starts from a shape."""
     if shape.family.endswith("disk"):
         return settings.rate_ratios
     if shape.family == "linear" and shape.ratio < settings.steady_ratio - 1e-9:
@@ -144,8 +141,8 @@ def ratio_range(shape: Shape, settings) -> tuple[float, float]:
 
 
 def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> Law:
-    """Return the most likely law of a family in a window (frames,), from the best shapes of the
-    grid."""
+    """Return the most likely law of a family in a window (frames,), refined from laws
+    `starts`."""
     values = values - values.mean()
     cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
     energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
@@ -154,7 +151,12 @@ def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> 
         shape = law.shape
         ratios = ratio_range(shape, settings)
         start = np.array(
-            [FAMILY_CODES[shape.family], math.log(shape.ratio), shape.exponent or 0.5, law.turns]
+            [
+                FAMILY_CODES[shape.family],
+                math.log(shape.ratio),
+                shape.exponent or 0.5,
+                law.turns,
+            ]
         )
         bounds = np.array([np.log(ratios), settings.exponents])
         widths = np.array([0.25, 0.12, 0.4])
@@ -164,7 +166,7 @@ def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> 
             len(values) / scale_ms,
             start,
             bounds,
-            DRAWS,
+            RANDOM_SEARCH_STEPS,
             widths,
             settings.least_turns,
             settings.least_rate,
@@ -182,12 +184,15 @@ def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> 
 
 
 @njit(cache=True, nogil=True)
-def _walk(cumulative, energy, independent, start, left_range, exponent_range, draws, harmonics):
-    """Try laws of a disk near a start (frames left, exponent, turns); return them all, first rates,
-    likelihoods.
+def _walk(
+    cumulative, energy, independent, start, left_range, exponent_range, draws, harmonics
+):
+    """Return tested laws of a disk (count, 3), their initial rates and log likelihoods
+    (count,).
 
-    Steps run along and across the ridge on which exponent over time left to the end is constant.
-    """
+    The laws (frames to the end, exponent, turns) are close to the starting point
+    `start`. The steps are along and across the ridge of constant exponent divided by
+    remaining time."""
     length = len(cumulative) - 1
     count = len(draws)
     tried = np.empty((count, 3))
@@ -198,7 +203,10 @@ def _walk(cumulative, energy, independent, start, left_range, exponent_range, dr
     for k in range(count):
         along = 40.0 * draws[k, 0]
         left = min(max(here[0] + along, left_range[0]), left_range[1])
-        exponent = here[1] * (1 + (left - here[0]) / (length / 2 + here[0])) + 0.04 * draws[k, 1]
+        exponent = (
+            here[1] * (1 + (left - here[0]) / (length / 2 + here[0]))
+            + 0.04 * draws[k, 1]
+        )
         exponent = min(max(exponent, exponent_range[0]), exponent_range[1])
         turns = max(here[2] + 0.3 * draws[k, 2], 1.0)
         if k == 0:
@@ -220,11 +228,11 @@ def _walk(cumulative, energy, independent, start, left_range, exponent_range, dr
 
 
 def laws_near(values: np.ndarray, scale_ms: float, start, left_range, settings):
-    """Return laws of a disk near a start (frames left after the window, exponent, turns) and their
-    likelihoods.
+    """Return laws of a disk close to the starting point `start` (frames from the window
+    to the end, exponent, turns).
 
-    The laws are frames left, exponents, first rates [per frame] and log likelihoods, (laws,) each.
-    """
+    The results are frames to the end, exponents, initial rates [per frame] and log
+    likelihoods, each (laws,)."""
     values = values - values.mean()
     cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
     energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
@@ -235,7 +243,7 @@ def laws_near(values: np.ndarray, scale_ms: float, start, left_range, settings):
         np.array(start, dtype=float),
         np.array(left_range, dtype=float),
         np.array(settings.exponents),
-        DRAWS_OF_WALK,
+        RANDOM_WALK_STEPS,
         settings.most_harmonics,
     )
     return tried[:, 0], tried[:, 1], first_rates, likelihood

@@ -1,12 +1,12 @@
-"""The thresholds of the detector, each with its meaning."""
+"""Settings of the detector of settling disks and coins."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Resolution:
-    """Half widths below which no interval falls before it is widened: exponent, end [s], rate over
-    itself."""
+    """Least half-widths of the intervals of exponent, end [s] and relative rate, before
+    widening."""
 
     exponent: float
     end: float
@@ -15,7 +15,7 @@ class Resolution:
 
 @dataclass(frozen=True)
 class SettlingSettings:
-    """Numbers that decide what counts as a disk coming to rest. Times are in seconds."""
+    """Criteria for the detection of a disk that comes to rest; times are in seconds."""
 
     band_edges: tuple[float, ...] = (
         700,
@@ -30,117 +30,125 @@ class SettlingSettings:
         16000,
         21000,
     )
-    """Edges of the bands in which the power is followed [Hz]; bands above the Nyquist frequency are
-    left out."""
+    """Edges of the bands in which the power is analysed [Hz]."""
+    highest_share_of_rate: float = 0.45
+    """Highest analysed frequency, relative to the sample rate."""
     bright_from: float = 4000.0
-    """Bands from this frequency on also form an average of their own [Hz]."""
+    """Frequency [Hz] above which the bands are also averaged separately."""
     waveform_band: tuple[float, float] = (20.0, 450.0)
-    """The sound itself, as opposed to its power, is searched for a tone in this band [Hz]."""
+    """Band in which the waveform is searched for a tone [Hz]."""
     floor_db: float = 40.0
-    """The power of a band is not followed further below its running mean than this [dB]."""
+    """Level below the running mean at which the power of a band is cut off [dB]."""
     scales_ms: tuple[int, ...] = (3, 6, 12, 24)
-    """Durations of a burst for which the onset strength is computed [ms]."""
+    """Burst durations for which the onset strength is computed [ms]."""
     waveform_scale_ms: int = 8
-    """Duration over which neighbouring samples of the waveform count as one independent sample
-    [ms]."""
+    """Time per independent sample of the waveform [ms]."""
 
     heard_drop_db: float = 8.0
-    """A window may end only where the power drops by this much [dB]."""
+    """Least drop of the power at the end of a window [dB]."""
     ends_per_block: int = 6
-    """Number of ends tried per block of `block` seconds, those with the largest drop."""
+    """Number of ends that are tried in each block; those with the largest drops are
+    chosen."""
     block: float = 5.0
     """Length of the blocks in which ends are ranked."""
     early_stop: float = 0.04
-    """Each end is tried again with a window that stops this much earlier."""
+    """Time by which a second window for each end stops earlier."""
     window_lengths: tuple[float, ...] = (0.3, 0.45, 0.7, 1.05, 1.6, 2.4, 3.6)
-    """Lengths of the windows tried."""
+    """Lengths of the windows that are tried."""
 
     exponents: tuple[float, float] = (0.15, 1.0)
     """Range of the exponent n of a disk, rate ~ (t_end - t)^-n."""
     rate_ratios: tuple[float, float] = (1.8, 40.0)
-    """Range of the ratio of the last rate to the first within a window."""
+    """Range of the ratio of the last to the first rate within a window."""
     steady_ratio: float = 1.35
-    """A rate that changes by less than this factor counts as steady."""
+    """Largest factor by which a steady rate may change within a window."""
     least_turns: float = 8.0
     """Least number of turns, or bursts, within a window."""
     least_rate: float = 5.0
     """Least rate at the beginning of a window [Hz]."""
     most_harmonics: int = 4
-    """Largest number of harmonics of the rate that are fitted."""
+    """Largest number of fitted harmonics of the rate."""
     shape_distance: float = 0.006
-    """Distance of neighbouring shapes of the search, rms of the phase over the phase of the
-    window."""
+    """Distance of neighbouring shapes in the search, as the rms difference of the
+    relative phase."""
     coarse_distance: float = 0.015
-    """The same in a first, coarse search of all windows."""
+    """Distance of neighbouring shapes in a first, coarse search of all windows."""
     rivals_from: float = 10.0
-    """Rival laws are searched where a disk reaches this log likelihood in the coarse search."""
+    """Least log likelihood of a disk in the coarse search at which rival laws are
+    searched."""
     searched_windows: int = 12
-    """Number of windows of a block that are searched again, the best of the coarse search."""
+    """Number of windows of a block that are searched again, the best ones of the coarse
+    search."""
     searched_channels: int = 3
-    """Number of channels of such a window that are searched again."""
+    """Number of channels that are searched again in each of these windows."""
     refined_from: float = 6.0
-    """Windows are refined, and tried with an earlier stop, if the first estimate of the score reaches
-    this."""
+    """Least first estimate of the score of a window that is refined and tried with an
+    earlier stop."""
     refined_windows: int = 6
     """Number of best windows that are refined."""
 
     end_range_ms: tuple[int, int] = (-2, 80)
-    """Ends of a disk are tried from this to this time after the level begins to fall for good
-    [ms]."""
+    """Range of the tested ends of a disk, relative to the start of the final fall of
+    the level [ms]."""
     tone_end_range_ms: tuple[int, int] = (-30, 250)
-    """The same for a tone, which may leave its band before the end [ms]."""
+    """Range of the tested ends of a tone, which may leave its band before the end
+    [ms]."""
     fastest_standing: float = 12.0
-    """A disk may stand upright only while its rate is below this [Hz], that of a coin with a radius
-    of 7 mm."""
+    """Largest rate of an upright disk [Hz], that of a coin with a radius of 7 mm."""
     admitted_share: float = 0.7
-    """A window contributes to the intervals if its log likelihood is this share of the best
-    one's."""
+    """Least log likelihood, relative to the best window, of a window that contributes
+    to the intervals."""
     admitted_length: float = 0.7
-    """It contributes only if it is this long, over the best window; shorter ones are parts of it
-    that tell less."""
+    """Least length of such a window, relative to the best window; shorter windows
+    contain less information."""
     widest_exponent: float = 0.3
-    """The exponent is called not determined if its interval is wider than this."""
+    """Largest width of the interval of a determined exponent."""
     interval_factor: float = 1.16
-    """Factor by which the ranges over all windows are widened, from simulated takes of known
-    law."""
-    repetition_resolution: Resolution = Resolution(exponent=0.014, end=0.006, rate=0.006)
-    """Resolution of a run heard in the power of bands; the last interval of bursts is added to that
-    of the end."""
-    tone_resolution: Resolution = Resolution(exponent=0.025, end=0.025, rate=0.02)
-    """The same of a tone, which leaves its band before it ends."""
+    """Factor by which the ranges over all windows are widened, from simulations with
+    known laws."""
+    repetition_resolution: Resolution = Resolution(
+        exponent=0.010, end=0.006, rate=0.006
+    )
+    """Resolution of a run detected in the power of bands; the last interval between
+    bursts is added to that of the end."""
+    tone_resolution: Resolution = Resolution(exponent=0.025, end=0.045, rate=0.02)
+    """Resolution of a tone, which leaves its band before its end."""
 
     heard_score: float = 15.75
-    """A run is heard from this score on."""
-    false_alarms_per_hour: float = 4.4
-    """Expected false events that are heard per hour of eventful sound: 3 in 480 clips of 5 s that
-    were block-shuffled or phase-randomised."""
-    false_alarms_per_hour_range: tuple[float, float] = (0.9, 13.0)
-    """Interval of that number, 95 %."""
+    """Least score of a detected run."""
+    false_alarms_per_hour: float = 1.5
+    """Expected number of false detections per hour of eventful sound, from one
+    detection in 480 clips of 5 s that were block-shuffled or phase-randomised; it is
+    the same at sample rates of 44.1 and 8 kHz."""
+    false_alarms_per_hour_range: tuple[float, float] = (0.04, 8.4)
+    """95 % interval of this number."""
     false_alarm_decay: float = 3.2
-    """The number of false events falls by a factor of e for this much more score; from the same
+    """Increase of the score by which the number of false detections falls by a factor
+    of e: the upper 95 % limit for 25 detections above a score of 11 in the same
     clips."""
     alternation_score: float = 2.0
-    """Bursts count as two per turn if they are predicted better by this log likelihood when they
-    may alternate."""
+    """Least gain in log likelihood by bursts of alternating strength, above which each
+    turn has two bursts."""
     certain_score: float = 20.25
-    """A run is certain from this score on."""
+    """Least score of a certain run."""
     agreeing_score: float = 13.0
-    """Two windows of one end whose scores average at least this make a run certain."""
+    """Least mean score of two windows with the same end that make a run certain."""
     least_rising_margin: float = 2.0
-    """A run is heard only if a disk predicts better than other rising rates by this log
-    likelihood."""
+    """Least margin in the log likelihood of a detected disk over other rising rates."""
     pulse_slopes: tuple[float, float] = (-0.8, 0.65)
-    """Range of the slope of the pulse levels [dB] against 20 log10 of the time left."""
+    """Range of the slope of pulse levels [dB] against 20 log10 of the remaining
+    time."""
     clear_score: float = 40.0
-    """From this score on, the levels may rise more steeply towards the end, and the rate at the
-    beginning of the window is free."""
+    """Score above which the levels may rise more steeply towards the end and the
+    initial rate of the window is not limited."""
     fastest_beginning: float = 40.0
-    """Greatest rate at the beginning of other runs [Hz]. The pitch of a voice is above 80 Hz, and
-    the detector may find half of it; a disk that turns faster has been heard before."""
+    """Largest initial rate of other runs [Hz]. The pitch of a voice is above 80 Hz, and
+    the detector may find half of it; a faster disk would already have been detected."""
     bounce_exponent: float = 0.6
-    """A bouncing body has an exponent of at least this; 1 for a constant restitution, less where
-    its last bounces are lost in noise."""
+    """Least exponent of a bouncing body; it is 1 for a constant restitution, and less
+    if the last bounces are lost in noise."""
     bounce_slopes: tuple[float, float] = (0.65, 1.5)
-    """Range of the slope of pulse levels of a bouncing body; 1 for a constant restitution."""
+    """Range of the slope of pulse levels of a bouncing body, which is 1 for a constant
+    restitution."""
     bounce_separation: float = 0.4
-    """A bouncing body explains every run that is less than this time away from it."""
+    """Largest time between a bouncing body and the runs that it explains."""

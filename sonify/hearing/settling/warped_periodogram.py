@@ -1,4 +1,4 @@
-"""ONSET STRENGTH, WINDOW -> LOG LIKELIHOOD of every rate law: one FFT over warped time serves all
+"""Log likelihoods of rate laws in a window; one FFT over warped time covers all
 rates."""
 
 from dataclasses import dataclass
@@ -14,9 +14,10 @@ from sonify.hearing.settling.settings import SettlingSettings
 
 @dataclass(frozen=True, eq=False)
 class WarpTable:
-    """Where windows are cut into equal steps of phase: frame and remainder (shapes, steps + 1).
+    """Cuts of a window into equal steps of phase, as frame and remainder (shapes, steps
+    + 1).
 
-    first_rates (shapes,): rate at the beginning over the mean rate.
+    `first_rates` (shapes,) are the ratios of the initial to the mean rate.
     """
 
     index: np.ndarray
@@ -35,29 +36,51 @@ def warp_table(family: ShapeSet, length: int, steps: int) -> WarpTable:
 
 
 @njit(cache=True, nogil=True)
-def warp(cumulative, index, fraction, padded):
-    """Write the onset strength summed over equal steps of phase into the first half of `padded`
-    (shapes, 2 steps)."""
+def _warp(values, index, fraction, padded):
+    """Write sums of windows (windows, frames) over equal steps of phase into `padded`.
+
+    `padded` is (windows shapes, 2 steps); its second half is unchanged. Returns the
+    length of each window times its sum of squares about the mean (windows,)."""
+    windows, length = values.shape
     shapes, cuts = index.shape
-    for s in range(shapes):
-        before = cumulative[0]
-        for j in range(1, cuts):
-            i = index[s, j]
-            now = cumulative[i] + fraction[s, j] * (cumulative[i + 1] - cumulative[i])
-            padded[s, j - 1] = now - before
-            before = now
+    energy = np.empty(windows)
+    cumulative = np.zeros(length + 1, dtype=np.float32)
+    for w in range(windows):
+        mean = 0.0
+        for i in range(length):
+            mean += values[w, i]
+        mean /= length
+        total = 0.0
+        squares = 0.0
+        for i in range(length):
+            apart = values[w, i] - mean
+            total += apart
+            squares += apart * apart
+            cumulative[i + 1] = total
+        energy[w] = max(squares, 1e-12 * length) * length
+        for s in range(shapes):
+            row = w * shapes + s
+            before = cumulative[0]
+            for j in range(1, cuts):
+                i = index[s, j]
+                now = cumulative[i] + fraction[s, j] * (
+                    cumulative[i + 1] - cumulative[i]
+                )
+                padded[row, j - 1] = now - before
+                before = now
+    return energy
 
 
 @njit(cache=True, nogil=True)
 def _doubled_power(spectrum, power):
-    """Write the power of a spectrum padded to twice its length, and of the bins between,
-    interpolated, into `power`."""
+    """Write the power of a spectrum, with interpolated values between its bins, into
+    `power`."""
     bins = len(spectrum)
     for k in range(bins):
         value = spectrum[k]
         power[2 * k] = value.real * value.real + value.imag * value.imag
     for k in range(1, bins - 2):
-        # the phase of neighbouring bins differs by a quarter turn, that of the middle of the window
+        # neighbouring bins differ in phase by a quarter turn, the phase of the centre of the window
         before = spectrum[k - 1]
         here = spectrum[k]
         after = spectrum[k + 1]
@@ -65,14 +88,16 @@ def _doubled_power(spectrum, power):
         inner = np.float32(0.5854)
         outer = np.float32(-0.0912)
         real = inner * (here.real - after.imag) + outer * (before.imag - later.real)
-        imaginary = inner * (here.imag + after.real) - outer * (before.real + later.imag)
+        imaginary = inner * (here.imag + after.real) - outer * (
+            before.real + later.imag
+        )
         power[2 * k + 1] = real * real + imaginary * imaginary
 
 
 @njit(cache=True, nogil=True)
 def _largest_sums(power, first):
-    """Return the largest sums of power at k, 2 k, 3 k, 4 k for k from `first` on: of one to four
-    terms."""
+    """Return the largest sums of one to four terms of the power at k, 2 k, 3 k, 4 k,
+    for k >= `first`."""
     bins = len(power)
     one = np.float32(0)
     two = np.float32(0)
@@ -100,46 +125,37 @@ def _largest_sums(power, first):
 
 
 @njit(cache=True, nogil=True)
-def _place_of_sum(power, first, harmonics):
-    """Return where the sum of power at k, 2 k, ... is largest."""
-    top = -1.0
-    place = first
-    for k in range(first, (len(power) - 1) // harmonics + 1):
-        value = 0.0
-        for h in range(1, harmonics + 1):
-            value += power[k * h]
-        if value > top:
-            top = value
-            place = k
-    return place
-
-
-@njit(cache=True, nogil=True)
 def _likelihoods(spectra, energy, independent, least):
-    """Return the log likelihood of the best rate and its number of harmonics for spectra (shapes,
-    bins).
+    """Return log likelihoods and numbers of harmonics of the best rates (windows,
+    shapes).
 
-    Spectra are padded to twice their length. energy: length times sum of squares of the window;
-    independent: number of independent samples; least (shapes,): least number of turns."""
+    The spectra (windows shapes, bins) are those of zero-padded windows. `energy`
+    (windows,) is the length times the sum of squares of each window, `independent`
+    (windows,) the number of independent samples, and `least` (shapes,) the least number
+    of turns."""
     rows, bins = spectra.shape
-    likelihood = np.full(rows, -np.inf)
-    harmonics = np.ones(rows, dtype=np.int64)
+    shapes = len(least)
+    likelihood = np.full((rows // shapes, shapes), -np.inf)
+    harmonics = np.ones((rows // shapes, shapes), dtype=np.int64)
     power = np.zeros(2 * bins - 1, dtype=np.float32)
     for row in range(rows):
+        w, s = divmod(row, shapes)
         _doubled_power(spectra[row], power)
-        first = int(np.ceil(least[row] * 4))
+        first = int(np.ceil(least[s] * 4))
         for h, top in enumerate(_largest_sums(power, first), 1):
-            value = -independent / 2 * np.log(1 - min(2 * top / energy, 0.999)) - h
-            if value > likelihood[row]:
-                likelihood[row] = value
-                harmonics[row] = h
+            value = (
+                -independent[w] / 2 * np.log(1 - min(2 * top / energy[w], 0.999)) - h
+            )
+            if value > likelihood[w, s]:
+                likelihood[w, s] = value
+                harmonics[w, s] = h
     return likelihood, harmonics
 
 
 @njit(cache=True, nogil=True)
 def turns_of(spectrum, least, harmonics):
-    """Return the number of turns at which the power of the harmonics of a spectrum (bins,) is
-    largest."""
+    """Return the number of turns with the largest power of harmonics in a spectrum
+    (bins,)."""
     power = np.zeros(2 * len(spectrum) - 1, dtype=np.float32)
     _doubled_power(spectrum, power)
     top = -1.0
@@ -155,83 +171,92 @@ def turns_of(spectrum, least, harmonics):
 
 
 def steps_for(length: int, scale_ms: float) -> int:
-    """Return into how many steps of phase a window of `length` frames is cut for a burst of
+    """Return the number of phase steps in a window of `length` frames for bursts of
     `scale_ms`."""
     cells = length / scale_ms
     return 256 if cells <= 110 else 512 if cells <= 220 else 1024
 
 
-def least_turns(length: int, table: WarpTable, settings: SettlingSettings) -> np.ndarray:
-    """Return the least number of turns (shapes,) searched in a window of `length` frames."""
+def least_turns(
+    length: int, table: WarpTable, settings: SettlingSettings
+) -> np.ndarray:
+    """Return the least numbers of turns (shapes,) in the search of a window of `length`
+    frames."""
     least = np.maximum(
         settings.least_turns, settings.least_rate * length / 1000 / table.first_rates
     )
     return np.minimum(least, (table.index.shape[1] - 1) / 2)
 
 
-def _energy(values):
-    """The length of a window times its sum of squares about the mean."""
-    return max(float(np.var(values, dtype=float)), 1e-12) * len(values) ** 2
+def _search(values, scale_ms, table, settings):
+    """Return log likelihoods and harmonics (windows, shapes) of windows (windows,
+    frames).
 
-
-def _warped(values, table):
-    """A window (frames,) in equal steps of phase (shapes, 2 steps), padded to twice its length."""
-    cumulative = np.zeros(len(values) + 1, dtype=np.float32)
-    np.cumsum(values - values.mean(), out=cumulative[1:])
+    The spectra (windows shapes, bins) are also returned.
+    """
+    windows, length = values.shape
     shapes, cuts = table.index.shape
-    padded = np.zeros((shapes, 2 * (cuts - 1)), dtype=np.float32)
-    warp(cumulative, table.index, table.fraction, padded)
-    return padded
-
-
-def search_table(values: np.ndarray, scale_ms: float, table: WarpTable, settings: SettlingSettings):
-    """Return log likelihood and harmonics (shapes,) and spectra (shapes, bins) of a window
-    (frames,)."""
-    length = len(values)
-    spectra = rfft(_warped(values, table), axis=1)
+    padded = np.zeros((windows * shapes, 2 * (cuts - 1)), dtype=np.float32)
+    energy = _warp(values, table.index, table.fraction, padded)
+    spectra = rfft(padded, axis=1, overwrite_x=True)
+    independent = length / np.atleast_1d(scale_ms)
     least = least_turns(length, table, settings)
-    likelihood, harmonics = _likelihoods(spectra, _energy(values), length / scale_ms, least)
+    likelihood, harmonics = _likelihoods(spectra, energy, independent, least)
     return likelihood, harmonics, spectra
 
 
+def search_table(
+    values: np.ndarray, scale_ms: float, table: WarpTable, settings: SettlingSettings
+):
+    """Return log likelihoods and numbers of harmonics (shapes,) for a window (frames,).
+
+    The spectra (shapes, bins) are also returned.
+    """
+    likelihood, harmonics, spectra = _search(values[None], scale_ms, table, settings)
+    return likelihood[0], harmonics[0], spectra
+
+
 def likelihoods(
-    values: np.ndarray, scales_ms: np.ndarray, family: ShapeSet, settings: SettlingSettings
+    values: np.ndarray,
+    scales_ms: np.ndarray,
+    shapes: ShapeSet,
+    settings: SettlingSettings,
 ) -> np.ndarray:
-    """Return the largest log likelihood (channels,) of a family in a window (channels, frames)."""
+    """Return the largest log likelihoods (channels, families) in a window (channels,
+    frames)."""
     length = values.shape[1]
-    found = np.empty(len(values))
+    found = np.empty((len(values), len(shapes.begins)))
     steps = np.array([steps_for(length, scale) for scale in scales_ms])
     for count in np.unique(steps):
-        table = warp_table(family, length, int(count))
+        table = warp_table(shapes, length, int(count))
         same = np.flatnonzero(steps == count)
-        spectra = rfft(np.concatenate([_warped(values[i], table) for i in same]), axis=1)
-        least = least_turns(length, table, settings)
-        for i, part in zip(same, np.split(spectra, len(same)), strict=True):
-            energy = _energy(values[i])
-            found[i] = _likelihoods(part, energy, length / scales_ms[i], least)[0].max()
+        every = _search(values[same], scales_ms[same], table, settings)[0]
+        found[same] = np.maximum.reduceat(every, shapes.begins, axis=1)
     return found
 
 
 def strongest_laws(
     values: np.ndarray,
     scale_ms: float,
-    family: ShapeSet,
+    shapes: ShapeSet,
     settings: SettlingSettings,
     count: int = 3,
-) -> list[Law]:
-    """Return the most likely laws of a family in a window (frames,) of one channel, the best
+) -> dict[str, list[Law]]:
+    """Return the most likely laws of every family in a window (frames,), the best
     first."""
     length = len(values)
-    table = warp_table(family, length, steps_for(length, scale_ms))
+    table = warp_table(shapes, length, steps_for(length, scale_ms))
     likelihood, harmonics, spectra = search_table(values, scale_ms, table, settings)
     least = least_turns(length, table, settings)
-    best = np.argsort(-likelihood, kind="stable")[:count]
-    return [
-        Law(
-            family.shapes[i],
-            turns_of(spectra[i], least[i], harmonics[i]),
-            int(harmonics[i]),
-            float(likelihood[i]),
-        )
-        for i in best
-    ]
+
+    def law(i):
+        turns = turns_of(spectra[i], least[i], harmonics[i])
+        return Law(shapes.shapes[i], turns, int(harmonics[i]), float(likelihood[i]))
+
+    found = {}
+    for name, members in zip(
+        shapes.names, np.split(likelihood, shapes.begins[1:]), strict=True
+    ):
+        best = np.argsort(-members, kind="stable")[:count]
+        found[name] = [law(shapes.begins[len(found)] + i) for i in best]
+    return found

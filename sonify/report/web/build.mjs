@@ -1,5 +1,5 @@
-// Bundles src/ and the libraries it stands on into the two files that report.html takes in, and gathers the licences.
-// `node build.mjs [folder]` writes into the folder, ../templates unless given.
+// Bundles src/ and its libraries into the two files included in report.html, and collects the licences.
+// `node build.mjs [folder]` writes to the folder (default: ../templates).
 import { build } from 'esbuild'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,7 +7,7 @@ import { join } from 'node:path'
 const out = process.argv[2] ?? join(import.meta.dirname, '..', 'templates')
 const manifest = JSON.parse(readFileSync(join(import.meta.dirname, 'package.json'), 'utf8'))
 
-// `import text from 'text:package/file'` gives the text of a file, for what runs in a thread of its own.
+// `import text from 'text:package/file'` returns the text of a file, for code that runs in another thread.
 const asText = {
   name: 'text',
   setup(building) {

@@ -1,1 +1,2 @@
-"""Sources of sound, which turn the contact force into stems of pressure."""
+"""Sound sources, which convert the contact force to sound-pressure signals, one per
+stem."""

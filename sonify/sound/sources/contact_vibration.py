@@ -1,5 +1,5 @@
-"""VIBRATION ON THE CONTACT -> SOUND: the rigid disk over its air film, radiated by filters that
-follow the gap."""
+"""Radiate the rigid vibration of the disk above its air film by filters that follow the
+gap."""
 
 from math import pi
 
@@ -7,27 +7,33 @@ import numpy as np
 from scipy.fft import irfft, next_fast_len, rfft
 from scipy.interpolate import CubicSpline
 
-from sonify.sound.film_radiation import MEAN_GAPS, RIM_ORDERS, WAVENUMBERS, radiated_multipoles
-from sonify.sound.modal_forcing import in_patch_frame, listener_azimuth, rigid_acceleration
+from sonify.sound.film_radiation import (
+    MAX_RIM_ORDER,
+    MEAN_GAPS,
+    WAVENUMBERS,
+    radiated_multipoles,
+)
+from sonify.sound.modal_forcing import (
+    in_patch_frame,
+    listener_azimuth,
+    rigid_acceleration,
+)
 from sonify.sound.radiation import Listener
 from sonify.sound.sources.film import log_mean_gap
 from sonify.sound.sources.protocol import Source
 
-HOP_TIME = 0.02  # s
-"""Time from one filter to the next; they overlap by Hann windows."""
 RESPONSE_TIME = 0.01  # s
 """Length of the impulse response of each filter."""
-PRE_ARRIVAL_TIME = 1.3e-3  # s
-"""Part of the response before the sound of the disk's centre arrives."""
-COSINE_ORDERS = np.arange(RIM_ORDERS + 1)
-SINE_ORDERS = np.arange(1, RIM_ORDERS + 1)
+COSINE_ORDERS = np.arange(MAX_RIM_ORDER + 1)
+SINE_ORDERS = np.arange(1, MAX_RIM_ORDER + 1)
 
 
 class VibratingDisk(Source):
-    """Radiates forces faster than the turning of the disk, by `film_radiation.radiated_multipoles`.
+    """Sound source for forces faster than the rotation of the disk, from
+    `radiated_multipoles`.
 
-    Successive filters are cross-faded by Hann windows, which add up to 1: at constant gap the
-    output is that of one filter."""
+    Successive filters are cross-faded by Hann windows whose sum is 1, so that at
+    constant gap the output is that of a single filter."""
 
     names = ("vibration",)
     channel_ends = np.array([[0.0, 0.0]] * 3 + [[np.nan, 0.0]] * 3)
@@ -39,62 +45,93 @@ class VibratingDisk(Source):
         rate = scene.audio.sample_rate
         self._disk = disk
         self._azimuth = listener.azimuth + pi  # azimuth 0 is where the gap is widest
-        self._hop = round(HOP_TIME * rate)
+        hop_time = 0.02  # s; the filters overlap by Hann windows
+        self._hop = round(hop_time * rate)
         self._response_length = round(RESPONSE_TIME * rate)
-        self._pre_arrival = round(PRE_ARRIVAL_TIME * rate)
+        pre_arrival_time = (
+            1.3e-3  # s; some sound arrives before that from the disk's centre
+        )
+        self._pre_arrival = round(pre_arrival_time * rate)
         self._size = next_fast_len(2 * self._hop + self._response_length, real=True)
-        self._hann = np.sin(pi * (np.arange(2 * self._hop) + 0.5) / (2 * self._hop)) ** 2
+        self._hann = (
+            np.sin(pi * (np.arange(2 * self._hop) + 0.5) / (2 * self._hop)) ** 2
+        )
         self.latency = 2 * self._hop + self._pre_arrival
         multipoles = radiated_multipoles(disk, air)
         scale = air.density * disk.radius
-        pressure = scale * multipoles.pressure_at(
-            listener.distance / disk.radius, listener.elevation
+        pressure = scale * (
+            multipoles.near_pressure_at(listener, disk)
+            if listener.distance < multipoles.far * disk.radius
+            else multipoles.pressure_at(
+                listener.distance / disk.radius, listener.elevation
+            )
         )
         self._time_unit = disk.radius / air.sound_speed
         self._pressure = CubicSpline(np.log(MEAN_GAPS), pressure)
         heaved = pressure[:, :, COSINE_ORDERS, 0]
         tilted = pressure[:, :, COSINE_ORDERS, 1]
-        rolled = pressure[:, :, RIM_ORDERS + SINE_ORDERS, 2]
+        rolled = pressure[:, :, MAX_RIM_ORDER + SINE_ORDERS, 2]
         turn = 2 * pi * np.arange(self._size // 2 + 1) / self._size
         inside = np.clip(turn * rate * self._time_unit, *WAVENUMBERS[[0, -1]])
         by_wavenumber = CubicSpline(
             WAVENUMBERS, np.concatenate([heaved, tilted, rolled], axis=2), axis=1
         )
         delay = np.exp(-1j * turn * self._pre_arrival)[:, None]
-        self._spectrum_by_gap = CubicSpline(np.log(MEAN_GAPS), by_wavenumber(inside) * delay)
+        self._spectrum_by_gap = CubicSpline(
+            np.log(MEAN_GAPS), by_wavenumber(inside) * delay
+        )
         self._filters: dict[int, np.ndarray] = {}
 
-    def channels(self, force, state):
+    def input_channels(self, force, state):
         """Return the input channels (k, 6); the first three are linear in the force.
 
-        Columns: acceleration of the centre along the axis of the disk, and of the rim by tilting
-        about either diameter [m/s^2]; cosine and sine of the listener's azimuth from the widest
-        gap; logarithm of the mean gap over the radius."""
+        The columns are the acceleration of the centre along the axis of the disk, the
+        accelerations of the rim due to tilting about two diameters [m/s^2], cosine and
+        sine of the listener's azimuth from the widest gap, and the logarithm of the
+        ratio of mean gap to radius."""
         azimuth = self._azimuth + listener_azimuth(state, turning_with_body=False)
         gap = log_mean_gap(state, self._disk) - np.log(self._disk.radius)
         return np.column_stack(
-            [self._accelerations(force, state[:, 1]), np.cos(azimuth), np.sin(azimuth), gap]
+            [
+                self._accelerations(force, state[:, 1]),
+                np.cos(azimuth),
+                np.sin(azimuth),
+                gap,
+            ]
         )
 
     def _accelerations(self, force, inclination):
-        moved = in_patch_frame(force, inclination) @ rigid_acceleration(np.eye(3), self._disk)
-        return np.column_stack([moved[:, 2], self._disk.radius * moved[:, 4:2:-1] * [1, -1]])
+        moved = in_patch_frame(force, inclination) @ rigid_acceleration(
+            np.eye(3), self._disk
+        )
+        return np.column_stack(
+            [moved[:, 2], self._disk.radius * moved[:, 4:2:-1] * [1, -1]]
+        )
 
     def mean_square_pressure(self, inclination: float, frequency) -> np.ndarray:
-        """Return the mean square pressure (k,) [Pa^2/N^2] round the disk per normal force, at
-        frequencies (k,) [Hz]."""
+        """Return the mean-square pressure (k,) [Pa^2/N^2] per squared normal force at
+        frequencies (k,) [Hz].
+
+        It is averaged over the azimuth around the disk."""
         gap = np.log(np.clip(np.sin(inclination), *MEAN_GAPS[[0, -1]]))
         normal_force = np.array([[0.0, 0.0, 1.0]])
-        waves = self._pressure(gap) @ self._accelerations(normal_force, np.array([inclination]))[0]
-        inside = np.clip(2 * pi * np.asarray(frequency) * self._time_unit, *WAVENUMBERS[[0, -1]])
-        mean_of_wave = np.where(np.arange(2 * RIM_ORDERS + 1) == 0, 1.0, 0.5)
+        waves = (
+            self._pressure(gap)
+            @ self._accelerations(normal_force, np.array([inclination]))[0]
+        )
+        inside = np.clip(
+            2 * pi * np.asarray(frequency) * self._time_unit, *WAVENUMBERS[[0, -1]]
+        )
+        mean_of_wave = np.where(np.arange(2 * MAX_RIM_ORDER + 1) == 0, 1.0, 0.5)
         return np.abs(CubicSpline(WAVENUMBERS, waves)(inside)) ** 2 @ mean_of_wave
 
-    def start_rendering(self, first, note):
-        """Return the function that radiates the next block, (k, 1) [Pa]; the disk is at rest before
-        the first one."""
+    def make_block_renderer(self, first, note):
+        """Return a function that computes the pressure (k, 1) [Pa] of successive
+        blocks.
+
+        The disk is at rest before the first block."""
         hop = self._hop
-        waiting = np.zeros((hop, 3 * RIM_ORDERS + 3))
+        waiting = np.zeros((hop, 3 * MAX_RIM_ORDER + 3))
         ready = np.zeros(hop)
         tail = np.zeros(self._size)
 
@@ -104,9 +141,12 @@ class VibratingDisk(Source):
             waiting = np.vstack([waiting, self._wave_amplitudes(samples)])
             finished = [ready]
             while len(waiting) >= 2 * hop:
-                spectrum = rfft(waiting[: 2 * hop, :-1] * self._hann[:, None], self._size, axis=0)
+                spectrum = rfft(
+                    waiting[: 2 * hop, :-1] * self._hann[:, None], self._size, axis=0
+                )
                 tail = tail + irfft(
-                    (spectrum * self._filter(waiting[hop, -1])).sum(axis=1), self._size
+                    (spectrum * self._filter_spectra(waiting[hop, -1])).sum(axis=1),
+                    self._size,
                 )
                 finished.append(tail[:hop])
                 waiting = waiting[hop:]
@@ -117,15 +157,17 @@ class VibratingDisk(Source):
         return advance
 
     def _wave_amplitudes(self, samples):
-        """Return each acceleration times its azimuthal waves at the listener, and the logarithm of
-        the gap."""
+        """Return products of accelerations and azimuthal waves at the listener, and the
+        log gap as last column."""
         heave, tilt, roll, cosine, sine, gap = samples.T[:, :, None]
         wave = (cosine + 1j * sine) ** COSINE_ORDERS
-        return np.hstack([heave * wave.real, tilt * wave.real, roll * wave.imag[:, 1:], gap])
+        return np.hstack(
+            [heave * wave.real, tilt * wave.real, roll * wave.imag[:, 1:], gap]
+        )
 
-    def _filter(self, gap, log_gap_step=0.05):
-        """Return the spectra (bins, channels) of the filters at the logarithm of a gap, rounded to
-        `log_gap_step`."""
+    def _filter_spectra(self, gap, log_gap_step=0.05):
+        """Return the filter spectra (bins, channels) at a logarithm of the gap, rounded
+        to `log_gap_step`."""
         inside = np.log(MEAN_GAPS[[0, -1]])
         level = round(float(np.clip(gap, *inside)) / log_gap_step)
         if level not in self._filters:

@@ -1,4 +1,5 @@
-"""SOURCES: objects that turn the contact force into stems of pressure, block by block."""
+"""Sound sources: objects that convert the contact force to sound-pressure signals,
+block by block."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
@@ -8,38 +9,46 @@ from typing import Any
 import numpy as np
 
 from dynamics import Outcome
-from sonify.sound.audible_modes import RingDown, ring_down
-from sonify.sound.modal_forcing import listener_azimuth, modal_drive, rigid_sources
+from sonify.sound.audible_modes import RingDown, ring_down_time
+from sonify.sound.modal_forcing import (
+    heave_and_tilt_accelerations,
+    listener_azimuth,
+    modal_forcing_function,
+)
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import ElasticFace, RigidFace
-from sonify.sound.response import CarriedModes, DrivenModes, VibrationPart
+from sonify.sound.response import DrivenModes, SolvedModes, VibrationPart
 
 FADE_IN = 0.02  # s
-"""Raised cosine at the start of a sound, because the support before the release is not modelled."""
+"""Length of the raised-cosine fade at the start of a sound, needed because the support
+before the release is not modelled."""
 FADE_OUT = 0.05  # s
-"""Raised cosine at the end of a sound, and the fade of a rigid disk after a motion that breaks
-off."""
-DRIVE_FADE = 0.005  # s
-"""Fade of the modal forces to their mean at the end of a motion that breaks off.
+"""Length of the raised-cosine fade at the end of a sound, and of the fade of the rigid
+disk after a motion that does not settle."""
+MODAL_FORCE_FADE = 0.005  # s
+"""Time over which the modal forces fade to their mean at the end of a motion that does
+not settle.
 
-A fall ends with a force of many times the weight within microseconds: the start of an impact that
-is not modelled. """
+A fall ends with a force of many times the weight within microseconds, the beginning of
+an impact that is not modelled. """
 
 Advance = Callable[[Any], np.ndarray]
-"""Function from a ContactForce of a source's channels to its stems (k, s) [Pa]."""
+"""Function that converts a ContactForce of a source's channels to its stems (k, s)
+[Pa]."""
 
 
 class Source(ABC):
-    """One or more causes of sound; each cause is a stem.
+    """Sound source with one or more stems.
 
     Attributes
     ----------
     names : tuple of str
         Names of the stems.
     channel_ends : ndarray, shape (c, 2)
-        Value at rest and fade time [s] of each channel, as the ForceSampler takes them.
+        Value at rest and fade time [s] of each channel, in the form required by
+        ForceSampler.
     tail_duration : float
-        Time [s] for which the source sounds after the motion.
+        Time [s] for which the source continues to sound after the motion.
     latency : int
         Samples by which the pressure lags behind the force.
     """
@@ -50,33 +59,39 @@ class Source(ABC):
     latency: Any
 
     @abstractmethod
-    def channels(self, force: np.ndarray, state: np.ndarray) -> np.ndarray:
+    def input_channels(self, force: np.ndarray, state: np.ndarray) -> np.ndarray:
         """Return the input channels (k, c) for forces (k, 3) [N] and states (k, 11)."""
 
     @abstractmethod
-    def start_rendering(self, first: np.ndarray, note) -> Advance:
-        """Return advance(ContactForce) -> stems (k, s) [Pa], to be called once per block.
+    def make_block_renderer(self, first: np.ndarray, note) -> Advance:
+        """Return a function that computes the stems (k, s) [Pa] of successive blocks of
+        a ContactForce.
 
-        Before the first block the channels had the values `first` (c,). The source may report the
-        energy of its modes by `note(t (e,) [s], energy (e,) [J])`."""
+        Before the first block the channels have the values `first` (c,). The source may
+        report its modal energy by `note(t (e,) [s], energy (e,) [J])`."""
 
     def with_second_ear(self, other: "Source", turn: float) -> "Source":
-        """Return a source with one more column: the sum of its stems at a second ear, `turn` [rad]
-        further round.
+        """Return a source with an additional column, the sum of its stems at a second
+        ear.
 
-        `other` is the same source for a listener at that ear.
+        The second ear is rotated by `turn` [rad] around the disk; `other` is the same
+        source for a listener there.
         """
         return SourcePair(self, other)
 
 
 class RigidDisk(Source):
-    """The disk as a rigid body: it heaves, and it tilts."""
+    """Heave and tilt of the disk as a rigid body."""
 
     names = ("heave", "tilt")
     tail_duration = 2 * FADE_OUT
 
     def __init__(
-        self, scene, face: RigidFace, azimuth: float = 0.0, second_ear: float | None = None
+        self,
+        scene,
+        face: RigidFace,
+        azimuth: float = 0.0,
+        second_ear: float | None = None,
     ):
         self._scene = scene
         self._disk = scene.disk
@@ -86,37 +101,40 @@ class RigidDisk(Source):
         self.latency = face.reach
 
     def with_second_ear(self, other, turn):
-        """Return the rigid disk with the pressure at a second ear, `turn` [rad] further round, as
-        one more column."""
+        """Return the source with an additional column for a second ear, rotated by
+        `turn` [rad]."""
         return RigidDisk(self._scene, self._face, self._azimuth, turn)
 
     @property
     def channel_ends(self):
-        """Every channel fades to zero."""
+        """Rest values and fade times: every channel fades to zero."""
         return np.array([[0.0, FADE_OUT]] * (2 if self._second_ear is None else 3))
 
-    def channels(self, force, state):
-        """Return the heave and the tilt towards each ear, (k, 2 or 3) [m/s^2]."""
+    def input_channels(self, force, state):
+        """Return (k, 2 or 3) [m/s^2]: the heave and the tilt towards each ear."""
         ears = [self._azimuth]
         if self._second_ear is not None:
             ears.append(self._azimuth + self._second_ear)
-        return rigid_sources(force, state, self._disk, *ears)
+        return heave_and_tilt_accelerations(force, state, self._disk, *ears)
 
-    def start_rendering(self, first, note):
-        """Return the function that radiates the blocks after accelerations `first` (2 or 3,)."""
-        radiate = self._face.start_radiating(first)
+    def make_block_renderer(self, first, note):
+        """Return a function that computes the stems of the blocks after accelerations
+        `first`."""
+        radiate = self._face.make_block_radiator(first)
 
         def advance(force):
             pressure = radiate(force.samples, force.knots, force.jump)
-            pressure[:, 2:] += pressure[:, :1]  # the second ear hears the same heave
+            pressure[:, 2:] += pressure[
+                :, :1
+            ]  # the heave is the same at the second ear
             return pressure
 
         return advance
 
 
 class ElasticDisk(Source):
-    """The elastic modes of the disk: driven by the smooth force and by its jumps, or part of a
-    Vibrating motion."""
+    """Elastic modes of the disk, driven by the contact force or solved together with
+    the motion."""
 
     names = ("ringing_smooth", "ringing_jumps")
 
@@ -137,16 +155,16 @@ class ElasticDisk(Source):
         self._listener = listener
         self._second_ear = second_ear
         self._face = ElasticFace(modes, listener, scene.audio.sample_rate, latency)
-        self._forcing = modal_drive(modes, scene)
-        # Where the contact is lost the force reaches zero by itself, and stays zero.
+        self._forcing = modal_forcing_function(modes, scene)
+        # If the contact is lost, the force is already zero at the end and remains zero.
         contact_lost = motion.outcome in (Outcome.AIRBORNE, Outcome.LIFTED_OFF)
-        forcing_end = [0.0, 0.0] if contact_lost else [np.nan, DRIVE_FADE]
+        forcing_end = [0.0, 0.0] if contact_lost else [np.nan, MODAL_FORCE_FADE]
         self.channel_ends = np.array([[np.nan, 0.0]] * 2 + [forcing_end] * len(modes))
         self.latency = latency
 
     def with_second_ear(self, other, turn):
-        """Return the modes with the pressure at a second ear, `turn` [rad] further round, as one
-        more column."""
+        """Return the source with an additional column for a second ear, rotated by
+        `turn` [rad]."""
         return type(self)(
             self._scene,
             self._motion,
@@ -161,32 +179,45 @@ class ElasticDisk(Source):
     def ringing(self) -> RingDown:
         """Frequencies and decay rates of the modes after the end of the motion."""
         rate = self._modes.decay_rate
-        return RingDown(frequency=self._modes.frequency, decay_rate=rate, without_film=rate)
+        return RingDown(
+            frequency=self._modes.frequency,
+            decay_rate=rate,
+            decay_rate_without_film=rate,
+        )
 
     @cached_property
     def tail_duration(self) -> float:
-        """Time [s] from the end of the motion to inaudible modes, plus the final fade."""
-        return ring_down(self._modes, self._scene, self.ringing.decay_rate) + FADE_OUT
+        """Time [s] from the end of the motion until the modes are inaudible, plus the
+        final fade."""
+        return (
+            ring_down_time(self._modes, self._scene, self.ringing.decay_rate) + FADE_OUT
+        )
 
-    def channels(self, force, state):
-        """Return cosine and sine of the listener's azimuth, and modal forces: (k, 2 + m)."""
+    def input_channels(self, force, state):
+        """Return (k, 2 + m): cosine and sine of the listener's azimuth, and modal
+        forces."""
         turning_with_body = self._scene.support.kind == "free"
         azimuth = self._listener.azimuth + listener_azimuth(
             state, turning_with_body=turning_with_body
         )
-        return np.column_stack([np.cos(azimuth), np.sin(azimuth), self._forcing(force, state)])
+        return np.column_stack(
+            [np.cos(azimuth), np.sin(azimuth), self._forcing(force, state)]
+        )
 
-    def start_rendering(self, first, note):
-        """Return the function that radiates the blocks after `first` (2 + m,); it notes the energy
-        of the modes."""
-        radiate = self._face.start_radiating(first[:2], self._second_ear)
+    def make_block_renderer(self, first, note):
+        """Return a function that computes the stems after `first` (2 + m,) and reports
+        the modal energy."""
+        radiate = self._face.make_block_radiator(first[:2], self._second_ear)
         response = self._response(first[2:])
 
         def advance(force):
             ringing = response.advance(force.channels(slice(2, None)))
             note(
-                *energy_peaks(
-                    force.t, ringing.sum(axis=0), self._modes, self._scene.audio.sample_rate
+                *windowed_energy_peaks(
+                    force.t,
+                    ringing.sum(axis=0),
+                    self._modes,
+                    self._scene.audio.sample_rate,
                 )
             )
             return radiate(ringing, force.channels(slice(2)).samples[:-1])
@@ -195,12 +226,12 @@ class ElasticDisk(Source):
 
     def _response(self, settled):
         if isinstance(self._motion, VibrationPart):
-            return CarriedModes(self._motion, self._chosen, self.ringing)
+            return SolvedModes(self._motion, self._chosen, self.ringing)
         return DrivenModes(self._modes, self._scene.audio.sample_rate, settled)
 
 
 class SourcePair(Source):
-    """A source at one ear and at a second ear; the stems of the second are summed into one more
+    """One source at two ears; the stems at the second ear are summed into an additional
     column."""
 
     def __init__(self, source: Source, other: Source):
@@ -212,16 +243,16 @@ class SourcePair(Source):
         self.latency = source.latency
         self.channel_ends = np.vstack([source.channel_ends, other.channel_ends])
 
-    def channels(self, force, state):
+    def input_channels(self, force, state):
         """Return the input channels of the first ear, then those of the second."""
-        return np.hstack([source.channels(force, state) for source in self._pair])
+        return np.hstack([source.input_channels(force, state) for source in self._pair])
 
-    def start_rendering(self, first, note):
-        """Return the function that renders the blocks after `first`; only the first source notes
-        its energy."""
+    def make_block_renderer(self, first, note):
+        """Return a function that computes the stems after `first`; only the first
+        source reports its energy."""
         notes = (note, lambda t, energy: None)
         own, other = (
-            source.start_rendering(first[part], report)
+            source.make_block_renderer(first[part], report)
             for source, part, report in zip(self._pair, self._parts, notes, strict=True)
         )
 
@@ -233,24 +264,28 @@ class SourcePair(Source):
 
 
 def delay_output(advance: Advance, samples: int) -> Advance:
-    """Return `advance` with its output delayed by a number of samples; silence comes first."""
+    """Return `advance` with its output delayed by a number of samples of initial
+    silence."""
     held = None
 
     def delayed(force):
         nonlocal held
         out = advance(force)
-        out = np.vstack([np.zeros((samples, out.shape[1])) if held is None else held, out])
+        out = np.vstack(
+            [np.zeros((samples, out.shape[1])) if held is None else held, out]
+        )
         out, held = np.split(out, [len(out) - samples])
         return out
 
     return delayed if samples else advance
 
 
-def energy_peaks(t, acceleration, modes, sample_rate, window=0.002):
-    """Return times (e,) [s] and the greatest energy (e,) [J] of the modes in each window [s].
+def windowed_energy_peaks(t, acceleration, modes, sample_rate, window=0.002):
+    """Return the times (e,) [s] of windows and the greatest modal energy (e,) [J] in
+    each of them.
 
-    The energy of an oscillator of modal mass 1 at a turning point is q''^2/(2 w^2). The window is
-    one period of the lowest modes."""
+    The energy of an oscillator of unit modal mass at a turning point is q''^2/(2 w^2).
+    The `window` [s] is one period of the lowest modes."""
     energy = np.square(acceleration) @ ((2 * np.pi * modes.frequency) ** -2.0 / 2)
     starts = np.arange(0, len(energy), max(int(window * sample_rate), 1))
     return t[starts], np.maximum.reduceat(energy, starts)

@@ -1,4 +1,5 @@
-"""MODES of a rattling disk: those that were solved together with its motion."""
+"""Compute the ringing of a rattling disk from the modes solved together with its
+motion."""
 
 from functools import cached_property
 from typing import Any
@@ -9,39 +10,41 @@ from dynamics.rattling.rattling_motion import RattlingMotion
 from modal import Modes
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import fluid_loaded_modes
-from sonify.sound.response import CarriedModes
+from sonify.sound.response import SolvedModes
 from sonify.sound.sources.protocol import ElasticDisk
 
 MAX_MISTUNING = 0.05
-"""Greatest difference between the frequencies of one mode in two solutions, over the frequency."""
+"""Greatest relative difference between the frequencies of one mode in two solutions."""
 
 
 class RattlingModes(ElasticDisk):
-    """The elastic modes of a disk that rattles; after the motion the air under it damps them."""
+    """Elastic modes of a rattling disk; after the motion the air under the disk damps
+    them."""
 
     @cached_property
     def ringing(self) -> RingDown:
-        """Frequencies and decay rates of the modes after the motion, at the last mean gap."""
+        """Frequencies and decay rates of the modes after the motion, at the last mean
+        gap."""
         gap = self._scene.disk.radius * np.sin(self._motion.state[-1, 1])
         film = fluid_loaded_modes(self._modes, self._scene, gap)
         frequency, decay_rate = film.nearest_tuning(np.log(gap))
         return RingDown(
             frequency=frequency,
             decay_rate=decay_rate,
-            without_film=self._modes.decay_rate,
+            decay_rate_without_film=self._modes.decay_rate,
             gap=float(gap),
         )
 
-    def _response(self, settled) -> CarriedModes:
+    def _response(self, settled) -> SolvedModes:
         vibration = RimVibration(self._motion, self._modes)
-        return CarriedModes(vibration, np.arange(len(self._modes)), self.ringing)
+        return SolvedModes(vibration, np.arange(len(self._modes)), self.ringing)
 
 
 class RimVibration:
-    """The vibration of a rattling disk in the modes of its sound.
+    """Vibration of a rattling disk, expressed in the modes used for the sound.
 
-    The motion knows its modes by their order and phase round the rim. A mode of the sound that
-    moved no rim in the motion is at rest.
+    The motion identifies its modes by their order and phase around the rim. A mode of
+    the sound without a counterpart in the motion is at rest.
     """
 
     def __init__(self, motion: RattlingMotion, modes: Modes):
@@ -50,16 +53,17 @@ class RimVibration:
         self._share = mode_shares(motion.model.rim, modes)
 
     def vibration(self, t: np.ndarray) -> np.ndarray:
-        """Return displacement, velocity and acceleration (k, 3, m) of the modes at times t (k,)."""
+        """Return displacement, velocity and acceleration (k, 3, m) of the modes at
+        times t (k,)."""
         return self._motion.rim_vibration(t) @ self._share
 
 
 def mode_shares(rim: Any, modes: Modes) -> np.ndarray:
-    """Return the amplitudes (d, m) of m modes for unit amplitudes of d modes of the rim: 0 or 1 and
-    -1.
+    """Return the amplitudes (d, m), 0 or +-1, of m modes for unit amplitudes of d rim
+    modes.
 
-    Modes of unit modal mass match if order, parity and frequency do; the sign follows from their
-    axial displacement at the lower edge.
+    Modes of unit modal mass match if order, parity and frequency agree; the sign
+    follows from their axial displacements at the lower edge.
     """
     frequency = np.sqrt(rim.squared) / (2 * np.pi)
     share = np.zeros((len(frequency), len(modes)))

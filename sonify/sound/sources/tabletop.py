@@ -1,5 +1,5 @@
-"""FORCE -> TABLE -> PRESSURE: modes of an elastic table under the moving contact, radiated as from
-a baffle."""
+"""Compute the sound of an elastic table under the moving contact, with or without a
+baffle."""
 
 from math import ceil
 
@@ -11,37 +11,52 @@ from sonify.hearing.loudness import a_weighting_db
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB
 from sonify.sound.oscillators import Knots, OscillatorBank
 from sonify.sound.radiation import Listener, listeners_of
-from sonify.sound.sources.protocol import DRIVE_FADE, FADE_OUT, Source, energy_peaks
+from sonify.sound.sources.protocol import (
+    FADE_OUT,
+    MODAL_FORCE_FADE,
+    Source,
+    windowed_energy_peaks,
+)
+from sonify.sound.unbaffled import UnbaffledRatio
 
 ARRIVAL_MARGIN = 12  # samples
-"""Samples before the first and after the last arrival in which the band-limited kernels decay."""
+"""Samples before the first and after the last arrival within which the band-limited
+kernels decay."""
 
 
-def contact_place(state, disk) -> np.ndarray:
-    """Return the position (k, 2) [m] of the contact, relative to the disk's centre at the release;
-    states (k, 11).
+def contact_position(state, disk) -> np.ndarray:
+    """Return the positions (k, 2) [m] of the contact for states (k, 11), relative to
+    the disk's centre at release.
 
-    The contact is along a_2, a quarter turn ahead of the precession, at a distance R cos beta - H
-    sin beta from the centre."""
+    The contact lies along a_2, a quarter turn ahead of the precession angle, at the
+    distance R cos beta - H sin beta from the centre."""
     reach = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
     ahead = state[:, 0] + np.pi / 2
-    return state[:, 3:5] + reach[:, None] * np.column_stack([np.cos(ahead), np.sin(ahead)])
+    return state[:, 3:5] + reach[:, None] * np.column_stack(
+        [np.cos(ahead), np.sin(ahead)]
+    )
 
 
-def shapes_under(modes: SurfaceModes, state, scene) -> np.ndarray:
-    """Return the shapes w (k, m) [kg^-1/2] of the table at the contact, for states (k, 11)."""
-    if scene.surface.kind == "modes":  # known only on the contact circle, which moves with the disk
+def shapes_at_contact(modes: SurfaceModes, state, scene) -> np.ndarray:
+    """Return the shapes w (k, m) [kg^-1/2] of the table at the contact, for states (k,
+    11)."""
+    if (
+        scene.surface.kind == "modes"
+    ):  # shapes are known only on the contact circle, which moves with the disk
         ahead = state[:, 0] + np.pi / 2
-        return modes.at(scene.disk.radius * np.cos(ahead), scene.disk.radius * np.sin(ahead))
-    return modes.at(*(modes.place + contact_place(state, scene.disk)).T)
+        return modes.at(
+            scene.disk.radius * np.cos(ahead), scene.disk.radius * np.sin(ahead)
+        )
+    return modes.at(*(modes.place + contact_position(state, scene.disk)).T)
 
 
 class ElasticTable(Source):
-    """An elastic table, driven at the moving contact; its whole top face radiates upwards.
+    """Elastic table driven at the moving contact, with a top face that radiates
+    upwards.
 
-    The part under the disk radiates like the rest: the disk does not shade it. The friction force
-    is neglected: it bends a plate less than the normal force does, by the ratio of thickness to
-    wavelength."""
+    The part under the disk radiates like the rest; shading by the disk is neglected.
+    The friction force is neglected too: compared with the normal force, it bends a
+    plate less by the ratio of thickness to wavelength."""
 
     names = ("table",)
 
@@ -50,20 +65,26 @@ class ElasticTable(Source):
         self._modes = modes
         self._rate = scene.audio.sample_rate
         self.latency = table_latency(modes, listener, self._rate)
-        self._kernels = radiation_kernels(modes, listener, self._rate, self.latency)
-        self.channel_ends = np.tile([np.nan, DRIVE_FADE], (len(modes), 1))
+        self._kernels = radiation_kernels(
+            modes, listener, self._rate, self.latency, scene.surface.baffle
+        )
+        self.channel_ends = np.tile([np.nan, MODAL_FORCE_FADE], (len(modes), 1))
         slowest = modes.decay_rate.min(initial=np.inf)
-        audible = min(np.log(10) / 20 * RING_DOWN_DB / max(slowest, 1e-9), MAX_RING_TIME)
+        audible = min(
+            np.log(10) / 20 * RING_DOWN_DB / max(slowest, 1e-9), MAX_RING_TIME
+        )
         self.tail_duration = FADE_OUT + max(FADE_OUT, audible)
 
-    def channels(self, force, state):
-        """Return the modal forces (k, m) [N kg^-1/2]: shape at the contact times normal force."""
-        return -force[:, 2:] * shapes_under(self._modes, state, self._scene)
+    def input_channels(self, force, state):
+        """Return the modal forces (k, m) [N kg^-1/2]: minus the normal force times the
+        shape at the contact."""
+        return -force[:, 2:] * shapes_at_contact(self._modes, state, self._scene)
 
-    def start_rendering(self, first, note):
-        """Return the function that radiates the blocks after constant modal forces `first` (m,)."""
+    def make_block_renderer(self, first, note):
+        """Return a function that computes the pressure of the blocks after constant
+        modal forces `first` (m,)."""
         bank = OscillatorBank(self._modes.frequency, self._modes.decay_rate, self._rate)
-        bank.settle(first)
+        bank.set_steady_state(first)
         past = len(self._kernels) - 1
         moved = np.zeros((past, len(self._modes)))
 
@@ -72,11 +93,15 @@ class ElasticTable(Source):
             count = len(force.t) - 1
             if (
                 len(moved) < past + count
-            ):  # memory is reused: allocation would take longer than the steps
+            ):  # reuse memory: allocation would take longer than the steps
                 moved = np.vstack([moved[:past], np.empty((count, len(self._modes)))])
             knots = Knots(*force.knots, force.jump, force.bend)
-            accelerations = bank.advance(force.samples, knots, out=moved[past : past + count])
-            note(*energy_peaks(force.t, accelerations, self._modes, self._rate))
+            accelerations = bank.advance(
+                force.samples, knots, out=moved[past : past + count]
+            )
+            note(
+                *windowed_energy_peaks(force.t, accelerations, self._modes, self._rate)
+            )
             pressure = convolve_kernels(moved[: past + count], self._kernels)[:, None]
             moved[:past] = moved[count : past + count].copy()
             return pressure
@@ -85,9 +110,9 @@ class ElasticTable(Source):
 
 
 def table_latency(modes: SurfaceModes, listener: Listener, sample_rate: float) -> int:
-    """Return the latency [samples]: the lead of the table's first sound over that of the disk, plus
+    """Return the lead [samples] of the table's first sound over that of the disk, plus
     ARRIVAL_MARGIN."""
-    path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
+    path = np.linalg.norm(listener.position - _face_points(modes, listener), axis=1)
     return (
         ceil((listener.distance - path.min()) / listener.air.sound_speed * sample_rate)
         + ARRIVAL_MARGIN
@@ -99,47 +124,73 @@ def radiation_kernels(
     listener: Listener,
     sample_rate: float,
     latency: int,
+    baffle: bool = True,
     passband: float = 0.84,
 ) -> np.ndarray:
-    """Return kernels (j, m): the pressure [Pa] at sample n is the sum of kernels[i] times the
-    accelerations at n - i.
+    """Return kernels (j, m) for convolution with the modal accelerations, which gives
+    the pressure.
 
-    They are Rayleigh's integral over the top face, `latency` samples late: exact up to a share
-    `passband` of half the sample rate, tapered to zero above."""
-    points = _face_points(modes)
+    The pressure [Pa] at sample n is the sum of kernels[i] times the accelerations at n
+    - i. The kernels are those of `table_radiation` delayed by `latency` samples, exact
+    up to the fraction `passband` of the Nyquist frequency and tapered to zero above."""
+    points = _face_points(modes, listener)
     longest = np.linalg.norm(listener.position - points, axis=1).max()
+    if not baffle:  # the edge scatters sound across the table
+        longest += 2 * np.ptp(points, axis=0).max()
     last_arrival = (longest - listener.distance) / listener.air.sound_speed
     count = latency + ceil(last_arrival * sample_rate) + ARRIVAL_MARGIN
     size = 2 << (2 * count).bit_length()
     frequency = np.fft.rfftfreq(size, 1 / sample_rate)
-    above_passband = np.clip((2 * frequency / sample_rate - passband) / (1 - passband), 0, 1)
+    above_passband = np.clip(
+        (2 * frequency / sample_rate - passband) / (1 - passband), 0, 1
+    )
     taper = np.cos(np.pi / 2 * above_passband) ** 2
-    spectrum = table_radiation(modes, listener, frequency)
+    spectrum = table_radiation(modes, listener, frequency, baffle)
     delay = np.exp(-2j * np.pi * frequency / sample_rate * latency)
     return np.fft.irfft(spectrum * (taper * delay)[:, None], size, axis=0)[:count]
 
 
-def table_radiation(modes: SurfaceModes, listener: Listener, frequency, block=32) -> np.ndarray:
-    """Return Rayleigh's integral (f, m) [Pa] of the top face per unit modal acceleration, at
+def table_radiation(
+    modes: SurfaceModes, listener: Listener, frequency, baffle: bool = True, block=32
+) -> np.ndarray:
+    """Return the pressure (f, m) [Pa] of the table per unit modal acceleration at
     frequencies (f,) [Hz].
 
-    The factor exp(-i k distance) is omitted. The result is exact for a plane baffle, above and
-    below coincidence. Matrix products of `block` frequencies at once read the shapes rarely."""
-    path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
+    The factor exp(-i k distance) is omitted. In a plane baffle the result is Rayleigh's
+    integral over the top face, exact above and below coincidence. Without a baffle both
+    faces radiate, and each point has the factor of `UnbaffledRatio`, exact for a round
+    table and a distant listener. Matrix products for `block` frequencies at once reduce
+    memory traffic."""
+    points = _face_points(modes, listener)
+    path = np.linalg.norm(listener.position - points, axis=1)
     delay = (path - listener.distance) / listener.air.sound_speed
     share = listener.air.density / (2 * np.pi) * modes.weights / path
+    edge = None
+    if not baffle and len(modes):
+        edge = UnbaffledRatio(
+            points[:, :2],
+            modes.weights,
+            listener.position / listener.distance,
+            listener.air.sound_speed,
+        )
     pressure = np.empty((len(frequency), len(modes)), complex)
     for n in range(0, len(frequency), block):
-        waves = share * np.exp(-2j * np.pi * np.multiply.outer(frequency[n : n + block], delay))
-        pressure[n : n + block] = waves.real @ modes.face.T + 1j * (waves.imag @ modes.face.T)
+        some = frequency[n : n + block]
+        waves = share * np.exp(-2j * np.pi * np.multiply.outer(some, delay))
+        if edge is not None:
+            waves = waves * [edge.ratio_at(f) for f in some]
+        pressure[n : n + block] = waves.real @ modes.face.T + 1j * (
+            waves.imag @ modes.face.T
+        )
     return pressure
 
 
 def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
-    """Return the pressure (k,) of accelerations (j - 1 + k, m), summed over modes; kernels (j, m).
+    """Return the pressure (k,), summed over modes, of accelerations (j - 1 + k, m) and
+    kernels (j, m).
 
-    The first j - 1 accelerations precede the first pressure. Blocks of `block` samples fit into the
-    processor cache."""
+    The first j - 1 accelerations precede the first pressure. Blocks of `block` samples
+    fit into the processor cache."""
     count = len(kernels)
     reversed_kernels = np.ascontiguousarray(kernels[::-1].T)
     out = np.empty(len(accelerations) - count + 1)
@@ -147,22 +198,27 @@ def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
         products = accelerations[n : n + block + count - 1] @ reversed_kernels
         size = len(products) - count + 1
         step = products.itemsize
-        diagonals = as_strided(products, (size, count), (count * step, (count + 1) * step))
+        diagonals = as_strided(
+            products, (size, count), (count * step, (count + 1) * step)
+        )
         out[n : n + size] = diagonals.sum(axis=1)
     return out
 
 
-def _face_points(modes):
-    """Return the points (p, 3) [m] of the top face, relative to the disk's centre at release."""
-    return np.column_stack([modes.points - modes.place, np.zeros(len(modes.points))])
+def _face_points(modes, listener):
+    """Return the points (p, 3) [m] of the top face relative to the disk's centre at
+    release; for a near listener the centre is half a thickness above the table."""
+    below = np.full(len(modes.points), -listener.face_height)
+    return np.column_stack([modes.points - modes.place, below])
 
 
 def response_to_unit_jump(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.ndarray]:
-    """Return the response of the modes to a force jump of 1 N: loudness (m,) [Pa^2 s] and energy
-    (m,) [J].
+    """Return loudness (m,) [Pa^2 s] and energy (m,) [J] of the modes after a force jump
+    of 1 N.
 
-    Loudness is the maximum over the listeners, as in `audible_modes.response_to_unit_jump`. Each
-    shape is represented by its root mean square over the circle that the disk covers."""
+    The loudness of `audible_modes.response_to_unit_jump` is maximised over the
+    listeners. Each shape is represented by its root mean square over the circle covered
+    by the disk."""
     circle_radius, circle_angle = np.meshgrid(
         scene.disk.radius * np.arange(1, 9) / 8, np.arange(64) * np.pi / 32
     )
@@ -172,11 +228,10 @@ def response_to_unit_jump(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.nd
     g2 = r @ modes.at(*points) ** 2 / r.sum()
     pressure = np.zeros(len(modes))
     for ear in listeners_of(scene):
-        each = [
-            table_radiation(modes.select([i]), ear, [f])[0, 0]
-            for i, f in enumerate(modes.frequency)
-        ]
-        pressure = np.maximum(pressure, np.abs(each))
+        each = table_radiation(modes, ear, modes.frequency, scene.surface.baffle)
+        pressure = np.maximum(pressure, np.abs(np.diag(each)))
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)
     decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
-    return weight * g2 * pressure**2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
+    return weight * g2 * pressure**2 / (4 * decay), g2 / (
+        2 * (2 * np.pi * modes.frequency) ** 2
+    )

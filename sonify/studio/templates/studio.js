@@ -157,7 +157,13 @@ function addRun(run) {
   $("runs-box").hidden = false;
   $("empty").hidden = true;
   $("player").currentTime = 0;
+  run.label.scrollIntoView({ block: "nearest" });
   chooseRun(run);
+}
+
+function nameOfRun() {
+  const words = Object.entries(changed).map(([key, value]) => `${key} = ${value ?? "none"}`);
+  return [$("scene").value, ...words].join(", ");
 }
 
 async function runScene(event) {
@@ -165,8 +171,7 @@ async function runScene(event) {
   if (abort) return;
   const scene = $("scene").value;
   const values = { ...changed };
-  const words = Object.entries(values).map(([key, value]) => `${key} = ${value ?? "none"}`);
-  const run = { name: [scene, ...words].join(", "), fresh: true, added: false, done: false };
+  const run = { name: nameOfRun(), fresh: true, added: false, done: false };
   for (const control of controls) showFault("", control.key);
   showFault("");
   abort = new AbortController();
@@ -200,7 +205,7 @@ async function runScene(event) {
       } else showProgress(told);
     }
   } catch (error) {
-    showFault(error.name === "AbortError" ? "The run was ended." : "The studio does not answer; is it still running?");
+    showFault(error.name === "AbortError" ? "The run was cancelled." : "The studio does not respond; is it still running?");
   } finally {
     abort = null;
     busy(false);
@@ -252,23 +257,31 @@ async function analyse(file) {
     try {
       sound = await context.decodeAudioData(await file.arrayBuffer());
     } catch {
-      state.textContent = `${file.name || "The recording"} is not a sound that this browser can read.`;
+      state.textContent = `${file.name || "The recording"} is not a sound file that this browser can decode.`;
       return;
     } finally {
       context.close();
     }
-    const scene = encodeURIComponent($("scene").value);
-    const response = await fetch(`recordings?scene=${scene}`, { method: "POST", body: wavOf(sound) });
-    if (!response.ok) {
+    const query = new URLSearchParams({ scene: $("scene").value, values: JSON.stringify(changed) });
+    for (const end of ["from", "to"]) if ($(end).value !== "") query.set(end, $(end).value);
+    const response = await fetch(`recordings?${query}`, { method: "POST", body: wavOf(sound) });
+    if (response.status === 413) {
       state.textContent = await response.text();
       return;
     }
+    if (!response.ok) {
+      const told = await response.json();
+      state.textContent = told.error;
+      showFault(told.error, told.key);
+      return;
+    }
+    if (chosen?.name !== nameOfRun()) $("scene-form").requestSubmit(); // show the simulated disk next to the recording
     for await (const told of linesOf(response)) {
       state.textContent = told.error ?? (told.done ? "" : progressText(told));
       if (told.done) showRecording(told);
     }
   } catch {
-    state.textContent = "The studio does not answer; is it still running?";
+    state.textContent = "The studio does not respond; is it still running?";
   }
 }
 
@@ -281,7 +294,8 @@ function showRecording(told) {
     element("img", { src: told.folder + name, alt: `Picture of the recording: ${name.replace(".png", "")}` }),
   );
   const verdict = told.result.fit.length ? list(`Compared with ${$("scene").value}`, told.result.fit) : [];
-  $("recording").replaceChildren(...verdict, ...list("What is heard", told.result.heard), ...pictures);
+  const gallery = element("div", { className: "pictures" }, ...pictures);
+  $("recording").replaceChildren(...verdict, ...list("Analysis of the recording", told.result.heard), gallery);
 }
 
 let recorder = null;
@@ -309,7 +323,7 @@ async function toggleRecording() {
     button.textContent = "Stop recording";
     button.setAttribute("aria-pressed", "true");
   } catch {
-    $("recording-state").textContent = "The browser gives no access to a microphone.";
+    $("recording-state").textContent = "The browser does not allow access to a microphone.";
   }
 }
 

@@ -1,13 +1,13 @@
-// The curves of the motion under the spectrogram, on the listener's clock.
+// Curves of the motion below the spectrogram, in the listener's time.
 import uPlot from 'uplot'
 import 'uplot/dist/uPlot.min.css'
 import { at, digits } from './data.js'
 
 const AXIS = 64 // width of the scale on the left [px]
 
-/** One panel of the timeline: `curves` are [{name, unit, values, colour, dash}] over `t`. */
+/** A panel of the timeline with `curves` [{name, unit, values, colour, dash}] over `t`. */
 export class Curves {
-  constructor(parent, title, t, curves, { log = false, height = 110 } = {}) {
+  constructor(parent, title, t, curves, { log = false, height = 130 } = {}) {
     Object.assign(this, { t, curves })
     const style = getComputedStyle(document.documentElement)
     const ink = style.getPropertyValue('--ink').trim()
@@ -46,7 +46,7 @@ export class Curves {
     this.plot.setScale('x', { min: from, max: to })
   }
 
-  /** Write beside the title what the curves are at a time. */
+  /** Show the values of the curves at a time next to the title. */
   tell(time) {
     this.label.textContent = this.#told(time)
   }

@@ -1,6 +1,6 @@
-// The numbers that come with the page: arrays are base64 of little-endian floats.
+// The data embedded in the page; arrays are little-endian floats in base64.
 
-/** The runs on this page: one on a report, two where they are compared. */
+/** The runs on this page: one in a report, two in a comparison. */
 export function runs() {
   return [...document.querySelectorAll('script.run')].map((script) => unpacked(JSON.parse(script.textContent)))
 }
@@ -19,12 +19,12 @@ function array({ base64, dtype }) {
   return new KINDS[dtype](bytes.buffer)
 }
 
-/** The bytes of a data URL. */
+/** Return the bytes of a data URL. */
 export function bytes(url) {
   return Uint8Array.from(atob(url.slice(url.indexOf(',') + 1)), (c) => c.charCodeAt(0)).buffer
 }
 
-/** The index i with t[i] <= time < t[i + 1], within the array. */
+/** Return the index i with t[i] <= time < t[i + 1], clipped to the array. */
 export function place(t, time) {
   let low = 0
   let high = t.length - 1
@@ -36,19 +36,19 @@ export function place(t, time) {
   return low
 }
 
-/** A column read at a time, straight between its instants, constant outside them. */
+/** Return the linearly interpolated value of a column at a time; it is constant outside its range. */
 export function at(t, column, time) {
   const i = place(t, time)
   const share = Math.min(Math.max((time - t[i]) / (t[i + 1] - t[i]), 0), 1)
   return column[i] + share * (column[i + 1] - column[i])
 }
 
-/** A number in three digits, as people write it; 'none' for what is not a number. */
+/** Format a number with three digits, or return 'none' if it is not a number. */
 export function digits(value, unit) {
   return Number.isNaN(value) ? 'none' : `${Number(value.toPrecision(3))} ${unit}`
 }
 
-/** A time as it can be read at the zoom that shows `span` seconds. */
+/** Format a time with the digits that are useful in a view of `span` seconds. */
 export function clock(time, span = 1) {
   return `${time.toFixed(Math.min(Math.max(Math.ceil(3 - Math.log10(span)), 1), 6))} s`
 }

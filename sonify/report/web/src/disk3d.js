@@ -1,4 +1,4 @@
-// The disk on its table, as solved, at the time that is heard: contact, path of the contact, force.
+// 3-D view of the disk on its table at the current time, with contact, path of the contact and force.
 import * as THREE from 'three'
 import { at, place } from './data.js'
 import { Stage, theme } from './stage.js'
@@ -24,7 +24,7 @@ export class Disk3D {
     this.stage.scene.add(this.contact, this.force, this.trail)
   }
 
-  /** Draw the instant `time` of the listener's clock. */
+  /** Draw the state at the listener's time `time`. */
   draw(time) {
     const t = Math.min(Math.max(time - this.delay, this.motion.t[0]), this.motion.t.at(-1))
     if (t !== this.shown) {
@@ -40,7 +40,7 @@ export class Disk3D {
     return Object.fromEntries(this.motion.columns.map((name) => [name, at(this.motion.t, this.motion[name], t)]))
   }
 
-  // x from the centre towards the contact within the face, z along the axis: -e3, e2 of (2.1).
+  // x points from the centre to the contact within the face, z along the axis: -e3, e2 of (2.1).
   #pose({ precession, inclination, spin, x, y }) {
     const [c, s] = [Math.cos(inclination), Math.sin(inclination)]
     const [ax, ay] = towards(precession)
@@ -82,7 +82,7 @@ export class Disk3D {
   }
 }
 
-// a_2, horizontal, from the centre towards the contact; a_1 is (y, -x) of it.
+// a_2 is horizontal and points from the centre to the contact; a_1 is (y, -x) of a_2.
 const towards = (precession) => [-Math.sin(precession), Math.cos(precession)]
 
 function body({ radius, thickness, inner_radius: hole }) {

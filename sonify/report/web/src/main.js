@@ -1,5 +1,5 @@
-// The page of a run: what is heard, seen over time; the disk and its modes in 3-D. Without this script the page still
-// says everything in words and pictures.
+// Interactive page of a run: sound, spectrogram and curves over time, and 3-D views of the disk and its modes.
+// Without this script the page still contains all results as text and pictures.
 import './page.css'
 import { clock, runs } from './data.js'
 import { Curves } from './curves.js'
@@ -13,6 +13,7 @@ const LAST = 1 // [s]: the last stretch before the end
 const SLOW = 0.1 // speed of slow motion
 const QUIET = -20 // [dB SPL]: the lower end of a level meter
 const LOUD = 100
+const LINES = 'white: turns of the contact; blue, dashed: rocking; dotted: modes'
 
 const $ = (selector, parent = document) => parent.querySelector(selector)
 const still = matchMedia('(prefers-reduced-motion: reduce)')
@@ -23,22 +24,25 @@ function element(tag, attributes = {}, ...children) {
   return made
 }
 
-/** Say in words what does not work here. */
+/** Show a message about a feature that does not work in this browser. */
 function say(text) {
   $('#notice').textContent = text
   $('#notice').hidden = !text
 }
 
 async function start() {
-  const all = runs()
   document.documentElement.classList.add('alive')
   copies()
+  await frame() // show title and answer before decoding starts
+  const all = runs()
   const player = new Player(all)
   const timeline = new Timeline(player.duration, player)
   timeline.onError = (error) => say(`No sound: ${error.message}.`)
   window.sonify = { player, timeline, runs: all, spectrograms: [] }
   transport(player, timeline, all)
   const scenes = three(all)
+  scenes.disks.forEach((disk) => disk.draw(player.time))
+  await frame()
   const curves = motion(all, timeline)
   timeline.keys($('#workbench'))
   loop(() => {
@@ -48,13 +52,19 @@ async function start() {
     $('#clock').textContent = clock(player.time, timeline.span[1] - timeline.span[0])
     curves.forEach((one) => one.tell(player.time))
     scenes.disks.forEach((disk) => disk.draw(player.time))
-    for (const { modes, swing } of scenes.bodies) modes.draw(performance.now() / 1000, still.matches || !swing.checked)
+    scenes.bodies.forEach((draw) => draw(performance.now() / 1000))
   })
   try {
     await spectrograms(all, player, timeline)
+    await player.samples()
   } catch (error) {
     say(`The sound cannot be decoded by this browser (${error.message}); the WAV files beside this page can be played.`)
   }
+}
+
+/** Wait until the browser has redrawn the page. */
+function frame() {
+  return new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 }
 
 function loop(draw) {
@@ -89,18 +99,24 @@ function transport(player, timeline, all) {
   $('#pitch').addEventListener('change', (event) => attempt(player.set({ keepPitch: event.target.checked })))
   $('#scale').addEventListener('change', (event) => attempt(player.set({ scale: event.target.value })))
   $('#volume').addEventListener('input', (event) => attempt(player.set({ volume: Number(event.target.value) })))
-  $('#whole').addEventListener('click', () => timeline.showAll())
+  const atSpeed = (speed) => {
+    $('#speed').value = String(speed)
+    return attempt(player.set({ speed }))
+  }
+  $('#whole').addEventListener('click', () => {
+    timeline.showAll()
+    atSpeed(1)
+  })
   $('#closer').addEventListener('click', () => timeline.zoom(0.5))
   $('#wider').addEventListener('click', () => timeline.zoom(2))
-  $('#end').addEventListener('click', () => {
+  const loopEnd = async (speed) => {
     const end = all[player.run].source_end
     timeline.select(end - LAST, end + LAST / 10)
-    attempt(player.play())
-  })
-  $('#slow').addEventListener('click', () => {
-    $('#speed').value = player.speed === SLOW ? '1' : String(SLOW)
-    $('#speed').dispatchEvent(new Event('change'))
-  })
+    await atSpeed(speed)
+    return attempt(player.play())
+  }
+  $('#end').addEventListener('click', () => loopEnd(1))
+  $('#slow').addEventListener('click', () => loopEnd(SLOW))
   $('#loop').addEventListener('click', () => timeline.setLooping(!timeline.looping))
   timeline.onLoop = (looping) => $('#loop').setAttribute('aria-pressed', String(looping))
   timeline.onShow = (from, to) => {
@@ -111,7 +127,6 @@ function transport(player, timeline, all) {
   player.onChange(() => {
     plays.setAttribute('aria-pressed', String(player.playing))
     plays.textContent = player.playing ? 'Pause' : 'Play'
-    $('#slow').setAttribute('aria-pressed', String(player.speed !== 1))
   })
   mixer(player)
 }
@@ -127,9 +142,11 @@ function choice(player, all, attempt) {
 }
 
 function mixer(player) {
+  const { inaudible } = player.runs[player.run].sounds
   $('#mixer').replaceChildren(
     ...player.names.map((name) => {
       const words = name.replaceAll('_', ' ')
+      const faint = inaudible.includes(name) ? [element('small', { textContent: 'inaudible: always below the threshold of hearing' })] : []
       const mute = element('button', { type: 'button', textContent: 'mute', ariaPressed: 'false' })
       const solo = element('button', { type: 'button', textContent: 'solo', ariaPressed: 'false' })
       mute.setAttribute('aria-label', `mute ${words}`)
@@ -143,7 +160,7 @@ function mixer(player) {
       const meter = element('meter', { min: QUIET, max: LOUD, value: QUIET })
       meter.setAttribute('aria-label', `level of ${words}`)
       const level = element('span', { className: 'level' })
-      const row = element('div', { className: 'strip' }, element('span', { className: 'name', textContent: words }), mute, solo, meter, level)
+      const row = element('div', { className: 'strip' }, element('span', { className: 'name', textContent: words }), mute, solo, meter, level, ...faint)
       row.dataset.stem = name
       return row
     }),
@@ -151,7 +168,7 @@ function mixer(player) {
 }
 
 function meters(player) {
-  const unit = player.runs[player.run].sounds[player.scale].unit
+  const { unit } = player
   for (const row of document.querySelectorAll('.strip')) {
     const level = player.level(row.dataset.stem)
     $('meter', row).value = Math.max(level, QUIET)
@@ -162,8 +179,12 @@ function meters(player) {
 async function spectrograms(all, player, timeline) {
   for (const [i, run] of all.entries()) {
     const stems = await player.samples(i, 'true')
-    const samples = new Float32Array(stems[0].channels[0].length)
-    for (const { channels } of stems) for (let n = 0; n < samples.length; n++) samples[n] += channels[0][n]
+    const mix = () => {
+      const samples = new Float32Array(stems[0].channels[0].length)
+      const heard = stems.filter(({ name }) => player.sounds(name))
+      for (const { channels } of heard) for (let n = 0; n < samples.length; n++) samples[n] += channels[0][n]
+      return samples
+    }
     const { rates, modes } = run.lines
     const lines = [
       { t: rates.t, f: rates.precession, colour: '#fff', dash: [] },
@@ -171,23 +192,48 @@ async function spectrograms(all, player, timeline) {
       ...[...modes].map((f) => ({ t: [0, run.motion.t.at(-1)], f: [f, f], colour: '#fff', dash: [1, 5] })),
     ]
     const panel = element('div', { className: 'panel spectrogram' }, element('canvas'), element('canvas', { className: 'lines' }))
-    const [title, levels] = [element('span', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name} ` : 'Spectrogram ' }), element('span', { className: 'value' })]
-    $('#loading').before(element('p', { className: 'caption' }, title, levels), panel)
-    panel.setAttribute('role', 'img')
-    panel.setAttribute('aria-label', run.seen)
-    const spectrogram = new Spectrogram($('canvas', panel), samples, {
-      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.true.full_scale, start: run.start,
+    const title = element('span', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name} ` : 'Spectrogram ' })
+    const key = element('span', { className: 'value', textContent: LINES })
+    $('#loading').before(element('p', { className: 'caption' }, title, key), panel)
+    seeks(panel, `${run.seen} ${LINES}`, player)
+    const spectrogram = new Spectrogram($('canvas', panel), mix(), {
+      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.full_scale, start: run.start,
     })
-    spectrogram.onPainted = (words) => (levels.textContent = words)
+    spectrogram.onScale = (words) => $('#levels').append(' ', words)
+    const audible = () => player.names.filter((name) => player.sounds(name)).join()
+    let shown = audible()
+    player.onChange(() => {
+      if (shown === (shown = audible())) return
+      spectrogram.mix = mix()
+    })
     window.sonify.spectrograms.push(spectrogram)
     timeline.add(spectrogram)
     $('#lines').addEventListener('change', (event) => {
       spectrogram.showLines = event.target.checked
       spectrogram.show(...timeline.span)
     })
-    new ResizeObserver(() => spectrogram.show(...timeline.span)).observe(panel)
+    let sized = false // the first call only states the size
+    new ResizeObserver(() => {
+      if (sized) spectrogram.show(...timeline.span)
+      sized = true
+    }).observe(panel)
   }
   $('#loading').hidden = true
+}
+
+/** Make a panel a slider for the playing time, with the keys of the timeline. */
+function seeks(panel, label, player) {
+  panel.tabIndex = 0
+  panel.setAttribute('role', 'slider')
+  panel.setAttribute('aria-label', label)
+  panel.setAttribute('aria-valuemin', player.start)
+  panel.setAttribute('aria-valuemax', player.duration)
+  const tell = () => {
+    panel.setAttribute('aria-valuenow', player.time)
+    panel.setAttribute('aria-valuetext', clock(player.time))
+  }
+  tell()
+  player.onChange(tell)
 }
 
 function motion(all, timeline) {
@@ -211,7 +257,7 @@ function motion(all, timeline) {
       () => new Curves(panel(), `${who}Energy [mJ]`, t, [{ unit: 'mJ', values: run.motion.energy.map((e) => 1e3 * e), colour: theme('--second') }]),
     ]
   })
-  const made = makers[0].flatMap((_, k) => makers.map((of) => of[k]())) // what is to be compared is side by side
+  const made = makers[0].flatMap((_, k) => makers.map((of) => of[k]())) // place panels to be compared side by side
   made.forEach((one) => timeline.add(one))
   return made
 }
@@ -239,12 +285,15 @@ function three(all) {
 
 function shapes(given, whose, name) {
   if (!given || !given.shapes.length) return undefined
-  const modes = new Modes3D($(`#${whose}mode-canvas`), given)
+  const canvas = $(`#${whose}mode-canvas`)
   const [choice, swing] = [$(`#${whose}mode`), $(`#${whose}swing`)]
+  let modes // made when it is first seen
+  let seen = false
+  new IntersectionObserver(([{ isIntersecting }]) => (seen = isIntersecting)).observe(canvas)
   given.captions.forEach((caption, i) => choice.append(element('option', { value: String(i), textContent: caption })))
   const pick = (number) => {
-    modes.pick(number)
-    $(`#${whose}mode-canvas`).setAttribute('aria-label', `The shape of mode ${given.captions[number]}. Arrow keys turn the view.`)
+    modes?.pick(number)
+    canvas.setAttribute('aria-label', `The shape of mode ${given.captions[number]}. Arrow keys turn the view.`)
   }
   choice.addEventListener('change', (event) => pick(Number(event.target.value)))
   pick(0)
@@ -252,7 +301,14 @@ function shapes(given, whose, name) {
   swing.checked = !still.matches
   $(`#${whose}modes3d`).hidden = false
   $(`#${whose}modes3d h2`).append(name)
-  return { modes, swing }
+  return (seconds) => {
+    if (!seen) return
+    if (!modes) {
+      modes = new Modes3D(canvas, given)
+      modes.pick(Number(choice.value))
+    }
+    modes.draw(seconds, still.matches || !swing.checked)
+  }
 }
 
 start().catch((error) => {

@@ -1,4 +1,4 @@
-// The shapes of the modes, one at a time, swinging slowly and exaggerated.
+// 3-D view of one mode shape, animated slowly and exaggerated.
 import * as THREE from 'three'
 import { Stage, theme } from './stage.js'
 
@@ -35,7 +35,7 @@ export class Modes3D {
     this.moved(1)
   }
 
-  /** The displacement of the shape [m] over that of a unit of its amplitude: what the eye is shown. */
+  /** Displace the surface by `phase` times the exaggerated mode shape. */
   moved(phase) {
     const position = this.geometry.attributes.position
     for (let i = 0; i < position.array.length; i++) {

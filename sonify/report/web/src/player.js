@@ -1,15 +1,16 @@
-// Plays the stems of a run together: one source of as many channels as stems, so that they cannot drift apart.
+// Plays the stems of a run synchronously, as channels of a single source.
 import stretching from 'text:signalsmith-stretch/SignalsmithStretch.mjs'
 import { bytes } from './data.js'
 
 const AHEAD = 0.05 // what a stretcher is told so long before it is heard starts cleanly [s]
+const FADE = 0.1 // a part of a sound begins without a click if it is faded in [s]
 
 export class Player {
-  /** `runs` with sounds {scale: {full_scale, tracks: {name: data URL}}}; nothing sounds before `play`. */
+  /** `runs` contain sounds {full_scale, tracks: {name: data URL}, weighting: {full_scale, sections}}. */
   constructor(runs) {
     this.runs = runs
     this.run = 0
-    this.scale = Object.keys(runs[0].sounds)[0]
+    this.scale = 'audible' // A-weighted, or 'true'
     this.speed = 1
     this.keepPitch = false
     this.volume = 1
@@ -23,10 +24,10 @@ export class Player {
   }
 
   get names() {
-    return Object.keys(this.runs[this.run].sounds[this.scale].tracks)
+    return Object.keys(this.runs[this.run].sounds.tracks)
   }
 
-  /** Time of the first sample in the page [s]; of a long sound the page holds only the end. */
+  /** Time of the first sample in the page [s]; the page contains only the end of a long sound. */
   get start() {
     return Math.max(...this.runs.map((run) => run.start))
   }
@@ -35,25 +36,57 @@ export class Player {
     return Math.max(...this.runs.map((run) => run.duration))
   }
 
-  /** The samples of every stem, decoded once: a list of {name, channels: [Float32Array]}. */
+  /** Return the samples of all stems, decoded once, as a list of {name, channels: [Float32Array]}. */
   async samples(run = this.run, scale = this.scale) {
     const key = `${run} ${scale}`
-    if (!this.decoded.has(key)) this.decoded.set(key, this.#decode(this.runs[run], scale))
+    if (!this.decoded.has(key)) this.decoded.set(key, scale === 'true' ? this.#decode(this.runs[run]) : this.#weighted(run))
     return this.decoded.get(key)
   }
 
-  async #decode(run, scale) {
+  async #decode(run) {
     const context = new OfflineAudioContext(1, 1, run.sample_rate)
-    const tracks = Object.entries(run.sounds[scale].tracks)
+    const tracks = Object.entries(run.sounds.tracks)
     return Promise.all(
       tracks.map(async ([name, url]) => {
         const buffer = await context.decodeAudioData(bytes(url))
-        return { name, channels: Array.from({ length: buffer.numberOfChannels }, (_, c) => buffer.getChannelData(c)) }
+        const channels = Array.from({ length: buffer.numberOfChannels }, (_, c) => buffer.getChannelData(c))
+        if (run.start > 0) channels.forEach((channel) => fadeIn(channel, FADE * run.sample_rate))
+        return { name, channels }
       }),
     )
   }
 
-  /** The time of the sound that is heard now [s]: that of the audio clock, less what the output takes. */
+  async #weighted(run) {
+    const { sounds, sample_rate: sampleRate } = this.runs[run]
+    const { full_scale: fullScale, sections } = sounds.weighting
+    const stems = await this.samples(run, 'true')
+    return Promise.all(
+      stems.map(async ({ name, channels }) => {
+        const context = new OfflineAudioContext(channels.length, channels[0].length, sampleRate)
+        const buffer = context.createBuffer(channels.length, channels[0].length, sampleRate)
+        channels.forEach((channel, i) => buffer.copyToChannel(channel, i))
+        const source = new AudioBufferSourceNode(context, { buffer })
+        const filters = sections.map((row) => new IIRFilterNode(context, { feedforward: row.slice(0, 3), feedback: row.slice(3) }))
+        const gain = new GainNode(context, { gain: sounds.full_scale / fullScale })
+        ;[source, ...filters, gain, context.destination].reduce((from, to) => from.connect(to))
+        source.start()
+        const heard = await context.startRendering()
+        return { name, channels: channels.map((_, c) => heard.getChannelData(c)) }
+      }),
+    )
+  }
+
+  /** Pressure [Pa] represented by a sample of 1.0. */
+  get fullScale() {
+    const { sounds } = this.runs[this.run]
+    return this.scale === 'true' ? sounds.full_scale : sounds.weighting.full_scale
+  }
+
+  get unit() {
+    return this.scale === 'true' ? 'dB SPL' : 'dB(A)'
+  }
+
+  /** Current time of the sound [s], from the audio clock minus the output latency. */
   get time() {
     if (!this.playing) return this.position
     const heard = this.context.currentTime - (this.context.outputLatency || 0)
@@ -137,19 +170,19 @@ export class Player {
     if (this.master) this.master.gain.value = this.volume
   }
 
-  /** Whether a stem is let through. */
+  /** Return whether a stem is audible (not muted). */
   sounds(name) {
     return this.solo ? this.solo === name : !this.muted.has(name)
   }
 
-  /** The level of a stem now [dB SPL]: mean square of the last 2048 samples; what is muted is at -Infinity. */
+  /** Return the current level of a stem [dB SPL] over 2048 samples, or -Infinity if it is muted. */
   level(name) {
     const strip = this.playing && this.strips.find((one) => one.name === name)
     if (!strip) return -Infinity
     const block = new Float32Array(strip.meter.fftSize)
     strip.meter.getFloatTimeDomainData(block)
     const mean = block.reduce((sum, x) => sum + x * x, 0) / block.length
-    return 20 * Math.log10((Math.sqrt(mean) * this.runs[this.run].sounds[this.scale].full_scale) / 20e-6)
+    return 20 * Math.log10((Math.sqrt(mean) * this.fullScale) / 20e-6)
   }
 
   pause() {
@@ -164,7 +197,7 @@ export class Player {
     return this.playing ? this.pause() : this.play()
   }
 
-  /** Change what is played, or how; if it plays, it goes on from where it is. */
+  /** Change the settings of the player; playback continues from the current position. */
   async set(change) {
     const gains = Object.keys(change).every((key) => ['solo', 'volume'].includes(key))
     const was = this.playing
@@ -187,7 +220,7 @@ export class Player {
     this.#changed()
   }
 
-  /** Call `note()` whenever something changes that a control shows. */
+  /** Call `note()` whenever a value shown by a control changes. */
   onChange(note) {
     this.listeners.push(note)
   }
@@ -196,13 +229,17 @@ export class Player {
     this.listeners.forEach((note) => note())
   }
 
-  /** To be called as often as the screen is drawn: stops at the end. */
+  /** Stop at the end; to be called at every screen refresh. */
   tick() {
     if (this.playing && !this.loop && this.time >= this.duration) this.pause()
   }
 }
 
-// The stretcher runs in the page and in a thread of its own; to a page from disk both are open by a data: URL alone.
+function fadeIn(channel, samples) {
+  for (let i = 0; i < Math.min(samples, channel.length); i++) channel[i] *= (1 - Math.cos((Math.PI * i) / samples)) / 2
+}
+
+// The time stretcher runs in the page and in an audio thread; a page opened from disk can load it only from data: URLs.
 async function stretcher() {
   const moduleUrl = `data:text/javascript;charset=utf-8,${encodeURIComponent(stretching)}`
   const { default: stretch } = await import(moduleUrl)

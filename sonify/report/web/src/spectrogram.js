@@ -1,17 +1,18 @@
-// The spectrogram of what is seen, computed for the time and the screen that show it: low tones through a long window,
-// high ones through a short one.
+// Spectrogram of the visible time span, computed at screen resolution with long windows for low frequencies and
+// short windows for high frequencies.
 import FFT from 'fft.js'
 
 const LOWEST = 10 // [Hz]
 const SPLIT = 1000 // [Hz]: above it, the short window
-const RANGE = 65 // [dB] from the darkest to the brightest, which is the loudest of each band
-const APART = 50 // [dB]: the quieter band is shown as loud as it is from so far below the louder one on
+const RANGE = 65 // [dB] from the darkest to the brightest
+const APART = 50 // [dB]: greatest difference of the brightest levels of low and high tones
+const BLEND = [300, 3000] // [Hz]: between these, the brightest level goes from that of low tones to that of high ones
 const SEEN = 200 // [ms] between two looks at a picture that grows
 const BUSY = 12 // [ms] of work between two frames of the screen
 
 export class Spectrogram {
-  /** `samples` Float32Array, 1 is `fullScale` [Pa]; `colours` 256 x 3 bytes; `lines` over it: [{name, t, f, style}];
-   * `onPainted(words)` is told what the colours mean. */
+  /** `samples` Float32Array, 1.0 is `fullScale` [Pa]; `colours`: 256 x 3 bytes; `lines` drawn over it: [{name, t, f, style}].
+   * The first picture determines the colour scale of all others; `onScale(text)` receives its description. */
   constructor(canvas, samples, { sampleRate, colours, lines, delay, fullScale, start }) {
     Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay, fullScale, start })
     this.element = canvas.parentElement
@@ -24,7 +25,7 @@ export class Spectrogram {
     return this.sampleRate / 2
   }
 
-  /** The height of a frequency over the panel, 0 at the bottom and 1 at the top, and back. */
+  /** Convert a frequency to a height in the panel, 0 at the bottom and 1 at the top; `frequency` is the inverse. */
   height(frequency) {
     return Math.log(frequency / LOWEST) / Math.log(this.highest / LOWEST)
   }
@@ -35,11 +36,19 @@ export class Spectrogram {
 
   show(from, to) {
     this.span = [from, to]
-    this.job = {} // a job that is not this one any more stops
-    this.done = this.#draw(this.job, from, to)
+    const job = (this.job = {}) // any other job stops, unless it determines the colour scale
+    this.first ??= this.#draw(job, from, to)
+    this.done = this.first.then(() => this.#draw(job, from, to))
+  }
+
+  /** Show other samples with the same colour scale. */
+  set mix(samples) {
+    this.samples = samples
+    this.show(...this.span)
   }
 
   async #draw(job, from, to) {
+    if (this.scale && (job !== this.job || job.done)) return
     const width = Math.max(this.element.clientWidth, 1)
     const height = Math.max(this.element.clientHeight, 1)
     const bands = this.#bands((to - from) / width, height)
@@ -51,7 +60,7 @@ export class Spectrogram {
       for (const band of bands) band.read(this.samples, (time - this.start) * this.sampleRate, level, column, width)
       if (performance.now() - rest > BUSY) {
         await new Promise(requestAnimationFrame)
-        if (job !== this.job) return
+        if (this.scale && job !== this.job) return
         rest = performance.now()
         if (rest - painted > SEEN) {
           this.#paint(level, bands, width, height)
@@ -59,8 +68,12 @@ export class Spectrogram {
         }
       }
     }
-    this.#paint(level, bands, width, height)
+    const scale = this.#paint(level, bands, width, height)
     this.#drawLines(from, to)
+    job.done = true
+    if (this.scale) return
+    this.scale = scale
+    this.onScale?.(this.#words(scale))
   }
 
   #bands(perColumn, height) {
@@ -78,25 +91,29 @@ export class Spectrogram {
     this.canvas.height = height
     const context = this.canvas.getContext('2d')
     const image = context.createImageData(width, height)
-    const tops = bands.map(({ first, last }) => loudest(level.subarray(first * width, last * width)))
-    const brightest = tops.map((top) => Math.max(top, Math.max(...tops) - APART))
-    this.onPainted?.(this.#meaning(brightest))
-    for (const [b, { first, last }] of bands.entries()) {
-      const rows = level.subarray(first * width, last * width)
-      const top = brightest[b]
-      for (let i = 0; i < rows.length; i++) {
-        const shade = Math.round(Math.min(Math.max((rows[i] - top) / RANGE + 1, 0), 1) * 255)
-        const at = 4 * (first * width + i)
-        for (let c = 0; c < 3; c++) image.data[at + c] = this.colours[3 * shade + c]
-        image.data[at + 3] = 255
+    const scale = this.scale ?? brightest(level, bands, width)
+    for (let row = 0; row < height; row++) {
+      const top = this.#top(scale, row / height)
+      for (let i = row * width; i < (row + 1) * width; i++) {
+        const shade = Math.round(Math.min(Math.max((level[i] - top) / RANGE + 1, 0), 1) * 255)
+        for (let c = 0; c < 3; c++) image.data[4 * i + c] = this.colours[3 * shade + c]
+        image.data[4 * i + 3] = 255
       }
     }
     context.putImageData(image, 0, 0)
+    return scale
   }
 
-  #meaning([high, low]) {
-    const spl = (level) => `${(level + 20 * Math.log10(this.fullScale / 20e-6)).toFixed(0)} dB SPL`
-    return `brightest: a sine of ${spl(low)} below 1 kHz, ${spl(high)} above; black: ${RANGE} dB less`
+  // Return the level [dB] of the brightest colour at a distance below the upper edge.
+  #top([high, low], depth) {
+    const [from, to] = BLEND.map((frequency) => this.height(frequency))
+    const share = Math.min(Math.max((1 - depth - from) / (to - from), 0), 1)
+    return low + share * (high - low)
+  }
+
+  #words([high, low]) {
+    const spl = (level) => `${Math.round(level + 20 * Math.log10(this.fullScale / 20e-6)) + 0} dB SPL`
+    return `The brightest colour is a sine of ${spl(low)} up to ${BLEND[0]} Hz and of ${spl(high)} from ${BLEND[1] / 1000} kHz; black is ${RANGE} dB less.`
   }
 
   #drawLines(from, to) {
@@ -146,6 +163,11 @@ export class Spectrogram {
   }
 }
 
+function brightest(level, bands, width) {
+  const tops = bands.map(({ first, last }) => loudest(level.subarray(first * width, last * width)))
+  return tops.map((top) => Math.max(top, Math.max(...tops) - APART))
+}
+
 function loudest(levels) {
   let top = -Infinity
   for (const value of levels) if (value > top) top = value
@@ -156,7 +178,7 @@ function windowSize(wanted, least, most) {
   return 2 ** Math.round(Math.log2(Math.min(Math.max(wanted, least), most)))
 }
 
-// The rows first <= row < last of the picture, seen through a Hann window of `size` samples.
+// Rows first <= row < last of the picture, computed with a Hann window of `size` samples.
 class Band {
   constructor(spectrogram, size, first, last, height) {
     Object.assign(this, { size, first, last })
@@ -177,7 +199,7 @@ class Band {
     })
   }
 
-  // The greatest power of the bins between two places, or the one in between, straight from bin to bin.
+  // Return the greatest power of the bins between two positions, or the interpolated power if there is none.
   #power(low, high) {
     const power = (k) => this.output[2 * k] ** 2 + this.output[2 * k + 1] ** 2
     const last = this.size / 2 - 1

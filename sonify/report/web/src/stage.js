@@ -1,4 +1,4 @@
-// A canvas with a camera that mouse, touch and keys turn about the origin; drawn when something has changed.
+// Canvas with a camera that is rotated about the origin by mouse, touch and keys; drawn only after changes.
 import * as THREE from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 

@@ -1,4 +1,4 @@
-// The stretch of time that every panel shows, and what pointer and keys do to it.
+// Time span shown by all panels, and its control by pointer and keys.
 
 const SHORTEST = 1e-3 // [s]
 const DRAG = 4 // a pointer that moves less [px] has clicked
@@ -16,7 +16,7 @@ export class Timeline {
     return Boolean(this.player.loop)
   }
 
-  /** `panel` has `element`, the area that shows the span, and `show(from, to)`. */
+  /** `panel` has an `element`, the area of the time span, and a method `show(from, to)`. */
   add(panel) {
     this.panels.push(panel)
     const head = document.createElement('div')
@@ -37,7 +37,7 @@ export class Timeline {
     this.draw()
   }
 
-  /** Show a stretch and play it again and again. */
+  /** Show a time span and play it in a loop. */
   select(from, to) {
     this.show(from, to)
     this.setLooping(true)
@@ -60,7 +60,7 @@ export class Timeline {
     this.show(middle - (middle - from) * factor, middle + (to - middle) * factor)
   }
 
-  /** Put the playhead of every panel where the player is; while it plays beyond the view, the view follows. */
+  /** Move the playheads of all panels to the position of the player; the view follows during playback. */
   draw() {
     const [from, to] = this.span
     const { time, playing } = this.player
@@ -119,7 +119,7 @@ export class Timeline {
     )
   }
 
-  /** Keys for whatever has the focus inside `element`, but not for what is typed or chosen. */
+  /** Handle keys inside `element`, except in input fields and lists. */
   keys(element) {
     const step = () => (this.span[1] - this.span[0]) / 20
     const does = {

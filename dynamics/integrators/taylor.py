@@ -1,0 +1,213 @@
+"""Integration by heyoka's adaptive Taylor method, which finds every root of the guards."""
+
+from concurrent.futures import ThreadPoolExecutor
+from copy import deepcopy
+from functools import lru_cache
+from typing import Any
+
+import heyoka
+import numpy as np
+
+from dynamics.dissipation import Resistance
+from dynamics.equations import DiskConstants
+from dynamics.film.wedge import Film, find_film
+from dynamics.guards import Guard
+from dynamics.hybrid import Arc
+from dynamics.integrators.branch_formulas import (
+    branch_to_compile,
+    compiled_flow_and_constants,
+    rates_and_guards,
+)
+from dynamics.regime import Branch, FlowFormulas, Regime, restart_quadratures
+from dynamics.switching import state_after_reversal
+
+SYMBOLIC_FORMULAS = FlowFormulas(
+    heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent
+)
+STATE_SYMBOLS = (
+    "r",
+    "w1",
+    "w2",
+    "w3",
+    "v1",
+    "v2",
+    "precession",
+    "spin",
+    "x",
+    "y",
+    "dissipated",
+)
+"""Names of the components of the state in the expressions of heyoka, in their order."""
+# heyoka would write warnings to standard output, which is reserved for results
+heyoka.set_logger_level_error()
+SUCCESS = heyoka.taylor_outcome.success
+NOT_FINITE = heyoka.taylor_outcome.err_nf_state
+MAX_STEPS_PER_CALL = 1000
+MAX_COMPILED_BRANCHES = 64
+"""Number of compiled branches that are kept; one scene needs about a tenth of them."""
+GUARD_OFFSET = 1e-300
+"""Offset added to every guard, because heyoka would find a root at the start of a step
+and miss the next one."""
+
+
+class CompiledTaylor:
+    """The compiled integrator of one branch; each run borrows a copy for its own state.
+
+    Compact mode compiles six times faster, but the code runs at half the speed. It is
+    used for rare branches: those with a sticking rotation, those with loads other than
+    an air film, and slides in a vacuum at tolerances below
+    `min_short_series_tolerance`, at which series are long. heyoka caches the code of
+    all branches on disk.
+    """
+
+    def __init__(self, branch: Branch, tolerance: float):
+        # smallest tolerance for which a Taylor series has at most 14 terms
+        min_short_series_tolerance = 1e-11
+        y = heyoka.make_vars(*STATE_SYMBOLS)
+        rates, guards = rates_and_guards(
+            SYMBOLIC_FORMULAS, y, branch, lambda i: heyoka.par[i]
+        )
+        falling = heyoka.event_direction.negative
+        self.guards = tuple(guards)
+        self._idle: list[Any] = []
+        self._integrator = heyoka.taylor_adaptive(
+            [
+                (a, heyoka.expression(b) if isinstance(b, float) else b)
+                for a, b in zip(y, rates, strict=True)
+            ],
+            [1.0] * len(y),
+            tol=tolerance,
+            compact_mode=any(branch.stuck)
+            or not is_common_load(branch.loads)
+            or (
+                branch.sliding
+                and not branch.loads
+                and tolerance < min_short_series_tolerance
+            ),
+            opt_level=1,  # same instructions as level 2, in 5/6 of the compilation time
+            t_events=[
+                heyoka.t_event(g + GUARD_OFFSET, direction=falling)
+                for g in guards.values()
+            ],
+        )
+
+    def borrow(self):
+        """Return an idle integrator and its parameters, state and Taylor series."""
+        try:
+            return self._idle.pop()
+        except IndexError:
+            own = deepcopy(self._integrator)
+            return own, own.pars, own.state, own.tc
+
+    def guard(self, outcome) -> Guard | None:
+        """Return the guard for an outcome, or None; guard i has the code -i - 1."""
+        return self.guards[-int(outcome) - 1] if int(outcome) > int(SUCCESS) else None
+
+    def give_back(self, borrowed) -> None:
+        """Return an integrator that was obtained from `borrow`."""
+        self._idle.append(borrowed)
+
+
+def is_common_load(loads) -> bool:
+    """Return True if there are no loads, or an air film with or without a Resistance."""
+    laws = getattr(loads, "laws", (loads,))
+    return loads is None or (
+        bool(find_film(loads))
+        and all(isinstance(law, Film | Resistance) for law in laws)
+    )
+
+
+_compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
+
+
+@lru_cache(MAX_COMPILED_BRANCHES)
+def compiled_taylor_future(branch: Branch, tolerance: float):
+    """Return the Future of a `CompiledTaylor`; heyoka releases the GIL to compile it."""
+    return _compilers.submit(CompiledTaylor, branch, tolerance)
+
+
+def compile_in_background(
+    regime: Regime, law: DiskConstants, loads, tolerance: float
+) -> None:
+    """Start a background thread that compiles the flow of a regime."""
+    compiled_taylor_future(branch_to_compile(regime, law, loads), tolerance)
+
+
+def advance(
+    y,
+    regime: Regime,
+    law: DiskConstants,
+    loads,
+    r_end: float,
+    span: float,
+    tolerance: float,
+) -> Arc:
+    """Integrate from y within `regime` until a guard falls, at most for `span`.
+
+    It takes at most MAX_STEPS_PER_CALL steps and is thread-safe. A rolling disk
+    continues through simple reversals of a rotation. DOP853 replaces the Taylor method
+    if a law is not analytic, for example a power law where the precession stops; it
+    raises StalledError if its steps are too short.
+    """
+    future, parameters = compiled_flow_and_constants(
+        compiled_taylor_future, regime, law, loads, r_end, tolerance
+    )
+    flow = future.result()
+    borrowed = flow.borrow()
+    integrator, pars, state, series = borrowed
+    pars[:] = parameters[: len(pars)]  # some branches do not use the last ones
+    state[:] = y
+    start = y
+    integrator.time = 0.0
+    integrator.reset_cooldowns()
+    branch = Branch.of(regime, law, loads)
+    now = regime
+    guard = None
+    step = integrator.step
+    t = 0.0
+    times = []
+    kept = []
+    regime_changes = []
+    lost = [[0.0] * len(STATE_SYMBOLS)]
+    for _ in range(MAX_STEPS_PER_CALL):
+        outcome, _ = step(span - t, True)
+        since = t
+        t = integrator.time
+        times.append(t)
+        kept.append(series.tobytes())  # faster than copying to an array
+        if outcome == SUCCESS:
+            continue
+        guard = flow.guard(outcome)
+        after = (
+            guard
+            and t > since
+            and state_after_reversal(state.tolist(), now, branch, guard, law)
+        )
+        if not after:
+            break
+        y, now = after
+        # large components would make the steps longer
+        state[:], origin = restart_quadratures(y, law.bowl > 0)
+        lost.append(origin)
+        parameters = compiled_flow_and_constants(
+            compiled_taylor_future, now, law, loads, r_end, tolerance
+        )[1]
+        pars[:] = parameters[: len(pars)]
+        integrator.reset_cooldowns()
+        regime_changes.append((len(times), guard, now))
+        guard = None
+    coefficients = (
+        np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
+    )
+    if regime_changes:
+        origins = np.cumsum(lost, axis=0)
+        pieces = np.diff([0, *(n for n, *_ in regime_changes), len(times)])
+        coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
+        state += origins[-1]
+    end = state.tolist()
+    flow.give_back(borrowed)
+    if outcome == NOT_FINITE:
+        from dynamics.integrators import dop853  # numba loads slowly
+
+        return dop853.advance(start, regime, law, loads, r_end, span, tolerance)
+    return Arc(np.array(times), coefficients, end, guard, tuple(regime_changes))

@@ -1,1 +1,0 @@
-"""Closed-form reference solutions, against which the simulator is tested."""

@@ -1,0 +1,192 @@
+"""Claims of the paper on the motion alone, judged with the simplest sufficient model of
+a scene.
+
+Sweeps evaluate them for many draws of uncertain quantities, without rendering sound.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from dynamics import Motion, Outcome
+from dynamics.compliant.law.linear_response import predicted_rms
+from dynamics.compliant.model_inputs import rattling_obstacle
+from dynamics.compliant.model_selection import (
+    CONTACT_LOSS_RMS,
+    MAX_ROLLING_CURVATURE,
+    greatest_curvature_number,
+)
+from dynamics.rattling.rattling_motion import RattlingMotion
+from sonify.claims.contact import (
+    VIBRATION_TIME_COUNT,
+    contact_conditions,
+    last_single_ellipse_time,
+    tabulated_law_of,
+)
+from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.two_way import (
+    ALMOST_FLAT_INCLINATION,
+    air_carries_earlier,
+    halt_comes_earlier,
+    two_way_part,
+)
+from sonify.scene import Scene
+
+WAVY_LOSS_RATIO = 1.05
+"""Ratio of the inclination at which waves break a damped contact to (n^2 - 1)
+amplitude/radius."""
+
+
+def simplest_scene(scene: Scene) -> Scene:
+    """Return the scene with the simplest model that can judge the claims.
+
+    A rattling disk needs the unevenness. Any other disk moves as on a smooth table, with
+    the creep of its contact if that is elastic, and the vibration excited by the heights
+    is predicted from this motion.
+    """
+    even = replace(scene, imperfection=None)
+    if even.numerics.contact == "many":
+        return even
+    if greatest_curvature_number(even)[
+        0
+    ] > MAX_ROLLING_CURVATURE and not rattling_obstacle(even):
+        return replace(even, numerics=replace(even.numerics, contact="many"))
+    return replace(
+        scene,
+        roughness=None,
+        imperfection=None,
+        numerics=replace(scene.numerics, contact="full"),
+    )
+
+
+def verdict_findings(scene: Scene, motion: Motion) -> list[Finding]:
+    """Return the findings that follow from the motion of `simplest_scene`."""
+    repeatable = scene.surface.kind != "rigid" and not (
+        isinstance(motion, RattlingMotion) and motion.moves_table
+    )
+    one_ellipse = scene.contact.law == "elastic" and not isinstance(
+        motion, RattlingMotion
+    )
+    return [
+        contact_breaks_before_end(scene, motion),
+        air_carries_disk(motion),
+        *([table_brings_end_forward(scene, motion)] if repeatable else []),
+        precession_rises(motion),
+        *([resonance_rises(scene, motion)] if one_ellipse else []),
+    ]
+
+
+@finding(
+    "Vibrations or waves break the contact before the motion ends",
+    "times the final inclination (inclination at which contact is lost)",
+    "abstract: the vibrations will result in a loss of contact",
+    needs=("scene", "motion", "contact law"),
+    at_least=1.0,
+)
+def contact_breaks_before_end(scene: Scene, motion: Motion):
+    """The ratio of the greatest inclination at which contact is lost to the final
+    inclination.
+
+    Roughness, waves of the surface and vibration of the table may break the contact;
+    the ratio is 0 if none does."""
+    end = max(float(motion.state[-1, 1]), ALMOST_FLAT_INCLINATION)
+    begins = [loss.t for loss in motion.contact_losses]
+    vibrates = float(motion.at([max(begins[0], 0.0)])[0, 1]) if begins else 0.0
+    if (
+        motion.outcome is Outcome.AIRBORNE
+        and begins
+        and begins[0] >= motion.t[-1] - 2e-3
+    ):
+        vibrates = 0.0  # this loss is the lift-off by the film
+    waves = scene.imperfection
+    wavy = 0.0
+    if waves is not None:
+        wavy = (
+            WAVY_LOSS_RATIO * (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
+        )
+    rough = (
+        0.0
+        if isinstance(motion, RattlingMotion)
+        else rough_loss_inclination(scene, motion)
+    )
+    details = {"rough": rough / end, "wavy": wavy / end, "vibrates": vibrates / end}
+    return Measured(max(details.values()), details=details)
+
+
+def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
+    """Return the greatest inclination [rad] at which predicted vibration breaks the
+    contact, or 0."""
+    if scene.roughness is None or scene.contact.law == "rigid":
+        return 0.0
+    t = (
+        last_single_ellipse_time(motion)
+        * (np.arange(VIBRATION_TIME_COUNT) + 0.5)
+        / VIBRATION_TIME_COUNT
+    )
+    inclination, load, speed, _ = contact_conditions(motion, t)
+    rms = predicted_rms(
+        tabulated_law_of(scene, motion), scene.roughness, inclination, load, speed
+    )
+    return float(inclination[rms > CONTACT_LOSS_RMS * load].max(initial=0.0))
+
+
+@finding(
+    "The air carries the disk at the end",
+    "1 if it does",
+    "the air film under the disk, Reynolds' equation",
+    needs=("motion",),
+    at_least=1.0,
+)
+def air_carries_disk(motion: Motion):
+    """1 if the motion ends with the disk carried by the air film, otherwise 0."""
+    return float(motion.outcome is Outcome.AIRBORNE)
+
+
+@finding(
+    "The table brings the end forward",
+    "s earlier than without its vibration",
+    "section 8: the vibrations will result in an abrupt halt",
+    needs=("scene", "motion"),
+    at_least=0.05,
+)
+def table_brings_end_forward(scene: Scene, motion: Motion):
+    """The time [s] by which the vibration of the table brings forward the end of the
+    motion."""
+    if motion.outcome is Outcome.AIRBORNE or two_way_part(motion) is None:
+        return Measured(air_carries_earlier(scene, motion).value)
+    return Measured(halt_comes_earlier(scene, motion).value)
+
+
+@finding(
+    "The precession rate of the contact rises sharply towards the end",
+    "times the mean precession rate halfway through the motion (in its last fiftieth)",
+    "abstract and section 1: the pitch rises sharply",
+    needs=("motion",),
+    at_least=2.0,
+)
+def precession_rises(motion: Motion):
+    """The ratio of the mean precession rates in the last fiftieth and just before half
+    of the duration."""
+    end = motion.t[-1]
+    turned = motion.at(end * np.array([0.48, 0.5, 0.98, 1.0]))[:, 0]
+    return float(abs(turned[3] - turned[2]) / max(abs(turned[1] - turned[0]), 1e-9))
+
+
+@finding(
+    "The resonance of the disk on its contact rises",
+    "times its frequency at the release (frequency at the end)",
+    "abstract: the pitch rises; contact laws of Hertz and Mindlin",
+    needs=("scene", "motion", "contact law"),
+    at_least=1.2,
+)
+def resonance_rises(scene: Scene, motion: Motion):
+    """The ratio of the final to the initial frequency of the contact resonance."""
+    last = last_single_ellipse_time(motion)
+    inclination, load, speed, _ = contact_conditions(motion, np.array([0.0, last]))
+    weight = np.full_like(load, scene.disk.weight)
+    frequency = (
+        tabulated_law_of(scene, motion)
+        .contact_resonance(inclination, weight, speed)
+        .frequency
+    )
+    return float(frequency[1] / frequency[0])

@@ -1,0 +1,220 @@
+"""Numbers that are compared between a recording and the simulated sound of a scene."""
+
+from dataclasses import asdict
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+from scipy.signal import find_peaks, firwin, oaconvolve, welch
+from scipy.stats import t as student
+
+from dynamics.observables import precession_frequency
+from sonify.fitting.settings import FIT
+from sonify.hearing.audio_source import Source, stretch
+from sonify.hearing.loudness import a_weighting_db
+from sonify.hearing.settling.detector import SettlingRun, settling_runs
+from sonify.hearing.spectrogram import spectrogram
+from sonify.pipeline import solve
+from sonify.scene import Scene
+
+BANDS = (
+    (0.5, 2.0),
+    (2.0, 5.0),
+    (5.0, 9.5),
+    (9.5, 11.5),
+    (11.5, 17.0),
+    (17.0, 18.5),
+    (18.5, 21.0),
+)
+"""Bands whose levels are compared [kHz]."""
+
+
+def simulated_numbers(scene: Scene, seconds: float) -> dict:
+    """Return the numbers of the last `seconds` [s] of a simulated scene.
+
+    The numbers on bursts are those of a run detected in the simulated sound, as in a
+    recording. The turns follow from the motion, and so does the exponent if no run is
+    detected.
+    """
+    result = solve(scene)
+    sound = result.sound
+    time, rate = precession_frequency(result.motion)
+    end = float(result.motion.t[-1])
+    heard = settling_runs(sound.pressure)
+    near = min(
+        heard, key=lambda run: abs(run.t_end.value - sound.source_end), default=None
+    )
+    span = min(1.0, seconds)
+    turns = _exact(np.interp(end - span, time, rate))
+    if near is not None:
+        head = _numbers_of_bursts(near, span)
+    else:
+        head = {
+            "rate_at_1s": {"value": None, "low": 0.0, "high": 2 * turns["value"]},
+            "exponent": _exact(_exponent_of_turns(end - time, rate, seconds)),
+            "events_per_turn": _events(None),
+        }
+    return (
+        head
+        | {"turns_at_1s": turns}
+        | sound_numbers(sound.pressure, sound.source_end - seconds, sound.source_end)
+    )
+
+
+def _exponent_of_turns(remaining, rate, seconds):
+    """Return the exponent n of rates (k,) that rise as remaining^-n until 0.1 s before
+    the end."""
+    last = (remaining > 0.1) & (remaining < seconds)
+    even = np.geomspace(remaining[last].min(), remaining[last].max(), 100)
+    logarithm = np.interp(even, remaining[::-1], np.log(rate[::-1]))
+    return -np.polyfit(np.log(even), logarithm, 1)[0]
+
+
+def _exact(value):
+    return {"value": float(value), "low": float(value), "high": float(value)}
+
+
+def _events(count):
+    """Return the number of bursts per turn, which is uncertain by a factor of two."""
+    return {"value": count, "low": 1, "high": 2}
+
+
+def _numbers_of_bursts(run, span):
+    """Return the rate `span` [s] before the end of a run, its exponent and its bursts
+    per turn."""
+    own = float(run.rate(run.t_end.value - span)) / run.rate_at_1s.value
+    rate = {name: own * value for name, value in asdict(run.rate_at_1s).items()}
+    return {
+        "rate_at_1s": rate,
+        "exponent": asdict(run.exponent),
+        "events_per_turn": _events(run.events_per_turn),
+    }
+
+
+def numbers_of_run(source: Source, run: SettlingRun) -> dict:
+    """Return rate, exponent, bursts and turns, band levels, lines, decays and levels
+    over time.
+
+    Each has a value and the limits `low` and `high` of its 95 % interval. Levels of
+    bands [dB] are relative to the strongest band, and levels over time to the loudest
+    window. The interval of the turns includes the uncertain number of bursts per turn."""
+    head = _numbers_of_bursts(run, min(1.0, run.t_end.value - run.start))
+    rate = head["rate_at_1s"]
+    turns = {
+        "value": rate["value"] / run.events_per_turn,
+        "low": rate["low"] / 2,
+        "high": rate["high"],
+    }
+    return (
+        head
+        | {"turns_at_1s": turns}
+        | sound_numbers(source, run.start, run.t_end.value)
+    )
+
+
+def sound_numbers(source, start, end):
+    """Return band levels, lines, decays and levels over time between `start` and `end`
+    [s]."""
+    rate = source.sample_rate
+    sound = stretch(source, int(max(start, 0.0) * rate), int(end * rate))
+    channel = np.argmax(np.square(sound, dtype=float).sum(axis=0))
+    parts = np.array_split(sound[:, channel].astype(float), FIT.comparison_parts)
+    length = min(int(0.1 * rate), len(parts[-1]))
+    power = np.array([welch(part, rate, nperseg=length)[1] for part in parts])
+    frequency = np.fft.rfftfreq(length, 1 / rate)
+    bands = []
+    for low, high in BANDS:
+        inside = (frequency >= 1e3 * low) & (frequency < 1e3 * high)
+        if 1e3 * high < rate / 2:
+            bands.append(10 * np.log10(power[:, inside].sum(axis=1) + 1e-30))
+    levels = np.array(bands) - np.max(bands, axis=0)
+    return {
+        "bands": [
+            {"from": 1e3 * low, "to": 1e3 * high} | _mean(level)
+            for (low, high), level in zip(BANDS, levels, strict=False)
+        ],
+        "seconds": end - start,
+        "lines": _lines(frequency, power, np.concatenate(parts), rate),
+        "loudness": _levels_before_the_end(source, start, end),
+    }
+
+
+def _mean(values):
+    """Return the mean of the values (p,) of the parts with its 95 % interval."""
+    half = (
+        student.ppf(0.975, len(values) - 1)
+        * np.std(values, ddof=1)
+        / np.sqrt(len(values))
+    )
+    mean = float(np.mean(values))
+    return {"value": mean, "low": mean - float(half), "high": mean + float(half)}
+
+
+def _lines(frequency, power, samples, rate):
+    """Return frequency [Hz] and decay [1/s] of the strongest lines in samples (n,).
+
+    `power` (parts, f) contains the spectra of the parts at `frequency` (f,) [Hz].
+    """
+    spacing = frequency[1]
+    reach = max(round(FIT.line_half_width / spacing), 1)
+    level = 10 * np.log10(power.mean(axis=0) + 1e-30)
+    level[(frequency < 1e3) | (frequency > 0.9 * frequency[-1])] = level.min()
+    tops = find_peaks(level, prominence=15.0, distance=reach)[0]
+    found = []
+    for top in tops[np.argsort(-level[tops])[: FIT.max_compared_lines]]:
+        near = slice(top - reach, top + reach + 1)
+        centres = [np.average(frequency[near], weights=part) for part in power[:, near]]
+        found.append(
+            {
+                "frequency": _mean(centres),
+                "decay_rate": _decay_between_bursts(samples, rate, frequency[top]),
+            }
+        )
+    return found
+
+
+def _decay_between_bursts(samples, rate, middle):
+    """Return the median rate [1/s] at which the amplitude of a line falls after its
+    maxima."""
+    down = max(int(rate / 2000), 1)
+    shifted = samples * np.exp(-2j * np.pi * middle / rate * np.arange(len(samples)))
+    low = oaconvolve(
+        shifted, firwin(8 * down + 1, 1.5 * FIT.line_half_width, fs=rate), mode="same"
+    )[::down]
+    power = uniform_filter1d(
+        np.square(np.abs(low)),
+        max(round(FIT.line_power_averaging_time * rate / down), 1),
+    )
+    rounding = (
+        1e-12 * power.max()
+    )  # of the running sum, which may be negative in silence
+    logarithm = np.log(np.maximum(power, rounding) + 1e-30) / 2
+    maxima = find_peaks(logarithm, prominence=FIT.min_amplitude_fall)[0]
+    minima = find_peaks(-logarithm, prominence=FIT.min_amplitude_fall)[0]
+    falls = []
+    for top in maxima:
+        later = minima[minima > top]
+        if len(later):
+            falls.append(
+                (logarithm[top] - logarithm[later[0]]) * rate / down / (later[0] - top)
+            )
+    if len(falls) < FIT.min_fall_count:
+        return {"value": None, "low": 0.0, "high": float(rate / down)}
+    low, value, high = np.percentile(falls, [25, 50, 75])
+    half = 1.57 * (high - low) / np.sqrt(len(falls))  # 95 % of a median
+    return {
+        "value": float(value),
+        "low": float(value - half),
+        "high": float(value + half),
+    }
+
+
+def _levels_before_the_end(source, start, end):
+    """Return remaining times [s] and A-weighted levels [dB re the loudest window]."""
+    seen = spectrogram(
+        source, FIT.loudness_window, columns=1 << 16, span=(max(start, 0.0), end)
+    )
+    level = 10 * np.log10(
+        10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power + 1e-30
+    )
+    remaining = end - seen.time
+    return {"time_left": remaining.tolist(), "level": (level - level.max()).tolist()}

@@ -1,0 +1,153 @@
+"""Verdict on impacts for a disk that is detected only by its bursts.
+
+Impacts on an uneven table reduce the inclination as d beta/dt = -c sqrt(g/R)
+(beta/beta_1)^q, so that the rate rises as (t_end - t)^-n with 1 - q = 1/(2 n) and n =
+(2 - H)/(4 - H) for a power spectrum k^-(1 + 2 H) of the heights. Contour friction gives
+n = 1/3, and an air film a smaller n."""
+
+from copy import copy
+
+import numpy as np
+
+from dynamics.disk import GRAVITY
+from sonify.fitting.decay_model import Decline
+from sonify.fitting.least_squares import Fit, LineRates
+from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
+from sonify.fitting.settings import FIT
+from sonify.hearing.recording import RecordingError
+from sonify.hearing.settling.settings import SettlingSettings
+
+
+def judge_sound(decline: Decline, sound: Sound) -> Judged:
+    """Return the result for a sound, from the phase of a tone or from the law of its
+    bursts.
+
+    The bursts decide if no tone can be tracked, or if the rate rises more steeply than
+    with contour friction and no other law of the scene explains it. Raises
+    RecordingError if neither tone nor bursts can be tracked."""
+    has_bursts = sound.run is not None and sound.run.kind == "repetition"
+    try:
+        judged = fit_same_disk(decline, [sound])
+    except RecordingError:
+        if not has_bursts:
+            raise
+        return judge_bursts(decline, sound)
+    own_law = judged.values().get("law")
+    explained = own_law is not None and own_law.low <= 1.0 <= own_law.high
+    if has_bursts and not explained:
+        bursts = judge_bursts(decline, sound)
+        if bursts.verdict != "cannot tell":
+            return bursts
+    return with_model_error(judged)
+
+
+def judge_bursts(decline: Decline, sound: Sound) -> Judged:
+    """Return the result of a fit of the law of impacts to the run of a sound."""
+    run = sound.run
+    region = run.region
+    name = "its double" if run.events_per_turn == 2 else "precession"
+    line = decline.lines[name]
+    reference = min(1.0, region.best_end - region.start)
+    fall = np.sqrt(GRAVITY / decline.disk.radius)
+
+    def inclination(rate):
+        return np.interp(-rate, -line.rate, line.beta)
+
+    def coefficient(rate, exponent):
+        return 2 * exponent * inclination(rate) / (reference * fall)
+
+    with_impacts = copy(line)
+    with_impacts.third_share_name = "impacts"
+    power = line.powers.copy()
+    beyond = line.beta / inclination(region.best_rate)
+    steepness = 1 - 1 / (2 * region.best_exponent)
+    power[2] = (
+        line.energy_slope
+        / line.beta
+        * beyond**steepness
+        * fall
+        * decline.disk.time_unit
+    )
+    with_impacts.powers = power
+    best = coefficient(region.best_rate, region.best_exponent)
+    shares = np.array([0.0, 0.0, best])
+    cells = coefficient(region.rates, region.exponents)
+    least_error = (
+        SettlingSettings().repetition_resolution.exponent / region.best_exponent
+    )
+    low = cells.min() - least_error * best
+    high = cells.max() + least_error * best
+    draws = np.zeros((FIT.bootstrap_draws, 4))
+    random = np.random.default_rng(0)
+    draws[:, 0] = _draws(region.best_end, run.t_end.low, run.t_end.high, random)
+    draws[:, 3] = _draws(best, low, high, random)
+    ridge = sound.ridges[0]
+    heard = LineRates(0, with_impacts, ridge, ridge.frequency)
+    remaining = np.maximum(region.best_end - ridge.time, FIT.unused_end)
+    fitted = Fit(
+        free=(2,),
+        ends=np.array([region.best_end]),
+        shares=shares,
+        draws=draws,
+        heard=(heard,),
+        residual=np.log(ridge.frequency / with_impacts.frequency(remaining, shares)),
+        sigma=ridge.error / ridge.frequency,
+    )
+    verdict, reason = _verdict(decline, run.exponent)
+    return Judged(
+        sounds=(sound,),
+        signal="repetition",
+        line=name,
+        model="steady",
+        decline=with_impacts,
+        streams=[],
+        fit=fitted,
+        explained=True,
+        verdict=verdict,
+        reason=reason,
+    )
+
+
+def _draws(value, low, high, random):
+    """Return random draws (d,) with a given median and 95 % interval."""
+    normal = random.standard_normal(FIT.bootstrap_draws) / 1.96
+    return value + np.where(normal < 0, normal * (value - low), normal * (high - value))
+
+
+def _verdict(decline, exponent):
+    """Return the verdict that follows from the interval of an exponent, and its
+    reason."""
+    slopes = [
+        _slope_of_heights(min(n, FIT.max_impact_exponent))
+        for n in (exponent.low, exponent.high)
+    ]
+    found = f"n is between {exponent.low:.2f} and {exponent.high:.2f}"
+    if exponent.high - exponent.low > SettlingSettings().widest_exponent or (
+        exponent.low <= FIT.contour_exponent <= exponent.high
+    ):
+        return (
+            "cannot tell",
+            f"{found}: both contour friction, 1/3, and impacts, 1/2, are possible",
+        )
+    if exponent.high < FIT.contour_exponent:
+        return (
+            "cannot tell",
+            f"{found}: both an air film and contour friction dissipate energy",
+        )
+    if exponent.low > FIT.max_impact_exponent:
+        return (
+            "not this scene",
+            f"{found}: neither contour friction nor impacts explain so steep a rise",
+        )
+    if decline.neglected:
+        return "cannot tell", found
+    return "impacts", (
+        f"{found}: contour friction, 1/3, is excluded; impacts give (2 - H)/(4 - H), so H is "
+        f"between {slopes[1]:.1f} and {slopes[0]:.1f}"
+    )
+
+
+def _slope_of_heights(exponent):
+    """Return H of the power spectrum k^-(1 + 2 H) of heights for an exponent n of the
+    rate."""
+    return (2 - 4 * exponent) / (1 - exponent)

@@ -1,0 +1,125 @@
+"""Compute the sound of a disk for a listener near it, by direct evaluation of
+Rayleigh's integral.
+
+The upper face radiates as if it lay in a baffle, and the flow out of the rim as if the
+table were empty; for a disk a third of its radius high, finite elements differ by 1 to
+4 dB. See tests/sound/test_head_and_near_field.py."""
+
+import numpy as np
+
+from sonify.sound.radiation import Listener, pulse_kernel
+
+
+def face_points(radius: float, hole: float = 0.0, rings: int = 200, spokes: int = 720):
+    """Return the points (p, 2) [m] and weights (p,) [m^2] of a circular or annular
+    face."""
+    ring = hole + (radius - hole) * (np.arange(rings) + 0.5) / rings
+    turn = 2 * np.pi * (np.arange(spokes) + 0.5) / spokes
+    points = np.multiply.outer(ring, np.column_stack([np.cos(turn), np.sin(turn)]))
+    weight = ring * (radius - hole) / rings * 2 * np.pi / spokes
+    return points.reshape(-1, 2), np.repeat(weight, spokes)
+
+
+def rim_points(radius: float, spokes: int = 7200):
+    """Return the points (p, 2) [m] of the rim and their weights (p,) [m]."""
+    turn = 2 * np.pi * (np.arange(spokes) + 0.5) / spokes
+    points = radius * np.column_stack([np.cos(turn), np.sin(turn)])
+    return points, np.full(spokes, 2 * np.pi * radius / spokes)
+
+
+def path_lengths(listener: Listener, points, height: float) -> np.ndarray:
+    """Return the distances (p,) [m] from points at a height above the centre of the
+    disk to a listener on the x axis."""
+    across = listener.distance * np.cos(listener.elevation)
+    above = listener.distance * np.sin(listener.elevation) - height
+    return np.sqrt((points[:, 0] - across) ** 2 + points[:, 1] ** 2 + above**2)
+
+
+def near_face_kernels(listener: Listener, disk, h: float) -> list:
+    """Return step response and taps of heave and tilt, in the form of
+    `radiation.heave_kernel`."""
+    points, weights = face_points(disk.radius, disk.inner_radius)
+    return [
+        _rayleigh_kernel(
+            listener, disk, h, points, weights * shape, listener.face_height
+        )
+        for shape in (1.0, points[:, 0] / disk.radius)
+    ]
+
+
+def near_rim_kernels(listener: Listener, disk, h: float) -> list:
+    """Return step response and taps of the flow out of the rim, for its harmonics 0, 1
+    and 2.
+
+    The units are the volume of the unit heave, the dipole of the unit tilt and, for the
+    second harmonic, the amplitude of the flow for the unit heave."""
+    points, weights = rim_points(disk.radius)
+    x, y = points.T / disk.radius
+    flows = (disk.radius / 2, disk.radius / 4 * x, disk.radius / 2 * (x * x - y * y))
+    return [
+        _rayleigh_kernel(
+            listener, disk, h, points, weights * flow, -listener.face_height
+        )
+        for flow in flows
+    ]
+
+
+def _rayleigh_kernel(listener, disk, h, points, weights, height):
+    """Return step response and taps of sources (p,) [m^2] at points (p, 2), in units of
+    `piston_strength`."""
+    path = path_lengths(listener, points, height)
+    half_width = (disk.radius + listener.face_height) / listener.air.sound_speed
+    arrival = (path - listener.distance) / listener.air.sound_speed / half_width
+    order = np.argsort(arrival)
+    strength = weights * listener.distance / (np.pi * disk.radius**2 * path)
+    arrival = arrival[order]
+    strength = strength[order]
+    steps = np.append(0.0, np.cumsum(strength))
+    moments = np.append(0.0, np.cumsum(strength * arrival))
+
+    def integrals(s):
+        count = np.searchsorted(arrival, s, "right")
+        return steps[count], s * steps[count] - moments[count]
+
+    return pulse_kernel(half_width, h, integrals)
+
+
+def rayleigh_waves(
+    listener: Listener, disk, wavenumbers, count: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the pressures of face and rim at a listener, divided by density and
+    radius.
+
+    The propagation phase from the centre of the disk is removed.
+
+    Parameters
+    ----------
+    listener : Listener
+    disk : Disk
+    wavenumbers : ndarray, shape (a,)
+        Wavenumbers times radius.
+    count : int
+        Number of harmonics.
+
+    Returns
+    -------
+    face : ndarray, shape (a, 2)
+        Of the unit accelerations 1 and x of the face.
+    rim : ndarray, shape (a, count)
+        Of the flows cos n theta for n < count, of unit volume per length.
+    """
+    points, weights = face_points(disk.radius, disk.inner_radius, 50, 180)
+    around, lengths = rim_points(disk.radius, 180)
+    turn = np.arctan2(around[:, 1], around[:, 0])
+    face_shapes = [np.ones(len(points)), points[:, 0] / disk.radius]
+    rim_shapes = [np.cos(n * turn) for n in range(count)]
+    waves = []
+    for places, sources, shapes, height in (
+        (points, weights / disk.radius**2, face_shapes, listener.face_height),
+        (around, lengths / disk.radius, rim_shapes, -listener.face_height),
+    ):
+        path = path_lengths(listener, places, height) / disk.radius
+        phase = np.multiply.outer(wavenumbers, path - listener.distance / disk.radius)
+        green = np.exp(-1j * phase) * (sources / (2 * np.pi * path))
+        waves.append(green @ np.transpose(shapes))
+    return waves[0], waves[1]

@@ -1,0 +1,224 @@
+"""Share of draws in which each claim of the paper holds, and its sensitivity to the
+axes."""
+
+from collections import Counter
+from importlib.util import find_spec
+from typing import Any, NamedTuple
+
+import numpy as np
+import pyarrow as pa
+
+from sonify.claims.shares import share_of
+from sonify.runtime.toml_files import read_toml
+from sonify.scene_errors import InputError
+from sonify.sweeps.axes import salib_problem
+from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, Sweep, shipped_sweeps
+
+CLAIM_TEXTS = {
+    "contact_breaks_before_end": "Vibrations or waves break the contact before the end",
+    "air_carries_disk": "The air carries the disk at the end",
+    "table_brings_end_forward": "The vibration of the table brings the end forward by at least 0.05 s",
+    "precession_rises": "The final precession rate is at least twice that half-way",
+    "resonance_rises": "The contact resonance rises by at least a fifth",
+}
+"""Texts of the claims, by table column."""
+MAX_INTERVAL_WIDTH = 0.2
+"""Largest width of the 95 % interval of a resolved index."""
+MIN_REPORTED_INDEX = 0.05
+"""Smallest index that is reported."""
+BOOTSTRAP_RESAMPLES = 100
+"""Number of bootstrap resamples of an index."""
+INDEX_HARMONICS = 4
+"""Number of harmonics in an index; enough for a monotonic dependence, and few to limit
+noise."""
+WIDTH_IN_WORDS = {0.5: "halved", 2.0: "doubled"}
+
+
+class SensitivityIndex(NamedTuple):
+    """First-order sensitivity index of an axis, with the half-width of its 95 %
+    interval."""
+
+    axis: str
+    value: float
+    error: float
+
+    @property
+    def resolved(self) -> bool:
+        """True if the interval is narrow enough."""
+        return 2 * self.error <= MAX_INTERVAL_WIDTH
+
+
+def require_index_library() -> None:
+    """Raise InputError if the library for sensitivity indices is not installed."""
+    if find_spec("SALib") is None:
+        raise InputError(
+            'find = "verdict": requires SALib; install it with: python -m pip install -e ".[verdict]"'
+        )
+
+
+def first_order_indices(
+    names: list[str], draws: np.ndarray, result: np.ndarray
+) -> list[SensitivityIndex]:
+    """Return the first-order sensitivity index of each axis, the largest first.
+
+    Parameters
+    ----------
+    names : list of str
+        Names of the axes.
+    draws : (n, d) array
+        Values of the axes in each draw.
+    result : (n,) array
+        Result of each draw; must vary.
+    """
+    from SALib.analyze import rbd_fast
+
+    with np.errstate(invalid="ignore"):  # a resample in which the result does not vary
+        found = rbd_fast.analyze(
+            salib_problem(names),
+            draws,
+            result,
+            M=INDEX_HARMONICS,
+            num_resamples=BOOTSTRAP_RESAMPLES,
+            conf_level=0.95,
+            seed=1,
+        )
+    return _largest_first(names, found["S1"], found["S1_conf"])
+
+
+def total_indices(names: list[str], result: np.ndarray) -> list[SensitivityIndex]:
+    """Return the total sensitivity index of each axis, the largest first.
+
+    `result` (N, axes + 2) has the results of the N base points of `Samples.total`.
+    """
+    from SALib.analyze import sobol
+
+    found = sobol.analyze(
+        salib_problem(names),
+        result.ravel(),
+        calc_second_order=False,
+        num_resamples=BOOTSTRAP_RESAMPLES,
+        conf_level=0.95,
+        seed=1,
+    )
+    return _largest_first(names, found["ST"], found["ST_conf"])
+
+
+def _largest_first(names, values, half_widths) -> list[SensitivityIndex]:
+    """Return the index of each axis, the largest first."""
+    indices = map(SensitivityIndex, names, map(float, values), map(float, half_widths))
+    return sorted(indices, key=lambda index: -index.value)
+
+
+def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
+    """Return one sentence for each claim, and sentences on outcomes and failed
+    draws."""
+    samples = sweep.points.samples
+    if samples is None:
+        return ["The shares require sampled points, but this sweep is a grid."]
+    runs = np.array(table["run"].to_pylist())
+    width = np.array([samples.width(int(run)) for run in runs])
+    names = [axis.keys[0] for axis in sweep.points.axes]
+    ranks = np.array([value_ranks(table, name) for name in names]).T
+    failed = np.array([error is not None for error in table["error"].to_pylist()])
+    sentences = []
+    for key, claim in CLAIM_TEXTS.items():
+        if f"{key}_holds" not in table.column_names:
+            continue
+        holds = table[f"{key}_holds"].to_pylist()
+        known = np.array([value is not None for value in holds])
+        yes = np.array([value is True for value in holds])
+        nominal = known & (width == 1.0)
+        if not nominal.any():
+            continue
+        words = f"{claim}: {share_of(yes[nominal])}"
+        if 0 < yes[nominal].sum() < nominal.sum():
+            words += "; " + dependence_clause(
+                first_order_indices(names, ranks[nominal], yes[nominal].astype(float))
+            )
+        if samples.total:
+            extra = runs >= samples.count
+            blocks = yes[extra].reshape(-1, len(names) + 2)
+            blocks = blocks[known[extra].reshape(blocks.shape).all(axis=1)]
+            if blocks.any() and not blocks.all():
+                words += "; with interactions, " + dependence_clause(
+                    total_indices(names, blocks.astype(float))
+                )
+        others = [
+            f"with all ranges {WIDTH_IN_WORDS.get(factor, f'times {factor:g}')} "
+            f"{share_of(yes[known & (width == factor)])}"
+            for factor in samples.widths
+            if (known & (width == factor)).any()
+        ]
+        sentences.append("; ".join([words, *others]) + ".")
+    sentences.append(outcomes_in_words(table, width == 1.0))
+    if failed.any():
+        first = next(error for error in table["error"].to_pylist() if error)
+        sentences.append(
+            f"{failed.sum()} of {len(runs)} draws have no result. The first error is: {first}."
+        )
+    passed = table["passed"].to_pylist() if "passed" in table.column_names else []
+    if unsound := passed.count(False):
+        sentences.append(f"Draws included although a self-check failed: {unsound}.")
+    sentences.append(
+        "The claim that the vibrations produce the sound is not evaluated, because no sound is rendered."
+    )
+    return sentences
+
+
+def value_ranks(table: pa.Table, name: str) -> np.ndarray:
+    """Return the ranks (n,) of the values of an axis, which may be text."""
+    values = np.array(table[name].to_pylist())
+    return np.unique(values, return_inverse=True)[1].astype(float)
+
+
+def dependence_clause(indices: list[SensitivityIndex]) -> str:
+    """Return a clause on the axes on which a share depends."""
+    named = [index for index in indices if index.value >= MIN_REPORTED_INDEX]
+    if not named:
+        return f"no single quantity has an index above {MIN_REPORTED_INDEX:g}"
+    words = [
+        f"{index.axis} ({index.value:.2f} ± {index.error:.2f})"
+        for index in named
+        if index.resolved
+    ][:3]
+    if not words:
+        return "the draws do not resolve the main dependence"
+    return f"depends most on {' and '.join([', '.join(words[:-1]), words[-1]] if words[1:] else words)}"
+
+
+def outcomes_in_words(table: pa.Table, nominal: np.ndarray) -> str:
+    """Return a sentence on the outcomes and durations of the `nominal` draws (n,)."""
+    outcome = np.array(table["outcome"].to_pylist(), dtype=object)[nominal]
+    ends = [
+        t
+        for t, use in zip(table["t_end"].to_pylist(), nominal, strict=True)
+        if use and t
+    ]
+    counts = ", ".join(
+        f"{n} {name}" for name, n in Counter(filter(None, outcome)).most_common()
+    )
+    low, middle, high = np.percentile(ends, [0, 50, 100])
+    return f"Outcomes: {counts}; the motion lasts {middle:.3g} s ({low:.3g} to {high:.3g} s)."
+
+
+def ranges_table() -> str:
+    """Return a Markdown table of all ranges in the shipped verdict sweeps with their
+    sources."""
+    lines = ["| sweep | quantity | range | scale | source |", "|---|---|---|---|---|"]
+    for name in shipped_sweeps():
+        document = read_toml(SHIPPED_SWEEPS_FOLDER / f"{name}.toml", InputError)
+        sources: dict[str, str] = document.get("sources", {})
+        lines += [
+            f"| `{name}` | `{key}` | {range_in_words(given)} | {sources[key]} |"
+            for key, given in document["axes"].items()
+            if key in sources
+        ]
+    return "\n".join(lines)
+
+
+def range_in_words(given: Any) -> str:
+    """Return the table cells for range and scale of an axis."""
+    if isinstance(given, list):
+        values = given if len(given) <= 6 else [*given[:2], "...", given[-1]]
+        return f"{', '.join(map(str, values))} | list"
+    return f"{given['from']} to {given['to']} | {given.get('scale', 'linear')}"

@@ -1,0 +1,117 @@
+"""Claim: everything that `dynamics` and `modal` export is documented in numpydoc form, and the
+examples in all docstrings of both packages run and print the output shown.
+
+Source: the docstrings; numpydoc's rules of validation. Oracle: numpydoc; the output written in the
+examples.
+"""
+
+import ast
+import dataclasses
+import doctest
+import importlib
+import inspect
+
+import pytest
+from numpydoc.validate import validate
+from paths import ROOT
+
+import dynamics
+import modal
+
+OPTIONAL = {
+    "GL01",  # the summary begins on the line of the quotes
+    "GL02",  # the quotes end a docstring of one line
+    "ES01",  # no extended summary
+    "EX01",  # no example of its own for every method
+    "SA01",  # no section See Also
+    "SA04",
+    "SS06",  # a summary of two lines
+}
+"""Rules of numpydoc that a docstring need not keep."""
+MODULES = [
+    ".".join(file.relative_to(ROOT).with_suffix("").parts)
+    for package in ("dynamics", "modal")
+    for file in sorted((ROOT / package).rglob("*.py"))
+    if ">>> " in file.read_text("utf-8")
+]
+EXPORTED = [
+    getattr(package, name) for package in (dynamics, modal) for name in package.__all__
+]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_of_a_module(name):
+    result = doctest.testmod(importlib.import_module(name), raise_on_error=False)
+    assert result.attempted > 0
+    assert result.failed == 0
+
+
+def documented_fields(kind: type) -> set[str]:
+    """Return the fields of a dataclass that have a docstring of their own."""
+    (body,) = ast.parse(inspect.getsource(kind)).body
+    return {
+        field.target.id
+        for field, below in zip(body.body, body.body[1:], strict=False)
+        if isinstance(field, ast.AnnAssign)
+        and isinstance(below, ast.Expr)
+        and isinstance(below.value, ast.Constant)
+    }
+
+
+def is_documented_elsewhere(owner, name: str) -> bool:
+    """Return True for a method that the protocol `Motion` documents."""
+    return owner is not dynamics.Motion and name in vars(dynamics.Motion)
+
+
+def complaints(thing) -> list[str]:
+    """Return what numpydoc finds wrong with an exported class or function and its public parts."""
+    optional = set(OPTIONAL)
+    if inspect.isclass(thing):
+        optional |= {
+            "PR01",
+            "PR02",
+        }  # parameters are those of fields, or of Enum and Protocol
+    named = {"": thing}
+    if inspect.isclass(thing):
+        for name, part in vars(thing).items():
+            has_docstring = inspect.isfunction(part) or isinstance(part, property)
+            if (
+                name[0] != "_"
+                and has_docstring
+                and not is_documented_elsewhere(thing, name)
+            ):
+                named[f".{name}"] = part
+    found = []
+    for name in named:
+        result = validate(f"{thing.__module__}.{thing.__qualname__}{name}")
+        allowed = OPTIONAL if name else optional
+        found += [
+            f"{thing.__qualname__}{name}: {e}"
+            for e in result["errors"]
+            if e[0] not in allowed
+        ]
+    return found
+
+
+@pytest.mark.parametrize("thing", EXPORTED, ids=lambda thing: thing.__name__)
+def test_what_is_exported_has_a_numpydoc_docstring_with_an_example(thing):
+    assert complaints(thing) == []
+    assert ">>> " in thing.__doc__
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [thing for thing in EXPORTED if dataclasses.is_dataclass(thing)],
+    ids=lambda k: k.__name__,
+)
+def test_every_field_of_an_exported_record_is_documented(kind):
+    own = documented_fields(kind)
+    for field in dataclasses.fields(kind):
+        assert (
+            field.name in own or f"{field.name}" in kind.__doc__.partition("----")[2]
+        ), field.name
+
+
+def test_the_rules_find_a_missing_parameter():
+    codes = [code for code, _ in validate("dynamics.kinematics.contact_arms")["errors"]]
+    assert "PR01" in codes

@@ -1,0 +1,189 @@
+"""Claim: the modes of a table act on a disk that rattles on it.
+
+Source: dynamics/rattling. Oracle: the energy of the states, a rigid table, and the equations of
+motion of a dropped disk on one mode, from its Lagrangian, solved by SciPy.
+"""
+
+from math import pi
+
+import numpy as np
+import pytest
+from rattling_coin import RADIUS, coin, model_of
+from scipy.integrate import solve_ivp
+
+from dynamics import simulate
+from dynamics.compliant.compliant_motion import FORCE_RATE, FORCES_PER_ROW
+from dynamics.compliant.model_selection import choose_contact_model
+from dynamics.compliant.modes_from_scene import modes_from_numbers
+from dynamics.disk import GRAVITY
+from dynamics.rattling.rattling_motion import (
+    effective_restitution,
+    rattling_model,
+    rolling_state_at_release,
+    simulate_rattling,
+    static_deflection,
+)
+from sonify.plan.table import table_action
+from sonify.scene import from_document
+
+
+def on_modes(*modes, changes=(), restitution=0.5):
+    """Return a rattling coin on a table with modes of order, frequency, damping ratio and mass."""
+    names = ("order", "frequency", "damping_ratio", "modal_mass")
+    listed = ", ".join(
+        "{"
+        + ", ".join(f"{name}={value}" for name, value in zip(names, mode, strict=True))
+        + "}"
+        for mode in modes
+    )
+    scene = coin(2e-6, 1.0, restitution, 1, 0.09, "numerics.time_limit=0.05")
+    return scene.replace(
+        "surface.kind=modes",
+        f"surface.modes=[{listed}]",
+        "surface.action=motion",
+        *changes,
+    )
+
+
+@pytest.mark.parametrize(
+    ("damping", "restitution", "error"), [(0.01, 0.5, 8e-6), (0.0, 0.999999999, 6e-5)]
+)
+def test_energies_and_losses_of_disk_and_table_add_up(damping, restitution, error):
+    """The table is as light as two coins; a lossless one gains nothing."""
+    light = [(n, f, damping, 0.02) for n, f in ((0, 400.0), (2, 900.0), (3, 5000.0))]
+    changes = [] if damping else ["material.loss_factor=0"]
+    scene = on_modes(
+        *light, restitution=restitution, changes=["contact.body=elastic", *changes]
+    )
+    motion = simulate(scene)
+    total = motion.energy(motion.t) + motion.state[:, -1]
+    assert np.abs(total / total[0] - 1).max() < error
+    assert motion.moves_table
+    assert motion.table_energy(motion.t).max() > 1e-3 * total[0]
+    lost = motion.energy_lost(motion.t[-1:])
+    assert (lost["table"][0] > 0.01 * total[0]) == (damping > 0)
+    assert np.all(np.diff(motion.energy_lost(motion.t)["table"]) > -1e-12 * total[0])
+
+
+def test_a_lossless_table_without_slope_gains_nothing():
+    """To 1e-6 at half the step; the error falls with its square.
+
+    Rim points move horizontally on a table that slopes, whose horizontal force is left
+    out: it balances to 1e-5 of the energy at any step, and to 6e-7 if the points keep
+    their mode shapes.
+    """
+    changes = ["contact.body=elastic", "material.loss_factor=0"]
+    changes += ["numerics.contact_rate=2.4e6", "numerics.time_limit=0.03"]
+    flat = on_modes((0, 400.0, 0.0, 0.02), restitution=0.999999999, changes=changes)
+    motion = simulate(flat)
+    total = motion.energy(motion.t) + motion.state[:, -1]
+    assert np.abs(total / total[0] - 1).max() < 1e-6
+    assert motion.table_energy(motion.t).max() > 1e-3 * total[0]
+
+
+def test_a_heavy_table_is_a_rigid_one():
+    heavy = on_modes(
+        (0, 400.0, 0.01, 1e7), (2, 900.0, 0.01, 1e7), changes=["contact.body=elastic"]
+    )
+    rigid = simulate(heavy.replace("surface.action=sound"))
+    moving = simulate(heavy)
+    assert moving.moves_table
+    assert not rigid.moves_table
+    t = np.linspace(0.0, 0.005, 500)  # later, the impacts have amplified the difference
+    assert moving.contact_losses[4].t == pytest.approx(
+        rigid.contact_losses[4].t, abs=1e-6
+    )
+    assert moving.inclination(t) == pytest.approx(rigid.inclination(t), rel=1e-6)
+    assert moving.table_energy(t).max() < 1e-6 * moving.energy(0.0)[0]
+
+
+@pytest.mark.parametrize(("frequency", "mass"), [(300.0, 0.01), (3000.0, 0.002)])
+def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass):
+    """A disk without spin keeps its plane: height, inclination and one mode under all its rim.
+
+    The contact has the elastic energy 2/5 K d^2.5, with K = 4/3 E* (R r/beta)^(1/4) and the depth d
+    of the rounded edge in the table.
+    """
+    damping = 0.05
+    scene = on_modes((0, frequency, damping, mass), restitution=0.999999999)
+    scene = scene.replace("friction.mu_dynamic=0", "numerics.contact_rate=2e6")
+    model = model_of(scene, np.zeros(8192), modes=table_of(scene))
+    fixed = model.constants
+    state = rolling_state_at_release(model, 0.09, (0.0, 0.0, 0.0))
+    state[2] += 2e-5
+    bend, displacement = static_deflection(model, state)
+    omega = 2 * pi * frequency
+    shape = mass**-0.5
+    core = fixed.radius - fixed.fillet
+    half = fixed.half_thickness - fixed.fillet
+
+    def rates(t, y):
+        height, beta, q, climb, turn, speed = y
+        depth = (
+            q * shape
+            - height
+            + core * np.sin(beta)
+            + half * np.cos(beta)
+            + fixed.fillet
+        )
+        stiffness = 4 / 3 * fixed.modulus * (fixed.radius * fixed.fillet / beta) ** 0.25
+        force = stiffness * max(depth, 0.0) ** 1.5
+        stored = 2 / 5 * stiffness * max(depth, 0.0) ** 2.5
+        moment = stored / (4 * beta) - force * (
+            core * np.cos(beta) - half * np.sin(beta)
+        )
+        return [
+            climb,
+            turn,
+            speed,
+            force / fixed.mass - GRAVITY,
+            moment / fixed.diametral_inertia,
+            -(omega**2) * q - 2 * damping * omega * speed - force * shape,
+        ]
+
+    start = [state[2] + bend, 0.09, displacement[0], 0.0, 0.0, 0.0]
+    t = np.arange(0.0, 0.012, FORCES_PER_ROW / FORCE_RATE)
+    later = t + 1e-5 - 0.5 / model.rate  # the first sample is the middle of a step
+    options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-14, "max_step": 1e-5}
+    exact = solve_ivp(rates, (0.0, later[-1]), start, t_eval=later, **options)
+    motion = simulate_rattling(model, state, 0.015, 0.0)
+    assert len(motion.contact_losses) > 2
+    assert motion.inclination(t) == pytest.approx(exact.y[1], rel=1e-4)  # 3e-5 here
+    energy = (exact.y[5] ** 2 + omega**2 * exact.y[2] ** 2) / 2
+    assert motion.table_energy(t) == pytest.approx(energy, abs=0.04 * energy.max())
+
+
+def test_an_impact_on_a_light_table_loses_energy_to_its_waves():
+    scene = on_modes((0, 3000.0, 0.05, 0.002), changes=["friction.mu_dynamic=0"])
+    alone = effective_restitution(rattling_model(scene), 0.09, 0.01)
+    assert (
+        effective_restitution(rattling_model(scene, table_of(scene)), 0.09, 0.01)
+        < alone - 0.05
+    )
+
+
+def test_a_table_that_stores_too_little_only_sounds():
+    """With surface.action = 'auto' the coupling starts at the release, or never."""
+    for mass, acts in ((0.02, True), (1e6, False)):
+        scene = on_modes((2, 900.0, 0.01, mass)).replace(
+            "surface.action=auto", "dissipation.contour_moment=3.2e-7"
+        )
+        motion = simulate(scene)
+        assert motion.moves_table == acts
+        decision, joins = table_action(scene, modes_from_numbers(scene.surface, RADIUS))
+        assert joins == acts
+        assert ("from the release" in decision.reason) == acts
+
+
+def test_contact_anywhere_is_chosen_on_a_table_that_moves():
+    scene = on_modes((2, 900.0, 0.01, 0.1)).document
+    del scene["contact"]["restitution"]
+    scene["numerics"]["contact"] = "auto"
+    assert choose_contact_model(from_document(scene)).kind == "many"
+    scene["roughness"]["rms"] = 1e-9
+    assert choose_contact_model(from_document(scene)).kind == "full"
+
+
+def table_of(scene):
+    """Return the modes of the table of a scene that gives them as numbers."""
+    return simulate(scene.replace("numerics.time_limit=0.001")).model.modes

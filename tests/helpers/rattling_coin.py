@@ -1,0 +1,72 @@
+"""A coin of two euros that rattles, with the contact modulus and the heights of a test."""
+
+from math import pi, radians, sin, sqrt
+
+import numpy as np
+
+from dynamics.disk import GRAVITY
+from dynamics.rattling.rattling_motion import (
+    rattling_model,
+    rolling_state_at_release,
+    simulate_rattling,
+)
+from dynamics.steady_motion import contact_ratio, steady_precession
+from sonify import load_scene
+
+RADIUS = 12.875e-3
+CIRCUMFERENCE = 2 * pi * RADIUS
+
+
+def coin(rms=1e-6, exponent=1.0, restitution=0.5, seed=0, inclination=0.1, *changes):
+    """Return the scene of a coin that rolls steadily at an inclination [rad], orders 2 to 300."""
+    aspect = 2.2e-3 / (2 * RADIUS)
+    time_unit = sqrt(5 / 4 * RADIUS / GRAVITY)
+    fillet = 5e-4 / RADIUS
+    turning = (
+        steady_precession(inclination, aspect, 1.0, fillet)
+        / time_unit
+        * sin(inclination)
+    )
+    spin = [0.0, contact_ratio(inclination, aspect, fillet) * turning, turning]
+    return load_scene("coin-polished").replace(
+        "disk.radius=0.012875",
+        "disk.thickness=0.0022",
+        "disk.mass=0.0085",
+        "numerics.contact=many",
+        f"contact.restitution={restitution}",
+        "contact.body=rigid",
+        "friction.mu_dynamic=0",
+        "friction.arm_nutation=0",
+        "friction.arm_pivoting=0",
+        "air.film=none",
+        "dissipation.contour_moment=0",
+        f"roughness.rms={rms}",
+        "roughness.rms_edge=0",
+        f"roughness.longest={CIRCUMFERENCE / 1.99}",
+        f"roughness.shortest={CIRCUMFERENCE / 300.5}",
+        f"roughness.exponent={exponent}",
+        f"roughness.seed={seed}",
+        f"release.inclination_deg={np.degrees(inclination)}",
+        f"release.omega={spin}",
+        *changes,
+    )
+
+
+def model_of(scene, heights=None, modes=None):
+    """Return the model of a scene with E* = 40 GPa, and with other heights if given, on a table with
+    modes or at rest.
+    """
+    model = rattling_model(scene, modes)
+    model = model._replace(constants=model.constants._replace(modulus=40e9))
+    return model if heights is None else model._replace(heights=heights)
+
+
+def settle(model, scene, last, time_limit=5.0):
+    state = rolling_state_at_release(
+        model, radians(scene.release.inclination_deg), scene.release.omega
+    )
+    return simulate_rattling(model, state, time_limit, last * RADIUS)
+
+
+def wave(order, amplitude, points=8192):
+    return amplitude * np.cos(order * 2 * pi * np.arange(points) / points)

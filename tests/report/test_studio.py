@@ -1,0 +1,429 @@
+"""Claim: the studio runs what the command line runs, one run after the other, for this machine only.
+
+Source: the studio's how-to in docs/how_to.md. Oracle: the scene's own sentences, the pressure that
+`sonify run` writes, and a worker whose calls the test controls.
+"""
+
+import json
+import queue
+import shutil
+import threading
+import time
+from contextlib import closing
+from http.client import HTTPConnection
+
+import numpy as np
+import pytest
+import soundfile
+
+from sonify import load_scene
+from sonify.runtime.workers import WorkerDiedError
+from sonify.scene_errors import InputError, SceneError
+from sonify.serve import serve
+from sonify.studio import application as studio_pages
+from sonify.studio.controls import changed_scene, control_key_of_error, controls
+from sonify.studio.job_queue import Job, JobQueue
+from sonify.studio.worker import STREAM_FILE, ProgressFile
+
+WRONG = "%7B%22disk.radius%22%3A-1%7D"
+"""A value that no scene allows, quoted for an address."""
+
+
+class ControlledWorker:
+    """Worker whose calls wait for `release`; `began` holds their arguments."""
+
+    def __init__(self):
+        self.began = queue.Queue()
+        self.release = threading.Semaphore(0)
+        self.killed = threading.Event()
+
+    def call(self, function, *arguments):
+        self.began.put(arguments)
+        while not self.release.acquire(timeout=0.02):
+            if self.killed.is_set():
+                raise WorkerDiedError("killed")
+        return {"outcome": "settled", "arguments": len(arguments)}
+
+    def kill(self):
+        self.killed.set()
+
+
+@pytest.fixture
+def workers():
+    return []
+
+
+@pytest.fixture
+def jobs(workers):
+    def start():
+        workers.append(ControlledWorker())
+        return workers[-1]
+
+    held = JobQueue(start, warm=False)
+    yield held
+    held.close()
+
+
+class Client:
+    """Sends requests to a studio; addresses without the token begin with `/`."""
+
+    def __init__(self, port, token):
+        self.port = port
+        self.token = token
+
+    def get(self, path, **headers):
+        return self.request("GET", path, None, headers)
+
+    def post(self, path, body):
+        return self.request("POST", path, body, {})
+
+    def request(self, method, path, body, headers):
+        """Return status and text of the answer."""
+        place = path if path.startswith("/") else f"/{self.token}/{path}"
+        with closing(HTTPConnection("127.0.0.1", self.port, timeout=30)) as connection:
+            connection.request(method, place, body, headers)
+            answer = connection.getresponse()
+            return answer.status, answer.read().decode()
+
+
+@pytest.fixture
+def client(monkeypatch, tmp_path, jobs):
+    return Client(*served(monkeypatch, tmp_path / "runs", jobs))
+
+
+def run_of(scene, values):
+    """Return the body of the request for a run."""
+    return json.dumps({"scene": scene, "values": values})
+
+
+def job(tmp_path, name):
+    return Job(1, tmp_path, print, name)
+
+
+def test_an_address_without_the_token_does_not_exist(client):
+    assert client.get("")[0] == 200
+    assert client.get("/")[0] == 404
+    assert client.get("/another-token/")[0] == 404
+    assert client.post("/runs", run_of("published", {}))[0] == 404
+
+
+def test_the_pages_of_finished_runs_are_those_of_the_read_only_server(client, tmp_path):
+    (tmp_path / "runs" / "one").mkdir()
+    record = {
+        "scene": {"name": "one"},
+        "outcome": {"sentence": "it lies"},
+        "checks": [],
+    }
+    (tmp_path / "runs" / "one" / "run.json").write_text(json.dumps(record))
+    (tmp_path / "runs" / "one" / "report.html").write_text(
+        '<script type="application/json" class="run">{}</script>'
+    )
+    status, text = client.get("list")
+    assert (status, text) == (200, client_of(read_only(tmp_path / "runs")).get("/")[1])
+    assert 'href="runs/one/"' in text
+    assert client.get("compare?a=one&b=one")[0] == 200
+
+
+def read_only(folder):
+    """Return the port of the server of finished runs."""
+    told = queue.Queue()
+    threading.Thread(
+        target=serve, args=(folder, "127.0.0.1", 0, told.put), daemon=True
+    ).start()
+    return int(told.get(timeout=60).rstrip("/").rpartition(":")[2])
+
+
+def client_of(port):
+    return Client(port, "")
+
+
+def test_the_read_only_server_starts_no_run(tmp_path):
+    client = client_of(read_only(tmp_path))
+    for path in ("/", "/runs/", "/compare"):
+        assert client.post(path, run_of("published", {}))[0] == 405
+
+
+def test_another_host_name_is_refused(client):
+    assert client.get("", Host="elsewhere.example")[0] == 400
+
+
+@pytest.mark.parametrize(
+    "path", ["runs/%2e%2e/secret.txt", "session/%2e%2e/%2e%2e/etc/passwd"]
+)
+def test_no_file_outside_the_folder_is_sent(client, tmp_path, path):
+    (tmp_path / "secret.txt").write_text("secret")
+    assert client.get(path)[0] == 404
+
+
+def test_the_page_loads_nothing_from_elsewhere(client):
+    text = client.get("")[1]
+    assert "http://" not in text
+    assert "https://" not in text
+    assert '<option value="granite"' in text
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("disk.radius", -1),
+        ("disk.radius", "wide"),
+        ("release.inclination_deg", 120),
+        ("audio.distance", 0.01),
+        ("audio.elevation_deg", 91),
+        ("air.film", "thick"),
+    ],
+)
+def test_a_wrong_value_has_the_sentence_of_the_command_line(client, key, value):
+    with pytest.raises(SceneError) as error:
+        load_scene("published").replace(f"{key}={value}")
+    status, text = client.post("runs", run_of("published", {key: value}))
+    assert status == 422
+    assert json.loads(text) == {"error": str(error.value), "key": key}
+
+
+@pytest.mark.parametrize(
+    "name", ["nothing", "../published", "/etc/passwd", "published.toml"]
+)
+def test_only_shipped_scenes_are_read(client, name):
+    status, text = client.post("runs", run_of(name, {}))
+    assert status == 422
+    assert "must be one of coin" in json.loads(text)["error"]
+    with pytest.raises(SceneError, match="surface = "):
+        changed_scene("published", {"surface": name})
+
+
+def test_what_is_no_run_is_refused(client):
+    assert client.post("runs", b"{")[0] == 400
+    assert client.post("runs", b'{"scene": "published"}')[0] == 400
+
+
+@pytest.mark.parametrize("scene", ["published", "granite", "wood-table", "coin"])
+def test_the_controls_have_the_values_and_limits_of_the_scene(scene):
+    given = {control["key"]: control for control in controls(load_scene(scene))}
+    assert given["disk.radius"]["value"] == load_scene(scene).disk.radius
+    elevation = given["audio.elevation_deg"]
+    assert (elevation["low"], elevation["high"], elevation["unit"]) == (
+        0,
+        90,
+        "degrees",
+    )
+    assert given["air.film"]["choices"] == ("auto", "none", "acts")
+    for control in given.values():
+        if control["low"] is not None and control["value"] is not None:
+            assert control["low"] <= control["value"] <= control["high"]
+
+
+def test_a_named_material_brings_its_density_and_a_table_its_section():
+    scene = changed_scene(
+        "published", {"material.name": "glass", "surface": "glass-plate"}
+    )
+    assert scene.disk.density == 2500.0
+    assert scene.surface == load_scene("glass-plate").surface
+    assert changed_scene("granite", {"roughness.rms": None}).roughness is None
+    assert changed_scene("granite", {"roughness.rms": 1e-7}).roughness.rms == 1e-7
+
+
+def test_a_sentence_belongs_to_the_control_that_it_names_first():
+    assert (
+        control_key_of_error("disk.radius = -1: must be greater than 0")
+        == "disk.radius"
+    )
+    assert (
+        control_key_of_error("surface.radius = 0.01: must be at least disk.radius")
+        == "surface"
+    )
+    assert control_key_of_error("friction.mu_static = 1: too little") == ""
+    assert control_key_of_error("") == ""
+
+
+def test_two_jobs_are_done_one_after_the_other(jobs, workers, tmp_path):
+    first = jobs.submit(job(tmp_path, "first"))
+    second = jobs.submit(job(tmp_path, "second"))
+    assert_soon(lambda: workers and workers[0].began.qsize() == 1)
+    assert jobs.jobs_before(first) == 0
+    assert jobs.jobs_before(second) == 1
+    workers[0].release.release(2)
+    assert second.ended.wait(5)
+    assert [workers[0].began.get() for _ in range(2)] == [("first",), ("second",)]
+    assert len(workers) == 1
+
+
+def test_a_cancelled_job_ends_its_worker_and_the_next_one_has_another(
+    jobs, workers, tmp_path
+):
+    first = jobs.submit(job(tmp_path, "first"))
+    second = jobs.submit(job(tmp_path, "second"))
+    third = jobs.submit(job(tmp_path, "third"))
+    assert_soon(lambda: workers and workers[0].began.qsize() == 1)
+    jobs.cancel(first)
+    jobs.cancel(second)
+    assert first.ended.wait(5)
+    assert workers[0].killed.is_set()
+    assert_soon(lambda: len(workers) == 2)
+    workers[1].release.release()
+    assert third.ended.wait(5)
+    assert third.error is None
+    assert workers[1].began.get() == ("third",)
+    assert second.result is None
+
+
+def assert_soon(condition, limit=5.0):
+    """Assert that a condition becomes true within `limit` [s]."""
+    end = time.monotonic() + limit
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.01)
+    assert condition()
+
+
+def served(monkeypatch, folder, jobs):
+    """Return the port and the token of a studio that runs in a thread."""
+    application = studio_pages.application
+    monkeypatch.setattr(
+        studio_pages, "application", lambda root, token: application(root, token, jobs)
+    )
+    told = queue.Queue()
+    threading.Thread(
+        target=studio_pages.studio, args=(folder, 0, told.put), daemon=True
+    ).start()
+    _, _, place, token, _ = told.get(timeout=60).split("/")
+    return int(place.partition(":")[2]), token
+
+
+def test_a_reader_that_leaves_ends_its_run(monkeypatch, jobs, workers, tmp_path):
+    port, token = served(monkeypatch, tmp_path, jobs)
+    connection = HTTPConnection("127.0.0.1", port, timeout=30)
+    body = run_of("published", {})
+    connection.request("POST", f"/{token}/runs", body)
+    answer = connection.getresponse()
+    assert json.loads(answer.readline())["page"] == "runs/studio-published/"
+    assert "frame-ancestors 'self'" in answer.headers["content-security-policy"]
+    assert_soon(lambda: workers and workers[0].began.qsize() == 1)
+    answer.close()
+    connection.close()
+    assert_soon(workers[0].killed.is_set)
+    assert_soon(lambda: not (tmp_path / "studio-published").exists())
+
+
+def test_a_port_in_use_is_one_line(monkeypatch, jobs, tmp_path):
+    port, _ = served(monkeypatch, tmp_path, jobs)
+    with pytest.raises(InputError, match=f"--port = {port}: unavailable"):
+        studio_pages.studio(tmp_path, port)
+    with pytest.raises(InputError, match="--port = 70000"):
+        studio_pages.studio(tmp_path, 70_000)
+
+
+def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers, tmp_path):
+    monkeypatch.setattr(studio_pages, "MAX_UPLOAD_BYTES", 1000)
+    place = "recordings?scene=toy"
+    assert client.post(place, bytes(1001))[0] == 413
+    assert_soon(lambda: workers)
+    workers[0].release.release()
+    assert client.post("recordings?scene=toy&values=3", bytes(1000))[0] == 400
+    assert (
+        json.loads(client.post(f"{place}&values={WRONG}", b"")[1])["key"]
+        == "disk.radius"
+    )
+    lines = client.post(f"{place}&from=1.5", bytes(1000))[1].splitlines()
+    path, document, folder, span = workers[0].began.get()
+    assert json.loads(lines[-1])["result"]["arguments"] == 4
+    assert span == (1.5, np.inf)
+    assert document["name"] == "toy"
+    assert folder.is_dir()
+    assert not path.exists()
+
+
+def test_the_sound_streams_while_it_is_rendered(tmp_path):
+    """The header states the final length, and no block is louder than half of full scale."""
+    rng = np.random.default_rng(1)
+    blocks = [level * rng.uniform(-1, 1, 48000) for level in (0.001, 0.1, 0.01)]
+    stages = ProgressFile(tmp_path)
+    for block in blocks:
+        stages.pressure(block.astype(np.float32), 48000, 3 * 48000)
+    assert stages.streams
+    samples, rate = soundfile.read(tmp_path / STREAM_FILE)
+    assert rate == 48000
+    assert len(samples) == 3 * 48000
+    loudest = np.abs(samples).reshape(3, 48000).max(axis=1)
+    assert loudest[:2] == pytest.approx([0.5, 0.5], abs=1e-3)
+    last = samples[2 * 48000 :]
+    assert last == pytest.approx(blocks[2] * 0.5 / np.max(np.abs(blocks[1])), abs=2e-5)
+
+
+@pytest.mark.slow
+def test_a_recording_without_a_disk_has_a_plain_sentence(tmp_path):
+    from sonify.studio.worker import analyse_recording
+
+    path = tmp_path / "recording.wav"
+    noise = 0.01 * np.random.default_rng(1).standard_normal(48000 * 3)
+    soundfile.write(path, noise, 48000, "PCM_16")
+    noisy = path.read_bytes()
+    toy = load_scene("toy").document
+    outside = analyse_recording(path, toy, tmp_path, (5.0, np.inf))
+    assert outside["heard"] == [
+        "--from = 5: must be less than the duration of the sound, 3 s"
+    ]
+    path.write_bytes(noisy)
+    told = analyse_recording(path, toy, tmp_path)
+    assert "no disk or coin is heard coming to rest" in told["heard"]
+    assert len(told["fit"]) == 1
+    assert str(tmp_path) not in " ".join(told["fit"] + told["heard"])
+    assert "spectrogram.png" in told["pictures"]
+    assert not path.exists()
+
+
+@pytest.mark.slow
+def test_a_run_has_the_pressure_of_the_command_line(tmp_path):
+    from sonify import run
+    from sonify.studio.worker import run_scene
+
+    values = {"release.inclination_deg": 5.0, "disk.radius": 0.038}
+    scene = changed_scene("published", values)
+    (tmp_path / "session").mkdir()
+    run_scene(scene.document, tmp_path / "studio", tmp_path / "session")
+    run(
+        load_scene("published").replace(
+            *(f"{key}={value}" for key, value in values.items())
+        ),
+        tmp_path / "command",
+        accuracy="draft",
+    )
+    here, there = (
+        (tmp_path / name / "pressure.wav").read_bytes()
+        for name in ("studio", "command")
+    )
+    assert here == there
+    heard, _ = soundfile.read(tmp_path / "session" / "preview.wav")
+    copy, _ = soundfile.read(tmp_path / "studio" / "sound.wav")
+    assert np.max(np.abs(heard - copy)) < 2.0 / 2**15
+
+
+@pytest.mark.slow
+def test_a_browser_hears_a_run(monkeypatch, tmp_path):
+    playwright = pytest.importorskip("playwright.sync_api")
+    jobs = JobQueue()
+    port, token = served(monkeypatch, tmp_path, jobs)
+    browsers = [
+        shutil.which(name) for name in ("chromium", "chromium-browser", "google-chrome")
+    ]
+    with playwright.sync_playwright() as started:
+        try:
+            browser = started.chromium.launch(
+                executable_path=next(filter(None, browsers), None),
+                args=["--no-sandbox"],
+            )
+        except playwright.Error:
+            pytest.skip("no browser is installed")
+        page = browser.new_page()
+        page.set_default_timeout(300_000)
+        faults = []
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.goto(f"http://127.0.0.1:{port}/{token}/")
+        page.fill('[id="control-release.inclination_deg"]', "5")
+        with page.expect_response(lambda answer: "/stream/" in answer.url) as sound:
+            page.click("#run")
+        assert sound.value.status in (200, 206)
+        page.wait_for_selector("#page:not([hidden])")
+        assert page.evaluate("document.querySelector('audio').duration") > 1.0
+        assert faults == []
+        browser.close()
+    jobs.close()
