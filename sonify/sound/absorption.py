@@ -1,5 +1,4 @@
-"""Apply the absorption of sound by the air (ISO 9613-1) and the scattering by a head
-as one filter for all stems."""
+"""Filter the stems for atmospheric absorption (ISO 9613-1) and scattering by a head."""
 
 import numpy as np
 from scipy.signal import oaconvolve
@@ -9,15 +8,15 @@ from sonify.sound.head import EAR_LATENCY, ear_taps
 from sonify.sound.radiation import Listener
 
 MIN_AUDIBLE_ABSORPTION_DB = 0.5
-"""Smallest absorption [dB] at MAX_AUDIBLE_FREQUENCY for which the filter is applied; a
-smaller one is inaudible."""
+"""Absorption [dB] at MAX_AUDIBLE_FREQUENCY below which it is inaudible and the filter
+is omitted."""
 FILTER_HALF_LENGTH = 64  # samples
-"""Half the length of the absorption filter."""
+"""Half-length of the absorption filter."""
 
 
 def absorbed_db(air, distance: float, frequency=MAX_AUDIBLE_FREQUENCY):
-    """Return the absorption [dB] over a distance [m] at one frequency or at several
-    (k,) [Hz]."""
+    """Return the absorption [dB] over `distance` [m] at a frequency [Hz], scalar or
+    (k,)."""
     return air.absorption(frequency) * distance if air.pressure else 0.0 * frequency
 
 
@@ -32,11 +31,11 @@ def absorption_latency(air, distance: float) -> int:
 
 
 def absorption_taps(air, distance: float, sample_rate: float) -> np.ndarray:
-    """Return the taps (j,) of the absorption with a delay of `absorption_latency`.
+    """Return the taps (j,) of the absorption filter, delayed by `absorption_latency`.
 
-    The filter has linear phase, which is exact for absorption by viscosity. The
-    relaxation of oxygen and nitrogen also causes dispersion, which is neglected because
-    it is smaller than their absorption (1 rad corresponds to 8.7 dB). See
+    The filter has linear phase, which is exact for viscous absorption. The relaxation
+    of oxygen and nitrogen also causes dispersion. It is neglected because the phase
+    shift in radians is smaller than the attenuation in nepers. See
     tests/sound/test_air_absorption.py."""
     if not absorption_latency(air, distance):
         return np.ones(1)
@@ -57,8 +56,10 @@ def propagation_latency(listener: Listener) -> int:
 
 
 def propagation_filter(listener: Listener, sample_rate: float):
-    """Return a function that filters successive blocks of stems (k, s) by absorption
-    and head, with a delay of `propagation_latency`."""
+    """Return a function that applies absorption and head scattering to successive
+    blocks.
+
+    The blocks of stems (k, s) are delayed by `propagation_latency`."""
     taps = absorption_taps(listener.air, listener.distance, sample_rate)
     if listener.ear:
         head = ear_taps(listener.ear, sample_rate, listener.air.sound_speed)

@@ -1,4 +1,4 @@
-"""Determine which modes are audible, how loud each one is, and how long it rings."""
+"""Determine which modes are audible, how loud they are, and how long they ring."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from sonify.sound.radiation import directivity_table, listener_of
 RING_DOWN_DB = 60.0
 """Level [dB] below the loudest mode at which a ringing mode becomes inaudible."""
 MAX_RING_TIME = 10.0  # s
-"""Longest time for which a sound continues after the motion."""
+"""Maximum duration of the ring-down after the motion."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -29,7 +29,7 @@ class RingDown:
     decay_rate_without_film : ndarray, shape (m,)
         Decay rate due to material and radiation alone [1/s].
     gap : float or None
-        Mean gap [m] of the film that adds to the decay, or None if there is no film.
+        Mean gap [m] of the air film that damps the modes, or None without a film.
     """
 
     frequency: np.ndarray
@@ -39,17 +39,15 @@ class RingDown:
 
     @property
     def decay_time(self) -> np.ndarray:
-        """Time T60 (m,) [s] in which a mode decays by 60 dB; infinite without
-        losses."""
+        """Decay time T60 (m,) [s], for a decay by 60 dB; infinite without losses."""
         with np.errstate(divide="ignore"):
             return 3 * np.log(10) / self.decay_rate
 
 
 def modes_below_nyquist(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
-    """Return the indices (k,) of the modes in `wanted` (all if None) below the Nyquist
-    frequency.
+    """Return the indices (k,) of the wanted modes below the Nyquist frequency.
 
-    Higher modes would alias."""
+    Higher modes would alias. By default all modes are wanted."""
     keep = np.arange(len(modes)) if wanted is None else np.array(wanted, dtype=int)
     return keep[modes.frequency[keep] < sample_rate / 2]
 
@@ -81,8 +79,8 @@ def ring_down_time(
 ) -> float:
     """Return the time [s] from the end of the motion until no mode is audible.
 
-    It is at most MAX_RING_TIME. `decay_rate` (m,) [1/s] replaces the decay rates of the
-    modes if a film adds to them."""
+    The result is limited to MAX_RING_TIME. `decay_rate` (m,) [1/s] replaces the decay
+    rates of the modes, for example those with damping by a film."""
     loudness, _ = response_to_unit_jump(modes, scene)
     at_start = loudness * np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
     rate = modes.decay_rate if decay_rate is None else decay_rate

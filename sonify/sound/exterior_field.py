@@ -1,11 +1,11 @@
 """Compute the sound field outside a solid disk above a baffle.
 
-The face of the disk and the air flow out of the gap radiate. Lengths are in units of
-the radius R, and pressures in units of density times R times acceleration. Fields of
-azimuthal order n vary as exp(i w t), with k = w R/c. Finite elements in the (r, z) half
-plane extend from the disk to a hemisphere, beyond which the field is a sum of outgoing
-multipoles. Their amplitudes determine the pressure at every listener outside the
-hemisphere. See tests/sound/test_open_film_sound.py."""
+The upper face of the disk and the air that leaves the gap radiate sound. Lengths are in
+units of the radius R, and pressures in units of density times R times acceleration.
+Fields of azimuthal order n vary as exp(i w t), with k = w R/c. Finite elements in the
+(r, z) half plane extend from the disk to a hemisphere, beyond which the field is a sum
+of outgoing multipoles. Their amplitudes determine the pressure at every listener
+outside the hemisphere. See tests/sound/test_open_film_sound.py."""
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -16,20 +16,18 @@ from skfem import Basis, BilinearForm, ElementQuad2, FacetBasis, LinearForm, Mes
 FACE_CELLS = 14
 """Number of elements along the face of the disk."""
 RADIAL_CELLS = 6
-"""Number of elements from the disk to the hemisphere."""
+"""Number of elements between the disk and the hemisphere."""
 MULTIPOLE_COUNT = 8
 """Number of multipoles of each azimuthal order."""
 
 
 class ExteriorField:
-    """Finite-element model of the air around a disk inside a hemisphere of radius
-    `far`.
+    """Finite-element model of the air between a disk and a hemisphere of radius `far`.
 
     Attributes
     ----------
     loads : ndarray, shape (3, nodes)
-        Load vectors of heave, of tilt, and of a flow of unit volume per length of the
-        rim.
+        Load vectors of heave, tilt, and a unit volume flow per length of the rim.
     """
 
     def __init__(
@@ -79,7 +77,7 @@ class ExteriorField:
         )
 
     def solve(self, n: int, wavenumbers) -> tuple[np.ndarray, np.ndarray]:
-        """Solve for each load times cos n theta at `wavenumbers` k (a,).
+        """Solve for each load, multiplied by cos n theta, at wavenumbers k (a,).
 
         Returns
         -------
@@ -132,9 +130,9 @@ def listener_pressure(
     listener.
 
     The wavenumbers are k (a,). The multipoles are normalised on the hemisphere of
-    radius `far`. The listener is at a distance in units of the radius, an elevation
-    [rad], and azimuth 0. The propagation phase from the centre of the disk is
-    removed."""
+    radius `far`. The listener is at azimuth 0; `distance` is in units of the disk
+    radius, and `elevation` in radians. The propagation phase from the centre of the
+    disk is removed."""
     order = n + 2 * np.arange(MULTIPOLE_COUNT)
     k = np.asarray(wavenumbers)[:, None]
     wave = outgoing_hankel(order, k * distance) / outgoing_hankel(order, k * far)
@@ -142,8 +140,7 @@ def listener_pressure(
 
 
 def exterior_mesh(height, gap, far, face_cells, radial_cells):
-    """Return a quadrilateral mesh from the disk to the hemisphere, refined at the edges
-    of the disk."""
+    """Return a quadrilateral mesh of the air, refined at the edges of the disk."""
     half = height - (height - gap) / 2
     inwards = np.linspace(0, 1, face_cells + 1) ** 2
     low = int(np.ceil(np.log2(max((half - gap) / gap, 4.0)))) + 1
@@ -169,13 +166,13 @@ def exterior_mesh(height, gap, far, face_cells, radial_cells):
 
 
 def quadrature_coordinates(basis):
-    """Return r and z at the quadrature points."""
+    """Return the coordinates r and z of the quadrature points."""
     return np.asarray(basis.global_coordinates())
 
 
 def outgoing_hankel(order, x, derivative=False):
-    """Return the spherical Hankel function of the second kind, outgoing for exp(i w
-    t)."""
+    """Return the spherical Hankel function of the second kind, which is outgoing for
+    exp(i w t)."""
     return spherical_jn(order, x, derivative) - 1j * spherical_yn(order, x, derivative)
 
 

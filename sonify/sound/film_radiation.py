@@ -1,11 +1,11 @@
 """Compute the radiation of a rigid disk that vibrates above its air film.
 
-In the wedge the pressure is constant across the gap, and viscosity and heat conduction
-act on the air (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units of
-exterior_field.py. The flow of the film enters the exterior field at the rim. Near the
-rim the pressure of a line source in the corner varies as -2/pi times the logarithm of
-the distance, which gives the coupling for the local gap. The coupled film and exterior
-field have resonances that depend only weakly on the gap. See
+The pressure in the wedge is constant across the gap, and losses by viscosity and heat
+conduction are included (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units
+of exterior_field.py. At the rim the flow of the film drives the exterior field. The
+pressure near a line source in the corner varies as -2/pi times the logarithm of the
+distance; this determines the coupling at the local gap. The resonances of the coupled
+film and exterior field depend only weakly on the gap. See
 tests/sound/test_open_film_sound.py."""
 
 from dataclasses import dataclass
@@ -31,21 +31,21 @@ WAVENUMBERS = np.concatenate(
 """Values of k R at which the radiation is tabulated, densest near the resonances;
 outside the range the nearest value applies."""
 RIM_ORDERS = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(1, MAX_RIM_ORDER + 1))
-"""Azimuthal orders of the waves, first the cosines, then the sines."""
+"""Azimuthal orders of the cosine waves, followed by those of the sine waves."""
 FACE_WAVES = (0, 1, MAX_RIM_ORDER + 1)
-"""Waves excited by heave, tilt about y and tilt about x."""
+"""Indices of the waves excited by heave, tilt about y and tilt about x."""
 FACE_VELOCITIES = (0, 1, 2)
-"""Columns of their velocities."""
+"""Columns of the corresponding face velocities."""
 FACE_SOLUTIONS = (0, 1, 1)
-"""Columns of their exterior solutions."""
+"""Columns of the corresponding exterior solutions."""
 EXTERIOR_WAVENUMBERS = np.linspace(WAVENUMBERS[0], WAVENUMBERS[-1], 16)
 """Values of k R at which the exterior field is solved; it has no resonances."""
 MEAN_GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
 """Ratios of mean gap to radius at which the radiation is tabulated, densest above 0.1,
 where the resonance frequencies vary; outside the range the nearest value applies."""
 EXTERIOR_GAPS = (0.02, 0.2)
-"""Ratios of mean gap to radius at which the exterior field is solved; up to the larger
-one it is linear in the gap."""
+"""Ratios of mean gap to radius at which the exterior field is solved. It is linear in
+the gap up to the larger ratio and constant above."""
 MESH_CELLS = 8
 """Number of elements of the film's mesh along the radius."""
 MESH_GRADING = 5.0
@@ -54,18 +54,18 @@ MESH_GRADING = 5.0
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RadiatedMultipoles:
-    """Amplitudes on a hemisphere of the multipoles radiated by a disk above its film.
+    """Multipoles radiated by a disk above its air film.
 
     Attributes
     ----------
     far : float
         Radius of the hemisphere, divided by that of the disk.
     multipoles : ndarray, shape (a, k, 2 MAX_RIM_ORDER + 1, m, 3)
-        Amplitudes divided by density and radius, at MEAN_GAPS (a,) and WAVENUMBERS
-        (k,), first of cos n theta, then of sin n theta. The contact is at x = -1. The
-        last axis runs over the accelerations 1, x and y of the face.
+        Amplitudes on a hemisphere, divided by density and radius, at MEAN_GAPS (a,) and
+        WAVENUMBERS (k,). The cosine waves precede the sine waves; the contact is at x =
+        -1. The last axis contains the responses to the face accelerations 1, x and y.
     rim_flow : ndarray, shape (a, k, 2 MAX_RIM_ORDER + 1, 3)
-        Harmonics of the flow out of the rim per length, divided by the radius.
+        Harmonics of the outflow per length of the rim, divided by the radius.
     """
 
     far: float
@@ -91,10 +91,10 @@ class RadiatedMultipoles:
         )
 
     def near_pressure_at(self, listener, disk) -> np.ndarray:
-        """Return the pressures of `pressure_at` at a listener near the disk, where the
-        multipoles diverge.
+        """Return the result of `pressure_at` for a listener near the disk.
 
-        The disk scatters nothing; see near_field.py."""
+        The multipole series diverges there, so the sources are integrated directly.
+        Scattering by the disk is neglected; see near_field.py."""
         from sonify.sound.near_field import rayleigh_waves
 
         face, rim = rayleigh_waves(listener, disk, WAVENUMBERS, MAX_RIM_ORDER + 1)
@@ -105,7 +105,7 @@ class RadiatedMultipoles:
 
 @lru_cache(8)
 def radiated_multipoles(disk, air) -> RadiatedMultipoles:
-    """Return the multipoles radiated by a solid disk above a film of this air."""
+    """Return the multipoles radiated by a solid disk above an air film."""
     from dynamics.film.reynolds import FilmMesh
 
     thickness = disk.thickness / disk.radius
@@ -230,10 +230,10 @@ the rim."""
 
 
 def _exterior_at_gap(thickness, gap, far):
-    """Return the exterior field of a disk above one gap at WAVENUMBERS (k,).
+    """Return the exterior field for one gap at WAVENUMBERS (k,).
 
-    It consists of pressures at the rim (k, MAX_RIM_ORDER + 1, 3) and multipoles (k,
-    MAX_RIM_ORDER + 1, m, 3).
+    The result contains pressures at the rim (k, MAX_RIM_ORDER + 1, 3) and multipoles
+    (k, MAX_RIM_ORDER + 1, m, 3).
     """
     from sonify.sound.exterior_field import ExteriorField
 

@@ -24,7 +24,7 @@ from sonify.sound.radiation import (
 )
 
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
-"""Mean gaps at which the film is solved; outside the range the nearest value
+"""Mean gaps at which the film equation is solved; outside the range the nearest value
 applies."""
 MESH_GRADING = 6.0
 """Grading of the film's mesh, the argument `nearest` of FilmMesh."""
@@ -35,9 +35,9 @@ MIN_MESH_CELLS = 8
 MAX_MESH_CELLS = 36
 """Largest number of elements of the film's mesh along the radius."""
 LOG_DECAY_OFFSET = 1e-3  # 1/s
-"""Offset added to the decay rate due to the film, so that its logarithm is finite."""
+"""Offset that keeps the logarithm of the decay rate due to the film finite."""
 TUNING_LOG_GAP_STEP = 0.02
-"""Change of the logarithm of the gap after which the oscillators are retuned."""
+"""Step of the log gap between successive tunings of the oscillators."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -47,7 +47,7 @@ class FluidLoadedModes:
     Attributes
     ----------
     log_gap : ndarray, shape (a,)
-        Equally spaced logarithms of the mean gaps [m], in descending order.
+        Logarithms of the mean gaps [m], equally spaced, in descending order.
     frequency : ndarray, shape (a, m)
         Frequency of the damped mode [Hz].
     film_decay_rate : ndarray, shape (a, m)
@@ -65,8 +65,8 @@ class FluidLoadedModes:
     gain: np.ndarray
 
     def apply_gain(self, ringing, gap) -> np.ndarray:
-        """Multiply modal accelerations (s, k, m) in place by the gain at logarithms of
-        gaps (k,)."""
+        """Multiply modal accelerations (s, k, m) in place by the gain at log gaps
+        (k,)."""
         intervals = len(self.log_gap) - 1
         where = (gap - self.log_gap[0]) * (
             intervals / (self.log_gap[-1] - self.log_gap[0])
@@ -74,24 +74,23 @@ class FluidLoadedModes:
         return _apply_gain(ringing, np.clip(where, 0.0, intervals), self.gain)
 
     def tuning(self, gap) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequency [Hz] and decay rate [1/s] (..., m) at logarithms of gaps
-        (...)."""
+        """Return frequencies [Hz] and decay rates [1/s] (..., m) at log gaps (...)."""
         frequency, log_added = self._tuning_interpolants
         return frequency(gap), self.decay_rate + np.maximum(
             np.exp(log_added(gap)) - LOG_DECAY_OFFSET, 0.0
         )
 
     def nearest_tuning(self, gap: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequency and decay rate (m,) of GapTunedOscillators at the logarithm
-        of a gap."""
+        """Return the frequencies and decay rates (m,) that GapTunedOscillators uses at
+        a log gap."""
         return self.tuning(
             self.log_gap[0] - TUNING_LOG_GAP_STEP * tuning_step_index(gap, self.log_gap)
         )
 
     @cached_property
     def _tuning_interpolants(self):
-        """Monotone interpolants of the frequency and of the logarithm of the decay
-        rate."""
+        """Monotone interpolants of the frequencies and the logarithms of the decay
+        rates."""
         values = (self.frequency, np.log(self.film_decay_rate + LOG_DECAY_OFFSET))
         return [
             PchipInterpolator(self.log_gap[::-1], column[::-1]) for column in values
@@ -105,13 +104,13 @@ def fluid_loaded_modes(
     """Return the modes of a scene above its air film, tabulated down to `smallest_gap`
     [m].
 
-    The contact is at the patch of the modes. The eigenvalue of a mode of unit modal
-    mass solves lambda^2 + 2 drag lambda + w^2 = 0, with drag = d - 6 mu R^4/g^3 int p w
-    dA evaluated at the rate Im lambda, which is extrapolated from the wider gaps. If
-    the solved rate differs from the extrapolated one by more than 0.1 in its logarithm,
-    the film dominates the mode, and `_phase_resonance` finds the rate. The film model
-    includes the inertia of the air and heat conduction to both faces; the pressure
-    vanishes at the rim."""
+    The contact coincides with the patch of the modes. The eigenvalue of a mode of unit
+    modal mass solves lambda^2 + 2 drag lambda + w^2 = 0, with drag = d - 6 mu R^4/g^3
+    int p w dA evaluated at the rate Im lambda, which is extrapolated from the wider
+    gaps. If the logarithm of the computed rate differs from the extrapolated one by
+    more than 0.1, the film dominates the mode, and `_phase_resonance` determines the
+    rate. The film model includes the inertia of the air and heat conduction to both
+    faces; the pressure vanishes at the rim."""
     from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
 
     air = scene.air
@@ -186,11 +185,11 @@ class FilmResponse(NamedTuple):
 def _phase_resonance(
     parts, gap, natural, limits, radius, air
 ) -> tuple[float, FilmResponse]:
-    """Return the phase-resonance rate [rad/s] of a mode above its film and the response
-    there.
+    """Return the phase-resonance rate [rad/s] of a mode above the film, and its
+    response.
 
-    The rate is within `limits` and solves w^2 + K(rate) = rate^2, where K = -2 rate Im
-    drag is the stiffness of the film minus its inertia. The squeezed film acts as a
+    The rate lies within `limits` and solves w^2 + K(rate) = rate^2, where K = -2 rate
+    Im drag is the stiffness of the film minus its inertia. The squeezed film acts as a
     spring in series with a leak: K grows as rate^2 and saturates, so the solution is
     unique."""
     responses = {}
@@ -211,12 +210,11 @@ def _phase_resonance(
 
 
 def mesh_cells(wavenumber, cells_per_wave=2.5, max_work: float = 5e4) -> list[int]:
-    """Return the number of mesh elements along the radius for modes of wavenumbers k R
-    (m,).
+    """Return the numbers of radial mesh elements for modes with wavenumbers k R (m,).
 
-    The time of a solution is proportional to the square of this number. If the sum of
-    squares exceeds `max_work`, which would take minutes, the finest meshes are
-    coarsened, down to MIN_MESH_CELLS."""
+    The computing time of a mode is proportional to the square of this number. If the
+    sum of the squares exceeds `max_work`, which corresponds to several minutes, the
+    finest meshes are coarsened, but not below MIN_MESH_CELLS."""
     cells = np.clip(
         np.ceil(cells_per_wave * np.asarray(wavenumber)), MIN_MESH_CELLS, MAX_MESH_CELLS
     ).astype(int)
@@ -242,7 +240,8 @@ def _parity_parts(modes, i, half_meshes, radius):
 
 
 def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
-    """Return the response of a film of a mean gap [m] to a mode at a rate [rad/s]."""
+    """Return the response of a film of mean gap `gap` [m] to a mode vibrating at `rate`
+    [rad/s]."""
     sigma = 12 * air.viscosity * rate * radius**2 / (air.pressure * gap**2)
     layers = boundary_layer_number(gap, rate, air)
     heat = layers * PRANDTL_NUMBER**0.5
@@ -267,9 +266,9 @@ def raised_disk_pressure_ratios(
 ) -> tuple[float, float, float, float]:
     """Return the pressure ratios a0, b0, a1, b1 of a raised disk to a flush piston.
 
-    The factors a apply to the motion of the upper face, b to the flow out of the rim;
-    index 0 is heave, 1 is tilt. The fits are accurate within 2 % below 1 kHz, at a
-    distance of 0.5 m and an elevation of 45 degrees."""
+    The factors a apply to the motion of the upper face, and b to the flow out of the
+    rim; index 0 denotes heave and index 1 tilt. The fits are accurate to 2 % below 1
+    kHz, at a distance of 0.5 m and an elevation of 45 degrees."""
     x = thickness / radius
     return 1.0, 0.998, 1 + 0.75 * x / (1 + 2.45 * x), 1 + 1.66 * x / (1 + 1.5 * x)
 
@@ -300,11 +299,12 @@ def bottom_shape(modes: Modes, i: int, points, radius: float) -> np.ndarray:
 def radiation_gain(
     modes: Modes, scene, flows, views=16, max_wavenumber=1.5
 ) -> np.ndarray:
-    """Return the ratio (a, m) of the pressure of face and rim flow to that of the upper
-    face alone.
+    """Return the ratio (a, m) of the total pressure to that of the upper face alone.
+
+    The total pressure is that of the upper face and the flow out of the rim.
 
     `flows` (a, m, 2 MAX_RIM_FLOW_ORDER + 1) are harmonics of the rim flow. Pressures
-    are root mean squares over `views` azimuths. Harmonics 0 and 1 account for the
+    are root mean squares over `views` azimuths. Harmonics 0 and 1 are corrected for the
     height of the disk. Modes with k R above `max_wavenumber` radiate as above a closed
     film, because the model does not cover their rim flow.
     """
@@ -359,8 +359,7 @@ def radiation_gain(
 
 
 class GapTunedOscillators:
-    """Oscillators of m modes with frequencies and decay rates that follow the gap
-    without clicks.
+    """Oscillators of m modes that are retuned without clicks as the gap changes.
 
     The solution is exact while the tuning is constant. A change of tuning conserves the
     velocity and the displacement from static equilibrium: the film does not resist slow
@@ -372,9 +371,9 @@ class GapTunedOscillators:
     sample_rate : float
         [Hz]
     settled : ndarray, shape (m,)
-        Force on each mode, constant until the first block begins.
+        Constant force on each mode before the first block.
     gap : float
-        Logarithm of the mean gap [m] when the first block begins.
+        Logarithm of the mean gap [m] at the start of the first block.
     """
 
     def __init__(
@@ -393,8 +392,8 @@ class GapTunedOscillators:
         self._states = [smooth.state, jumps.state]
 
     def advance(self, force: ContactForce, gap) -> np.ndarray:
-        """Return the accelerations (2, k, m) in one block of a ContactForce for smooth
-        force and jumps.
+        """Return the accelerations (2, k, m) due to smooth force and jumps in one
+        block.
 
         `gap` (k + 1,) is the logarithm of the mean gap."""
         level = self._tuning_step_index(gap[:-1])

@@ -10,21 +10,21 @@ from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
 
 LOW_PASS_HALF_WIDTH = 8  # samples
-"""Half width of the windowed-sinc filter for a force that varies too fast for the
-sample rate."""
+"""Half-width of the windowed-sinc filter applied where the force varies too fast for
+the sample rate."""
 INTERPOLATION_STRIDE = 16  # samples
 """Spacing of the nodes at which a slowly varying force is evaluated before
 interpolation."""
 INTERPOLATION_NODES = 6
 """Number of nodes of the interpolating polynomial; half of them precede the sample."""
 FADE_TURNS = 4
-"""Number of turns of the contact over which each channel fades to its mean at the end
-of a settled motion."""
+"""Number of revolutions of the contact point over which each channel fades to its mean
+at the end of a settled motion."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactForce:
-    """Channels of the contact force in one block of samples: a continuous part plus
+    """Channels of the contact force in one block: the sum of a continuous part and
     steps.
 
     Attributes
@@ -53,8 +53,7 @@ class ContactForce:
 
     @property
     def samples(self) -> np.ndarray:
-        """Sum (k, c) of both parts at the samples; the value after the jump if a sample
-        coincides with one."""
+        """Sum (k, c) of both parts at the samples; at a jump, the value after it."""
         return self.smooth + self.steps
 
     def channels(self, columns: slice) -> "ContactForce":
@@ -78,12 +77,12 @@ class ContactForce:
 
 
 def force_in_newton(force, state):
-    """Return the force (k, 3) [N] along a_1, a_2 and the normal as the channels."""
+    """Use the force (k, 3) [N] along a_1, a_2 and the normal as channels."""
     return force
 
 
 def final_contact_rate(motion) -> float:
-    """Return the angular rate [rad/s] of the contact at the end of a motion.
+    """Return the precession rate [rad/s] of the contact point at the end of a motion.
 
     The result is at least half the rate of steady motion at the final inclination,
     because a disk that rattles on a moving table may be at rest at the last instant."""
@@ -96,11 +95,11 @@ class ForceSampler:
     """Samples channels of the contact force of a motion at times start + n /
     sample_rate [s].
 
-    Before the motion the channels have their first values. Over the last turns of the
-    contact each channel fades to its mean and then stays constant, so that the end is
-    not heard as an impact. The part of the self-similar end after the solution stops
-    has frequencies far above the audible range. Blocks may be requested in any order
-    and repeatedly. Where the force varies faster than the sample rate allows
+    Before the motion, each channel has its initial value. Over the last revolutions of
+    the contact point it fades to its mean and then stays constant, so that the end does
+    not sound like an impact. The solution ends where the frequencies of the
+    self-similar motion are far above the audible range. Blocks may be requested in any
+    order and repeatedly. Where the force varies faster than the sample rate allows
     (`Motion.bandwidth`), the channels are low-pass filtered first.
 
     Parameters
@@ -114,19 +113,20 @@ class ForceSampler:
         Function channels(force (k, 3) [N], state (k, 11)) -> (k, c); at a jump of the
         force it must be linear in the force.
     rest : float or ndarray, shape (c,)
-        Value of each channel after the motion, instead of its mean; NaN keeps the mean.
+        Value of each channel after the motion; NaN selects its mean.
     calm : float
-        Phase [rad] of harmonic FORCE_HARMONICS of the force per INTERPOLATION_STRIDE samples.
-        Below this value the channels are evaluated at every INTERPOLATION_STRIDE-th sample and
-        interpolated, except near jumps; 0 disables the interpolation.
+        Threshold [rad] for the phase advance of harmonic FORCE_HARMONICS of the force
+        over INTERPOLATION_STRIDE samples. Below it, the channels are evaluated only at
+        every INTERPOLATION_STRIDE-th sample and interpolated, except near jumps; 0
+        disables the interpolation.
     fade : float or ndarray, shape (c,)
         Fade time [s] of each channel at the end of a motion that does not settle; 0
-        keeps the last value.
+        holds the last value.
 
     Attributes
     ----------
     evaluations : int
-        Number of instants at which the motion was evaluated.
+        Number of times at which the motion was evaluated.
     """
 
     def __init__(

@@ -1,8 +1,8 @@
 """Compute the pressure at the ears of a head, modelled as a rigid sphere.
 
-The sound of a point source at a finite distance is the series of Duda & Martens (1998,
-J. Acoust. Soc. Am. 104, 3048), derived here for exp(i w t) with recurrences for ratios
-of Hankel functions, which neither overflow nor lose digits."""
+The pressure due to a point source at a finite distance is the series of Duda & Martens
+(1998, J. Acoust. Soc. Am. 104, 3048), here with the time dependence exp(i w t).
+Recurrences for ratios of Hankel functions avoid overflow and loss of precision."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,8 @@ import numpy as np
 from modal.radiation import SOUND_SPEED
 
 EAR_LATENCY = 32  # samples
-"""Delay of the filter of an ear, which its limited bandwidth requires."""
+"""Delay of the ear filter, which makes room for the precursors of its band-limited
+response."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,7 +26,7 @@ class Ear:
     source_distance : float
         Distance of the source from the centre of the head [m].
     cosine : float
-        Cosine of the angle at the centre of the head between ear and source.
+        Cosine of the angle between ear and source, measured at the centre of the head.
     """
 
     head_radius: float
@@ -43,7 +44,7 @@ class Ear:
 def ear_pressure_ratio(
     ear: Ear, frequency, sound_speed: float = SOUND_SPEED, tolerance: float = 1e-12
 ) -> np.ndarray:
-    """Return the ratio (k,) of the pressure at an ear to that without the head.
+    """Return the ratio (k,) of the pressure at an ear to the free-field pressure.
 
     The frequencies (k,) [Hz] are positive; the phase is that of exp(i w t). With k a =
     x, the total pressure of a unit source on the sphere is -k/x^2 times the sum over m
@@ -78,10 +79,11 @@ def ear_pressure_ratio(
 def ear_taps(
     ear: Ear, sample_rate: float, sound_speed: float = SOUND_SPEED
 ) -> np.ndarray:
-    """Return the taps of the filter of `ear_pressure_ratio`, delayed by EAR_LATENCY.
+    """Return the filter taps of `ear_pressure_ratio`, delayed by EAR_LATENCY.
 
-    The creeping waves around the sphere have decayed after twelve travel times over its
-    diameter. The response is tapered to zero over the highest tenth of the band."""
+    The filter is twelve travel times over the head diameter long, after which the
+    creeping waves have decayed. The response is tapered to zero over the highest tenth
+    of the band."""
     lead = EAR_LATENCY
     count = lead + int(24 * ear.head_radius / sound_speed * sample_rate) + lead
     size = 4 << count.bit_length()

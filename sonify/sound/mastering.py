@@ -31,24 +31,25 @@ class Mastering:
     loudness_lufs: float = -18.0
     """Integrated loudness [LUFS] by BS.1770."""
     limit_dbtp: float = -1.5
-    """Largest true peak [dBTP] allowed by the limiter; its meter may read 0.5 dB less
+    """Largest true peak [dBTP] allowed by the limiter; its meter may read 0.5 dB lower
     than other meters."""
     ratio: float = 3.0
     """Compression ratio: a level 3 dB below the loudest window is raised to 1 dB below
     it."""
     max_boost_db: float = 24.0
-    """Greatest gain of the compressor [dB]; the loudest window is not amplified."""
+    """Maximum gain of the compressor [dB]; the loudest window is not amplified."""
     window: float = 0.1
     """Length [s] of the windows in which the compressor measures the level."""
     limiter_reach: float = 0.005
     """Time [s] before and after a peak during which the limiter lowers the gain."""
     max_gain_db: float = 120.0
-    """Greatest gain [dB] above the one that brings the highest peak to the limit."""
+    """Maximum gain [dB], relative to the gain that brings the highest peak to the
+    limit."""
     sparse_gain_db: float = 12.0
-    """The same gain [dB] for a sound too sparse to reach the loudness, such as a single
-    click."""
+    """Gain [dB], with the same reference, for a sound too sparse to reach the loudness,
+    such as a single click."""
     tolerance: float = 0.2
-    """Greatest excess of loudness [LU] that the trim removes."""
+    """Maximum excess loudness [LU] that the trim may remove."""
 
 
 @dataclass(frozen=True)
@@ -76,10 +77,10 @@ class TrackWithLeadIn:
 
 @dataclass(frozen=True, kw_only=True)
 class ProcessedTrack(DerivedTrack):
-    """A track processed piece by piece; each piece depends on `context_samples` further
-    samples on both sides.
+    """A track processed in pieces.
 
-    The result is cached up to `max_cached` samples.
+    Each piece depends on `context_samples` samples on both sides. The result is cached
+    if it has at most `max_cached` samples.
     """
 
     track: Any
@@ -101,8 +102,8 @@ class ProcessedTrack(DerivedTrack):
         return list(self._processed_blocks()) if few else None
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, channels) from sample `start` on; each call starts
-        afresh."""
+        """Return a new iterator over blocks (k, channels), beginning at sample
+        `start`."""
         first = start // BLOCK * BLOCK
         cached = self._cached_blocks
         for block in (
@@ -126,10 +127,11 @@ class ProcessedTrack(DerivedTrack):
 
 @dataclass(frozen=True, kw_only=True)
 class CompressedTrack(ProcessedTrack):
-    """A track with compressed dynamics: quiet windows are amplified, equally in all
-    channels.
+    """A track with compressed dynamics.
 
-    `loudest` is the greatest mean square of a window.
+    Quiet windows are amplified, by the same gain in all channels.
+
+    `loudest` is the largest mean square of a window.
     """
 
     loudest: float
@@ -227,7 +229,7 @@ def windowed_power(samples: np.ndarray, reach: int) -> np.ndarray:
 
 
 def loudest_window(track, settings: Mastering) -> float:
-    """Return the greatest mean square of a window of a track [Pa^2]."""
+    """Return the largest mean square [Pa^2] of the windows of a track."""
     reach = window_reach(track.sample_rate, settings)
     padded = pieces(TrackWithLeadIn(track, reach), BLOCK, 2 * reach)
     return max(
@@ -238,12 +240,11 @@ def loudest_window(track, settings: Mastering) -> float:
 def master_copy(
     track, settings: Mastering | None = None
 ) -> MasteredTrack | ScaledTrack:
-    """Return an A-weighted copy of a track [Pa] with compressed dynamics and the set
-    loudness.
+    """Return an A-weighted, compressed copy of a track [Pa] at the specified loudness.
 
     If a sound is too short to have a loudness, its highest peak is set to the limit. If
     it is too sparse to reach the loudness, it is amplified by `sparse_gain_db` before
-    the limiter. Silence remains silent.
+    the limiter. A silent track is returned unchanged.
     """
     settings = settings or Mastering()
     weighted = WeightedTrack(track=track)
@@ -261,8 +262,8 @@ def master_copy(
 
 
 def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
-    """Return the track at the loudness of the settings, or a quieter one if it is
-    unreachable.
+    """Return the track at the specified loudness, or a quieter one if it cannot be
+    reached.
 
     The gain before the limiter is increased until the loudness is reached; the trim
     then removes the excess. Raises ValueError if the track is too short.

@@ -29,8 +29,9 @@ def rigid_acceleration(contact_force, disk: Disk) -> np.ndarray:
     The columns are the acceleration of the centre [m/s^2] and the angular acceleration
     [rad/s^2] in the patch frame, with the inertia (2.4) and the force at (R, 0, -L/2).
     Two effects are neglected. The resisting moments (3.3) are below 1 % of the moment
-    of the force; their changes of sign are 40 dB weaker than a slip of the published
-    disk. Centrifugal and gyroscopic loads vary slowly and soon become small."""
+    of the force, and the sound of their sign changes is 40 dB below that of a slip of
+    the paper's disk. The centrifugal and gyroscopic loads vary slowly and soon become
+    small."""
     moment = np.cross([disk.radius, 0.0, -disk.thickness / 2], contact_force)
     return np.hstack([contact_force, moment]) / inertia(disk)
 
@@ -51,8 +52,8 @@ def heave_and_tilt_accelerations(
     """Return the sound-radiating accelerations (k, 1 + e) [m/s^2] of the rigid disk.
 
     The first column is the heave, which is 0 when the force equals the weight. The
-    others are the accelerations, due to tilting, of the rim points at the azimuths
-    `ears` [rad]. The shapes are `force` (k, 3) [N] and `attitude` (k, 3) [rad]."""
+    others are the accelerations of the rim at the azimuths `ears` [rad] due to tilting.
+    The shapes are `force` (k, 3) [N] and `attitude` (k, 3) [rad]."""
     turn = (
         in_patch_frame(force, attitude[:, 1])
         @ rigid_acceleration(np.eye(3), disk)[:, 3:]
@@ -78,10 +79,10 @@ def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
 
 
 def modal_forcing_function(modes: Modes, scene: Scene):
-    """Return a function of force (k, 3) [N] and attitude (k, 3) [rad] that computes the
-    modal forcing.
+    """Return a function(force (k, 3) [N], attitude (k, 3) [rad]) -> modal forcing (k,
+    m).
 
-    The forcing is g (k, m) in q'' + 2 d q' + w^2 q = g.
+    The forcing is g in q'' + 2 d q' + w^2 q = g.
 
     A disk held at its `patch` moves with the contact: g = -participation . rigid
     acceleration, and the force itself does no work on the modes. On a `free` disk the
@@ -115,12 +116,12 @@ def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
 
 
 def _forcing_on_springs(modes, disk, by_support):
-    """Return the modal forcing (3, m) if a separate stem contains the rigid vibration
-    on the contact.
+    """Return the modal forcing (3, m) if the rigid vibration on the contact is a
+    separate stem.
 
-    The force is then that of the contact springs, and it does work on the elastic part
-    of a shape, which is the shape minus its rigid part. Mostly rigid modes belong to
-    the other stem and have no forcing."""
+    The force is then that of the contact springs, which does work on the elastic part
+    of a shape, that is, the shape minus its rigid part. Predominantly rigid modes
+    belong to the other stem and are not forced."""
     rigid_share = np.square(modes.participation) @ (1 / inertia(disk))
     return (by_support + modes.rim_shape[:, 0].T) * (rigid_share < 0.5)
 

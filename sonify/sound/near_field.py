@@ -1,9 +1,8 @@
-"""Compute the sound of a disk for a listener near it, by direct evaluation of
-Rayleigh's integral.
+"""Compute the sound near a disk by direct evaluation of Rayleigh's integral.
 
-The upper face radiates as if it lay in a baffle, and the flow out of the rim as if the
-table were empty; for a disk a third of its radius high, finite elements differ by 1 to
-4 dB. See tests/sound/test_head_and_near_field.py."""
+The upper face is assumed to radiate as in a baffle, and the flow out of the rim as on
+an empty table. For a thickness of a third of the radius, the result differs from a
+finite-element solution by 1 to 4 dB. See tests/sound/test_head_and_near_field.py."""
 
 import numpy as np
 
@@ -48,11 +47,11 @@ def near_face_kernels(listener: Listener, disk, h: float) -> list:
 
 
 def near_rim_kernels(listener: Listener, disk, h: float) -> list:
-    """Return step response and taps of the flow out of the rim, for its harmonics 0, 1
-    and 2.
+    """Return step response and taps for the harmonics 0, 1 and 2 of the flow out of the
+    rim.
 
-    The units are the volume of the unit heave, the dipole of the unit tilt and, for the
-    second harmonic, the amplitude of the flow for the unit heave."""
+    The unit flows are the volume flow of unit heave, the dipole of unit tilt and, for
+    the second harmonic, the flow amplitude of unit heave."""
     points, weights = rim_points(disk.radius)
     x, y = points.T / disk.radius
     flows = (disk.radius / 2, disk.radius / 4 * x, disk.radius / 2 * (x * x - y * y))
@@ -104,9 +103,9 @@ def rayleigh_waves(
     Returns
     -------
     face : ndarray, shape (a, 2)
-        Of the unit accelerations 1 and x of the face.
+        Pressures due to the face accelerations 1 and x.
     rim : ndarray, shape (a, count)
-        Of the flows cos n theta for n < count, of unit volume per length.
+        Pressures due to the rim flows cos n theta per unit length, for n < count.
     """
     points, weights = face_points(disk.radius, disk.inner_radius, 50, 180)
     around, lengths = rim_points(disk.radius, 180)

@@ -115,10 +115,10 @@ class OscillatorBank:
         self.set_steady_state(0.0)
 
     def set_steady_state(self, g, slope=0.0):
-        """Set the steady response to a force that has always risen with `slope` (m,)
-        and reaches g (m,).
+        """Set the state to the steady response to a ramp with `slope` (m,) that reaches
+        g (m,).
 
-        The samples of the next block must begin with g."""
+        The first sample of the next block must be g."""
         v = slope / self.omega**2 + 0 * self.omega
         q = (g - 2 * self.decay * v) / self.omega**2
         self.state = self._to_observable_coordinates(np.stack([q, v]) - self.late * g)
@@ -204,10 +204,10 @@ class OscillatorBank:
         return np.einsum("wi...,i...->w...", self.rows, x)
 
     def knot_impulses(self, knots):
-        """Return the state change (2, j, m) at the next sample that each knot causes.
+        """Return the state change (2, j, m) that each knot causes at the next sample.
 
-        The reference is a straight line between samples. In a bank of shape (j, m) each
-        knot uses its own row.
+        The reference is a force that is linear between the samples. In a bank of shape
+        (j, m) each knot uses its own row.
         """
         modes = self.omega.shape[-1]
         if not (len(knots.interval) and modes):

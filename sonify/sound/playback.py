@@ -22,8 +22,8 @@ over the loudness."""
 TRUE_PEAK_OVERSAMPLING = 4
 """Oversampling in the search for the true peak, BS.1770-4, annex 2."""
 MAX_OVERSHOOT = 2.5
-"""Upper bound of the ratio of the true peak to the greatest sample: it exceeds the sum
-of the absolute weights of the resampling filter."""
+"""Upper bound for the ratio of true peak to sample peak; it exceeds the sum of the
+absolute weights of the resampling filter."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,8 +65,8 @@ class WeightedTrack(DerivedTrack):
         )
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, channels) from sample `start` on; each call starts
-        afresh."""
+        """Return a new iterator over blocks (k, channels), beginning at sample
+        `start`."""
         done = 0
         for block in self._cached_blocks or self._filtered():
             yield block[max(start - done, 0) :]
@@ -92,8 +92,8 @@ class ScaledTrack(DerivedTrack):
         return loudness_lufs(self)
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, channels) from sample `start` on; each call starts
-        afresh."""
+        """Return a new iterator over blocks (k, channels), beginning at sample
+        `start`."""
         yield from (
             block.astype(float) / self.full_scale for block in self.track.blocks(start)
         )
@@ -106,7 +106,7 @@ def audible_copy(track) -> ScaledTrack:
     full_scale_at_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
     at_peak = ScaledTrack(
         track=weighted, full_scale=full_scale_at_peak
-    )  # scaled first: loudness has a gate at -70 LUFS
+    )  # scaled first, because the loudness gate is at -70 LUFS
     try:
         attenuation = 10 ** ((at_peak.loudness - LOUDNESS_LUFS) / 20)
     except ValueError:  # too short for a loudness
@@ -135,7 +135,8 @@ def loudness(copy: LoudTrack) -> float | str:
 
 
 def true_peak(source) -> float:
-    """Return the greatest magnitude of a source, including values between samples."""
+    """Return the largest magnitude of a source, including values between the
+    samples."""
     tops = [np.abs(part).max() for part in _overlapping_parts(source)]
     loudest = max(tops)
     peak = 0.0

@@ -15,8 +15,7 @@ if TYPE_CHECKING:
 def plot_sound(
     sound: "Sound", window: float = 0.02, range_db: float = 65.0, columns: int = 2000
 ) -> "Figure":
-    """Return a figure with the range of the pressure in each time interval and the
-    spectrogram.
+    """Plot the range of the pressure in each time interval, and the spectrogram.
 
     The spectrogram uses Hann windows of length `window` [s] and shows levels down to
     `range_db` below its maximum.

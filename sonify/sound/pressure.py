@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Dynamics = Literal["compressed", "natural"]
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """Stems of every scene: heave and tilt of the rigid disk, and ringing of its modes due
-to the smooth force and to its jumps. A scene may have more stems."""
+to the smooth part of the force and to its jumps. A scene may have further stems."""
 COLUMNS = ("pressure", *STEMS)
 MAX_BYTES_IN_MEMORY = 1 << 27
 """Size [bytes] above which a sound is kept in an unnamed temporary file."""
@@ -32,8 +32,8 @@ MAX_BYTES_IN_MEMORY = 1 << 27
 class Track:
     """One column of a sound [Pa], which sonify.hearing can analyse as an audio source.
 
-    It has `frames` samples at `sample_rate` [Hz]. `others` are the same column at
-    further listeners, which form the additional channels."""
+    It has `frames` samples at `sample_rate` [Hz]. `others` contains the same column at
+    further listeners, the additional channels."""
 
     sample_rate: int
     columns: object
@@ -60,8 +60,8 @@ class Track:
         return self.columns[first:last][:, self.column]
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield float32 blocks (k, channels) from sample `start` on; each call starts
-        afresh."""
+        """Return a new iterator over float32 blocks (k, channels), beginning at sample
+        `start`."""
         for first in range(start, self.frames, BLOCK):
             block = np.zeros(
                 (min(BLOCK, self.frames - first), self.channels), np.float32
@@ -87,14 +87,14 @@ class Sound:
     rendered_mode_count : int
         Number of modes rendered.
     source_end : float
-        Time [s] at which the sound of the end of the motion reaches the listener; then
-        the modes ring down.
+        Time [s] at which the sound of the end of the motion reaches the listener; only
+        the ring-down of the modes follows.
     outcome : Outcome
         Outcome of the motion.
     ringing : RingDown
         Frequencies and decay rates of the modes after the motion.
     energy_time : ndarray, shape (e,)
-        Times [s] of the energies, on the clock of the motion.
+        Times [s] of the energies, without the propagation delay.
     energy : ndarray, shape (e,)
         Energy [J] of the modes of the disk.
     table_energy : ndarray, shape (e,), or None
@@ -183,12 +183,12 @@ class Sound:
 
     @property
     def peak(self) -> float:
-        """Greatest magnitude of the pressure [Pa]."""
+        """Largest magnitude of the pressure [Pa]."""
         return float(self._column_peaks[0])
 
     @property
     def stem_peaks(self) -> dict[str, float]:
-        """Greatest magnitude of each stem [Pa] by name."""
+        """Largest magnitude of each stem [Pa] by name."""
         return dict(
             zip(
                 self.names,
@@ -220,8 +220,8 @@ class Sound:
 
     @cached_property
     def audible_uncompressed(self) -> ScaledTrack:
-        """A-weighted, amplified pressure without compression of its dynamics; for two
-        ears if `has_second_ear`."""
+        """A-weighted, amplified pressure with natural dynamics; two ears if
+        `has_second_ear`."""
         return audible_copy(self._audible_source)
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Compute the radiation of a face of the disk; the table acts as a baffle.
+"""Compute the sound radiated by a face of the disk, with the table as a baffle.
 
 Rayleigh's integral is p(t) = rho/(2 pi) * integral of w(t - R/c)/R over the face, with
 its normal acceleration w. It is valid if the face lies nearly in the plane of the table
@@ -18,8 +18,7 @@ from sonify.scene import ListenerPosition
 from sonify.sound.head import Ear
 
 NEAR_FIELD_DISTANCE_RATIO = 4.0
-"""Distance, divided by the radius of the disk, below which the near field is
-computed."""
+"""Ratio of distance to disk radius below which the near field is computed."""
 AZIMUTH_COUNT = 512
 """Number of azimuths at which the radiation of a mode is tabulated for linear
 interpolation."""
@@ -31,8 +30,8 @@ class Listener:
 
     The distance [m] is measured from the centre of the disk, the elevation [rad] from
     the table, and the azimuth [rad] from the table's x axis. The upper face of the disk
-    is `face_height` [m] above its centre; 0 for a distant listener, who hears no
-    difference. An `ear` is on a head that scatters the sound.
+    is `face_height` [m] above its centre; for a distant listener the height is
+    irrelevant and set to 0. An `ear` belongs to a head that scatters the sound.
     """
 
     distance: float
@@ -58,14 +57,15 @@ class Listener:
         return listener_position(self, self.azimuth)
 
     def half_crossing_time(self, radius: float) -> float:
-        """Return half the time [s] a plane wave to the listener takes to cross a disk
-        of `radius` [m]."""
+        """Return half the time [s] in which the direct sound crosses a disk of `radius`
+        [m]."""
         return radius * np.cos(self.elevation) / self.air.sound_speed
 
 
 def listeners_of(scene: Any) -> list[Listener]:
-    """Return `audio.listeners` of a scene, or the single listener of its audio
-    section; a head is two listeners, its left and its right ear."""
+    """Return `audio.listeners` of a scene, or the single listener of its audio section.
+
+    A head yields two listeners, its left and its right ear."""
     positions = scene.audio.listeners or [scene.audio.single_listener]
     return [ear for position in positions for ear in _ears_of(position, scene)]
 
@@ -149,13 +149,12 @@ def directivity_table(
     at_zero_frequency: bool = False,
     count: int = AZIMUTH_COUNT,
 ) -> np.ndarray:
-    """Return `rayleigh` (count, m) of each mode's top face at `count` equally spaced
-    azimuths.
+    """Return Rayleigh's integral (count, m) over the top face of each mode.
 
-    The azimuths of the listener are in the frame of the modes. Each mode is evaluated
-    at its own frequency, unless `at_zero_frequency` is True. The path from a point
-    depends only on its angle to the listener, so the sum over each ring is a
-    convolution."""
+    The listener is at `count` equally spaced azimuths in the frame of the modes. Each
+    mode is evaluated at its own frequency, unless `at_zero_frequency` is True. The path
+    from a point depends only on its angle to the listener, so the sum over each ring is
+    a convolution."""
     k = (
         0 * modes.frequency
         if at_zero_frequency
@@ -187,7 +186,7 @@ def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarra
     at the frequency of the mode and at 0. Within 2 % below the Nyquist frequency the
     phase is only approximate."""
     min_sine = (
-        0.06  # reached 2 % below half the sample rate, where the taps would be infinite
+        0.06  # attained 2 % below the Nyquist frequency, where the taps would diverge
     )
     turn = 2 * np.pi * modes.frequency / sample_rate
     at_mode = directivity_table(modes, listener)
@@ -203,10 +202,10 @@ def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0)
     """Return step response and taps for the pressure of a heaving disk.
 
     The unit of pressure is `piston_strength`. The function step(t) is the response at t
-    [s] to a unit step of the acceleration; the taps (2 w + 1,) apply to samples h [s]
-    apart, joined by straight lines. The finite `radius` [m] of the disk acts as a
-    low-pass filter. The kernel is accurate to first order in radius/distance. The
-    radiation of a hole of radius `hole` [m] is subtracted."""
+    [s] to a unit step of the acceleration; the taps (2 w + 1,) apply to linearly
+    interpolated samples with a spacing of h [s]. The finite `radius` [m] of the disk
+    acts as a low-pass filter. The kernel is accurate to first order in radius/distance.
+    The radiation of a hole of radius `hole` [m] is subtracted."""
     return _subtract_hole(
         lambda r: pulse_kernel(
             listener.half_crossing_time(r), h, heave_pulse_integrals
@@ -220,10 +219,10 @@ def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0)
 def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
     """Return step response and taps for a tilting disk, in the form of `heave_kernel`.
 
-    The rim has unit acceleration at the point nearest to the listener and the opposite
-    one on the far side. In the far field the two halves differ only in travel time, in
-    the near field also in distance. The acceleration at the rim of the hole is smaller
-    by the factor hole / radius."""
+    The acceleration of the rim is 1 at the point nearest to the listener and -1 at the
+    farthest point. In the far field the two halves differ only in travel time; in the
+    near field they also differ in distance. The acceleration at the rim of the hole is
+    smaller by the factor hole / radius."""
 
     def solid_kernel(r):
         transit = listener.half_crossing_time(r)

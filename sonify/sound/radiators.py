@@ -16,11 +16,12 @@ from sonify.sound.radiation import (
 
 
 class RigidFace:
-    """Radiator of heave and tilt of a disk; `reach` is the half width of its kernels
-    [samples]."""
+    """Radiator of heave and tilt of a disk.
+
+    `reach` is the half-width of its kernels [samples]."""
 
     columns: tuple[slice, ...] = (slice(1), slice(1, None))
-    """Columns of the accelerations with the same kernel."""
+    """Groups of acceleration columns that share a kernel."""
 
     def __init__(self, disk, listener: Listener, h: float):
         self._steps, self._taps = zip(*self._kernels(disk, listener, h), strict=True)
@@ -85,8 +86,7 @@ class RigidFace:
 class NearRim(RigidFace):
     """Radiator of the flow out of the rim, for a listener near the disk.
 
-    The first column is the harmonic 0, the next two are harmonics 1, the last one is
-    the harmonic 2."""
+    The columns are flows of azimuthal harmonics 0, 1, 1 and 2."""
 
     columns = (slice(0, 1), slice(1, 3), slice(3, 4))
 
@@ -97,8 +97,9 @@ class NearRim(RigidFace):
 
 
 class ElasticFace:
-    """Radiator of elastic modes towards a moving azimuth; the output is delayed by
-    `latency` samples."""
+    """Radiator of elastic modes towards a listener at a variable azimuth.
+
+    The output is delayed by `latency` samples."""
 
     def __init__(self, modes, listener: Listener, sample_rate: float, latency: int):
         self._modes = modes
@@ -181,10 +182,8 @@ def compile_radiators() -> None:
 def _apply_taps(samples, modes, where, sharpness, mean, deviation, slopes, out):
     """Write the products of interpolated taps with samples into `out` (k, s).
 
-    The samples (s, ...) contain `modes` values per instant.
-
-    The taps at a fractional row of the table are mean + sharpness (deviation + part
-    slope).
+    The samples (s, ...) contain `modes` values per instant. The taps at a fractional
+    row of the table are mean + sharpness (deviation + share slope).
     """
     tap = np.empty(len(mean))
     for n in range(len(where)):

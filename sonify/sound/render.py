@@ -1,4 +1,4 @@
-"""Render the sound pressure at the listener as stems, which add up to it."""
+"""Render the sound pressure at the listener as a sum of stems."""
 
 from collections import defaultdict, deque
 from collections.abc import Callable, Sequence
@@ -36,9 +36,9 @@ class Renderer:
     """Renders blocks of pressure [Pa] at a listener from a motion and modes, one column
     per stem.
 
-    Sample times are those of the listener, who hears the source after a delay of
-    distance / c. After the motion the modes ring down, whatever its outcome. Rendering
-    changes only the sampler's count of evaluations.
+    Times are measured at the listener, who hears the source with a delay of distance /
+    c. The modes ring down after the motion, regardless of its outcome. The only side
+    effect of rendering is the evaluation count of the sampler.
 
     Parameters
     ----------
@@ -59,8 +59,7 @@ class Renderer:
         Azimuth [rad] from the listener to a second ear; its pressure is an additional
         column.
     sharing : Renderer, optional
-        Renderer of the same modes for another listener, from which modes and film are
-        reused.
+        Renderer of the same modes for another listener; its modes and film are reused.
 
     Attributes
     ----------
@@ -111,7 +110,7 @@ class Renderer:
         start = latency / self.sample_rate - self.listener.delay
         self._lead = max(
             ceil(start * self.sample_rate), 0
-        )  # samples rendered before the first one is heard
+        )  # samples rendered before time 0 of the listener
         start -= self._lead / self.sample_rate
         rest, fade = np.vstack([source.channel_ends for source in self.sources]).T
         self.sampler = ForceSampler(
@@ -134,11 +133,10 @@ class Renderer:
         ) + tables
 
     def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
-        """Yield the stems (k, s) [Pa] in blocks of k <= size samples, from the first
-        sample on.
+        """Yield the stems (k, s) [Pa] in blocks of k <= size samples.
 
-        `note(name, t (e,) [s], energy (e,) [J])` receives the modal energy of the
-        source with this name of its first stem, at times of the motion."""
+        `note(name, t (e,) [s], energy (e,) [J])` receives the modal energy of each
+        source at times of the motion; `name` is that of its first stem."""
         first = self.sampler.block(0, 1).samples[0]
         rendering = [
             (
@@ -229,8 +227,7 @@ class Renderer:
         )
 
     def _apply_end_fades(self, stems, first):
-        """Return the stems (k, s), which start at sample `first`, multiplied by the
-        fades at both ends."""
+        """Apply the fades at both ends to stems (k, s) that start at sample `first`."""
         fade_in_end = FADE_IN * self.sample_rate
         fade_out_start = self.samples - FADE_OUT * self.sample_rate
         if fade_in_end < first and first + len(stems) < fade_out_start:

@@ -24,7 +24,7 @@ class DrivenModes:
     """Oscillators of m modes driven by the contact force, with separate banks for its
     smooth part and its jumps.
 
-    `settled` (m,) is the force on each mode, constant until the first block begins.
+    `settled` (m,) is the constant force on each mode before the first block.
     """
 
     def __init__(self, modes, sample_rate: float, settled):
@@ -48,8 +48,8 @@ class SolvedModes:
     """Response of the modes `chosen` (m,) taken from a VibrationPart; they ring down
     after the motion.
 
-    The solution does not distinguish smooth force and jumps; the whole response is
-    assigned to the smooth force."""
+    The solution does not distinguish between smooth force and jumps; the whole response
+    is assigned to the smooth force."""
 
     def __init__(self, motion, chosen, ringing: RingDown):
         self._ringing = ringing

@@ -1,12 +1,12 @@
-"""Compute the radiation of a plate without a baffle, with air that flows around its
+"""Compute the sound radiated by a plate without a baffle, where air flows around its
 edge.
 
 By reciprocity, the pressure at a listener per unit acceleration of a point of the plate
 is the pressure difference between the faces of the rigid plate at this point, caused by
-a source at the listener. In a baffle it is twice the incident pressure. On a rigid disk
-Galerkin's method yields it in functions rho^m sqrt(1 - rho^2) P_j(1 - 2 rho^2)
-(Bouwkamp 1941). Any other outline is mapped to a disk by the ellipse with the same
-second moments, which conserves the dipole at low frequency.
+a source at the listener. In a baffle it is twice the incident pressure. For a rigid
+disk it is computed by Galerkin's method with the basis rho^m sqrt(1 - rho^2) P_j(1 - 2
+rho^2) (Bouwkamp 1941). Any other outline is mapped to a disk through the ellipse with
+the same second moments, which preserves the dipole at low frequency.
 """
 
 from functools import lru_cache
@@ -16,24 +16,25 @@ import numpy as np
 from scipy.special import ellipe, eval_jacobi, gammaln, spherical_jn
 
 MAX_UNBAFFLED_KA = 12.0
-"""Wave number times radius above which the plate radiates as in a baffle."""
+"""Wavenumber times radius above which the plate radiates as in a baffle."""
 KA_BLEND_RANGE = 2.0
-"""Range of wave number times radius below MAX_UNBAFFLED_KA over which both solutions
-are blended."""
+"""Range of wavenumber times radius below MAX_UNBAFFLED_KA over which both solutions are
+blended."""
 KA_STEP = 0.4
-"""Step of wave number times radius between solutions of the disk."""
+"""Step of wavenumber times radius between solutions of the disk."""
 BASIS_SIZE = 12
 """Number of radial functions for each azimuthal order."""
 
 
 class UnbaffledRatio:
-    """Ratio of the pressure radiated by each point of a plate to that in a baffle.
+    """Ratio of the pressure radiated by each point of an unbaffled plate to that in a
+    baffle.
 
     Parameters
     ----------
-    points, weights : (p, 2) and (p,) arrays
+    points, weights : ndarray, shapes (p, 2) and (p,)
         Points of the plate [m] and their weights [m^2].
-    direction : (3,) array
+    direction : ndarray, shape (3,)
         Unit vector to the listener.
     sound_speed : float
         [m/s]
@@ -71,17 +72,17 @@ class UnbaffledRatio:
 
 
 def unbaffled_disk_ratios(sizes, cosine: float, rho, azimuth) -> np.ndarray:
-    """Return half the pressure difference across a rigid disk in a plane wave, (s, p).
+    """Return half the pressure difference (s, p) across a rigid disk in a plane wave.
 
-    It is divided by the incident pressure.
+    The result is divided by the incident pressure.
 
     Parameters
     ----------
-    sizes : (s,) array
-        Wave numbers times radius.
+    sizes : ndarray, shape (s,)
+        Wavenumbers times radius.
     cosine : float
         Cosine of the angle between the wave and the normal.
-    rho, azimuth : (p,) arrays
+    rho, azimuth : ndarray, shape (p,)
         Radial positions divided by the radius, and angles from the wave direction
         [rad].
     """
@@ -107,8 +108,9 @@ def unbaffled_disk_ratios(sizes, cosine: float, rho, azimuth) -> np.ndarray:
 
 @lru_cache(4096)
 def inverse_galerkin_matrix(size: float, m: int) -> np.ndarray:
-    """Return the inverse (j, j) of Galerkin's matrix of order m for a wave number times
-    radius."""
+    """Return the inverse (j, j) of the Galerkin matrix of azimuthal order m.
+
+    `size` is the wavenumber times the radius."""
     n = m + 2 * np.arange(BASIS_SIZE) + 1
     kappa, weight, extra = spectral_quadrature(size)
     rows = spherical_jn(n[:, None], kappa) * np.sqrt(2 / pi)
@@ -118,11 +120,11 @@ def inverse_galerkin_matrix(size: float, m: int) -> np.ndarray:
 
 
 def spectral_quadrature(size: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return in-plane wave numbers kappa, weights, and gamma - kappa, each of shape
+    """Return in-plane wavenumbers kappa, quadrature weights, and gamma - kappa, all
     (q,).
 
     The rate of decay away from the plane is gamma = sqrt(kappa^2 - size^2); the
-    substitutions remove the singularity of its slope at kappa = size.
+    substitutions remove its singular slope at kappa = size.
     """
     node, share = np.polynomial.legendre.leggauss(40)
     angle = (node + 1) * pi / 4

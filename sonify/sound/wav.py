@@ -37,10 +37,10 @@ def write_sound(
 ) -> None:
     """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`.
 
-    The comment of each file states the pressure represented by 1.0, and that the end is
-    missing if the motion did not come to rest. The memory required does not depend on
-    the length. `watch(fraction)` is called with the completed fraction. Raises OSError
-    if the disk is full."""
+    The comment of each file states the pressure represented by 1.0 and, if the motion
+    did not come to rest, that the end is missing. The memory required does not depend
+    on the duration. `watch(fraction)` is called with the completed fraction. Raises
+    OSError if the disk is full."""
     folder = Path(folder)
     pascal = "1.0 = 1 pascal at the listener"
     unfinished = (
@@ -90,8 +90,9 @@ def write_sound(
 
 @contextmanager
 def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
-    """Open a WAV file for writing; it appears only when complete, and equal samples
-    give equal bytes.
+    """Open a WAV file for writing.
+
+    The file appears only when complete, and identical samples give identical bytes.
 
     `chunk` is appended as the last chunk of the file, which must not be RF64."""
     with atomic_write(path) as temporary:
@@ -103,7 +104,7 @@ def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
         except (
             AssertionError,
             soundfile.LibsndfileError,
-        ) as error:  # libsndfile reports only a short write
+        ) as error:  # libsndfile reports a full disk only as a short write
             raise OSError(
                 errno.ENOSPC, "could not be written in full", str(path)
             ) from error
@@ -113,7 +114,7 @@ def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
 
 
 def _clear_timestamp(path):
-    """Set the time stamp to zero that libsndfile writes into the PEAK chunk of float
+    """Clear the time stamp that libsndfile writes into the PEAK chunk of float
     files."""
     with open(path, "r+b") as file:
         stamp = file.read(4096).find(b"PEAK")

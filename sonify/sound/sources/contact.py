@@ -28,13 +28,13 @@ from sonify.sound.sources.contact_vibration import VibratingDisk
 from sonify.sound.sources.protocol import Source, delay_output
 
 MIN_PROFILE_RATE = 96e3  # 1/s
-"""Smallest sample rate of the height profiles; the contact ellipse smooths faster
+"""Minimum sample rate of the height profiles; the contact ellipse averages out faster
 variations."""
 
 
 @dataclass(frozen=True, eq=False)
 class ContactFilter:
-    """Additional force of a compliant, rough contact along a rigid motion.
+    """Force that a compliant, rough contact adds to the force of a rigid motion.
 
     The force is sampled at start + n/sample_rate [s], like the contact force; it is
     zero before and after the motion.
@@ -75,7 +75,7 @@ class ContactFilter:
 
     @property
     def end(self) -> float:
-        """Last time [s] of the motion at which the contact is still an ellipse."""
+        """Last time [s] at which the contact area is still elliptical."""
         return float(
             self.motion.t[
                 np.flatnonzero(self.motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]
@@ -83,8 +83,8 @@ class ContactFilter:
         )
 
     def blocks(self, fade=0.002) -> Iterator[np.ndarray]:
-        """Yield blocks of the force (k, 2) [N] along a_2 and the normal from sample
-        `first` on.
+        """Yield blocks of the force (k, 2) [N] along a_2 and the normal, beginning at
+        sample `first`.
 
         The force fades out over the last `fade` [s], a few periods of the contact
         resonance."""
@@ -128,11 +128,10 @@ def decimate(samples, weight, factor) -> np.ndarray:
 
 
 class ContactVibration(Source):
-    """Vibration in addition to a rigid motion: a ContactFilter drives the rigid disk,
-    its modes and the table.
+    """Vibration superposed on a rigid motion.
 
-    The blocks of the filter are used internally, so the result is bit-identical for all
-    sizes of requested blocks."""
+    A ContactFilter drives the rigid disk, its modes and the table. The internal blocks
+    are those of the filter, so the result is bit-identical for all block sizes."""
 
     names = ("contact",)
     channel_ends = np.zeros((0, 2))
@@ -147,7 +146,7 @@ class ContactVibration(Source):
         self.latency = max(source.latency for source in moved)
 
     def input_channels(self, force, state):
-        """Return an empty array (k, 0): the force is that of the filter."""
+        """Return an empty array (k, 0), because the filter provides the force."""
         return np.zeros((len(force), 0))
 
     def make_block_renderer(self, first, note):
@@ -189,7 +188,7 @@ class ContactVibration(Source):
         for t, force in _added_force_blocks(added):
             state = self._states(t)
             driven = [source.input_channels(force, state) for source in self._moved]
-            # The channels are affine in the force: subtract those without a force.
+            # The channels are affine in the force: subtract their values at zero force.
             driven[0][:, :3] -= self._moved[0].input_channels(0 * force, state)[:, :3]
             stems = [
                 render(_contact_force_without_jumps(t, channels))
@@ -198,8 +197,8 @@ class ContactVibration(Source):
             yield np.hstack(stems).sum(axis=1, keepdims=True)
 
     def _states(self, t):
-        """Return the states (k, 11) at t (k,) [s], interpolated between every
-        INTERPOLATION_STRIDE-th one."""
+        """Return the states (k, 11) at t (k,) [s], interpolated from every
+        INTERPOLATION_STRIDE-th time."""
         inside = np.clip(t, 0.0, self._motion.t[-1])
         nodes = np.append(inside[:-1:INTERPOLATION_STRIDE], inside[-1])
         return np.column_stack(
@@ -208,8 +207,10 @@ class ContactVibration(Source):
 
 
 def _added_force_blocks(added, silent_block=1 << 14):
-    """Yield times (k + 1,) [s] and additional contact forces (k + 1, 3) [N] without
-    end; zeros after the motion."""
+    """Yield times (k + 1,) [s] and additional contact forces (k + 1, 3) [N]
+    indefinitely.
+
+    The forces are zero after the motion."""
     n = added.first
     last = np.zeros((0, 2))
     for block in chain(added.blocks(), repeat(np.zeros((silent_block, 2)))):
@@ -234,10 +235,10 @@ def _contact_force_without_jumps(t, channels):
 
 
 class SolvedContactVibration(Source):
-    """Disk in a motion that already contains its vibration on the contact.
+    """Disk in a motion that already includes the vibration on the contact.
 
-    The part of each stem above `crossover` [Hz] is assigned to the stem of the contact.
-    If `vibrating` differs from `rigid`, it replaces `rigid` in that stem."""
+    The part of each stem above `crossover` [Hz] is moved to the contact stem. If
+    `vibrating` differs from `rigid`, it replaces `rigid` in that stem."""
 
     def __init__(
         self,
@@ -303,8 +304,8 @@ def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Sou
     """Return the sound sources of a disk, including its vibration on an elastic
     contact.
 
-    The vibration is added to a rigid motion or extracted from a motion that contains
-    it. In addition to a rigid motion, the force also drives the tables `below`."""
+    The vibration is superposed on a rigid motion, or extracted from a motion that
+    includes it. If superposed, it also drives the table sources `below`."""
     if scene.contact.law == "rigid":
         return [rigid, elastic]
     if isinstance(motion, RattlingMotion):

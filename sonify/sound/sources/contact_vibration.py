@@ -1,5 +1,4 @@
-"""Radiate the rigid vibration of the disk above its air film by filters that follow the
-gap."""
+"""Compute the sound of a disk vibrating as a rigid body above its air film."""
 
 from math import pi
 
@@ -29,10 +28,11 @@ SINE_ORDERS = np.arange(1, MAX_RIM_ORDER + 1)
 
 
 class VibratingDisk(Source):
-    """Sound source for forces faster than the rotation of the disk, from
-    `radiated_multipoles`.
+    """Sound source for forces that vary faster than the disk rotates.
 
-    Successive filters are cross-faded by Hann windows whose sum is 1, so that at
+    Its filters are computed from `radiated_multipoles` at the current gap.
+
+    Successive filters are cross-faded with Hann windows that add up to 1, so that at a
     constant gap the output is that of a single filter."""
 
     names = ("vibration",)
@@ -45,7 +45,7 @@ class VibratingDisk(Source):
         rate = scene.audio.sample_rate
         self._disk = disk
         self._azimuth = listener.azimuth + pi  # azimuth 0 is where the gap is widest
-        hop_time = 0.02  # s; the filters overlap by Hann windows
+        hop_time = 0.02  # s; interval between successive filters
         self._hop = round(hop_time * rate)
         self._response_length = round(RESPONSE_TIME * rate)
         pre_arrival_time = (
@@ -87,8 +87,8 @@ class VibratingDisk(Source):
 
         The columns are the acceleration of the centre along the axis of the disk, the
         accelerations of the rim due to tilting about two diameters [m/s^2], cosine and
-        sine of the listener's azimuth from the widest gap, and the logarithm of the
-        ratio of mean gap to radius."""
+        sine of the listener's azimuth relative to the widest gap, and the logarithm of
+        the ratio of mean gap to radius."""
         azimuth = self._azimuth + listener_azimuth(state, turning_with_body=False)
         gap = log_mean_gap(state, self._disk) - np.log(self._disk.radius)
         return np.column_stack(
@@ -112,7 +112,7 @@ class VibratingDisk(Source):
         """Return the mean-square pressure (k,) [Pa^2/N^2] per squared normal force at
         frequencies (k,) [Hz].
 
-        It is averaged over the azimuth around the disk."""
+        The result is averaged over the azimuth of the listener."""
         gap = np.log(np.clip(np.sin(inclination), *MEAN_GAPS[[0, -1]]))
         normal_force = np.array([[0.0, 0.0, 1.0]])
         waves = (
@@ -157,8 +157,9 @@ class VibratingDisk(Source):
         return advance
 
     def _wave_amplitudes(self, samples):
-        """Return products of accelerations and azimuthal waves at the listener, and the
-        log gap as last column."""
+        """Return the products of accelerations and azimuthal waves, and the log gap.
+
+        The log gap is the last column."""
         heave, tilt, roll, cosine, sine, gap = samples.T[:, :, None]
         wave = (cosine + 1j * sine) ** COSINE_ORDERS
         return np.hstack(
@@ -166,8 +167,8 @@ class VibratingDisk(Source):
         )
 
     def _filter_spectra(self, gap, log_gap_step=0.05):
-        """Return the filter spectra (bins, channels) at a logarithm of the gap, rounded
-        to `log_gap_step`."""
+        """Return the filter spectra (bins, channels) at a log gap, rounded to
+        `log_gap_step`."""
         inside = np.log(MEAN_GAPS[[0, -1]])
         level = round(float(np.clip(gap, *inside)) / log_gap_step)
         if level not in self._filters:

@@ -4,7 +4,7 @@ Where the film is open, the air displaced by the face leaves at the rim and canc
 of the sound of the face. If p is the pressure of a flush piston in a baffle, the disk
 radiates (a - g b) p, where g is the fraction of the displaced air that leaves at the
 rim, and a and b account for the height of the disk. All coefficients are those of the
-wedge (dynamics/film/reynolds.py) at the inclination of each instant."""
+wedge (dynamics/film/reynolds.py) at the instantaneous inclination."""
 
 from functools import cached_property
 
@@ -110,8 +110,7 @@ def rim_flow_shares(Lam) -> np.ndarray:
     """Return the harmonics g1 and g2 (2, k) of the rim flow, divided by the tilt
     dipole, at Lam (k,).
 
-    They apply to forward precession of the film; for the opposite sense use the complex
-    conjugate.
+    They apply to forward precession; for the opposite sense use the complex conjugate.
     """
     tabulated = RIM_FLOW_COMPRESSIBILITY
     shares = np.empty((len(RIM_FLOW_SHARES), len(Lam)), complex)
@@ -165,7 +164,7 @@ class RigidDiskOverFilm(RigidDisk):
     @property
     def channel_ends(self):
         """Rest values and fade times: accelerations fade to zero, the gap and the
-        cosines keep their last values."""
+        cosines hold their last values."""
         fades = [0.0, FADE_OUT]
         stays = [np.nan, 0.0]
         second = [] if self._second_ear is None else [fades, fades, stays]
@@ -267,8 +266,7 @@ class RigidDiskOverFilm(RigidDisk):
         return advance
 
     def _relaxed_fractions(self, gap):
-        """Return the fractions (k, r) by which the relaxations proceed per sample at
-        logarithms of gaps (k,)."""
+        """Return the relaxed fractions per sample (k, r) at log gaps (k,)."""
         film_time = 12 * self._air.viscosity * self._disk.radius**2
         per_sample = self._h * self._air.pressure * np.exp(2 * gap) / film_time
         return -np.expm1(-per_sample[:, None] / HEAVE_RELAXATION_TIMES)
@@ -428,7 +426,7 @@ class ElasticDiskOverFilm(ElasticDisk):
 
 
 def _conjugate_phasor(angle):
-    """Return exp(-i angle) (k,) in half the time of a complex exponential."""
+    """Return exp(-i angle) (k,), twice as fast as the complex exponential."""
     wave = np.empty(len(angle), complex)
     wave.real = np.cos(angle)
     wave.imag = -np.sin(angle)
@@ -442,13 +440,13 @@ def log_mean_gap(state, disk):
 
 @njit(cache=True)
 def relaxed_heave(x, gap, lowest, fractions, state):
-    """Return the relaxed part of samples x (k + 1,); the last one, which belongs to the
-    next block, is 0.
+    """Return the relaxed part (k + 1,) of samples x (k + 1,).
 
-    Each component of `state` (r,) approaches x by a fraction per sample and is updated
-    in place. The result is the sum of the components times HEAVE_RELAXATION_WEIGHTS.
-    The `fractions` (g, r) are tabulated at logarithms of the gap from `lowest` on, in
-    steps of RELAXATION_LOG_GAP_STEP, and interpolated linearly at `gap` (k + 1,)."""
+    The last value belongs to the next block and is 0. Each component of `state` (r,)
+    approaches x by a fraction per sample and is updated in place. The result is the sum
+    of the components times HEAVE_RELAXATION_WEIGHTS. The `fractions` (g, r) are
+    tabulated at log gaps that begin at `lowest`, in steps of RELAXATION_LOG_GAP_STEP,
+    and interpolated linearly at `gap` (k + 1,)."""
     out = np.zeros(len(x))
     for n in range(len(x) - 1):
         where = min(

@@ -1,4 +1,4 @@
-"""Compute the sound of a table without resonances, an infinite plate, in closed form.
+"""Compute the sound of an infinite plate, a table without resonances, in closed form.
 
 Reference: Cremer, Heckl & Petersson, Structure-Borne Sound, 6.5. The far-field pressure
 of a point force F on an infinite plate with light fluid loading is p = rho F/(2 pi r
@@ -15,8 +15,8 @@ from sonify.sound.sources.protocol import FADE_OUT, MODAL_FORCE_FADE, Source
 from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable, contact_position
 
 LAGRANGE_NODES = np.arange(-2, 4)  # samples
-"""Samples around an arrival time over which Lagrange interpolation distributes the
-arrival."""
+"""Offsets from an arrival time over which Lagrange interpolation distributes the
+arriving force."""
 
 
 def bending_stiffness(surface) -> float:
@@ -49,9 +49,9 @@ class InfiniteTable(Source):
 
     Sound from a contact point nearer to the listener arrives earlier, so a constant
     force radiates if it moves. Above coincidence the bending waves of the plate arrive
-    before the direct sound; the model makes them arrive the same time after it, with
-    the same spectrum. The advance due to the position of the contact is limited to four
-    radii of the disk."""
+    before the direct sound; in the model they arrive after it by the same interval,
+    with the same spectrum. The time advance due to the contact position is limited to
+    that of a path of four disk radii."""
 
     names = ("table",)
 
@@ -72,8 +72,8 @@ class InfiniteTable(Source):
         self.latency = ARRIVAL_MARGIN + int(self._max_advance)
 
     def input_channels(self, force, state):
-        """Return (k, 2): normal force [N] and its lead over sound from the centre
-        [samples]."""
+        """Return (k, 2): normal force [N] and lead of its sound over sound from the
+        centre [samples]."""
         path = contact_position(state, self._scene.disk) @ self._direction[:2]
         advance = path / self._air.sound_speed * self._rate
         return np.column_stack(
@@ -81,8 +81,10 @@ class InfiniteTable(Source):
         )
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the pressure (k, 1) [Pa] of the blocks after
-        a constant force."""
+        """Return a function that computes the pressure (k, 1) [Pa] of successive
+        blocks.
+
+        The force is constant before the first block."""
         latency = self.latency
         weight = self._scene.disk.weight
         bank = OscillatorBank(*self._coincidence_pole(), self._rate)

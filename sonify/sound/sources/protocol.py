@@ -29,8 +29,8 @@ MODAL_FORCE_FADE = 0.005  # s
 """Time over which the modal forces fade to their mean at the end of a motion that does
 not settle.
 
-A fall ends with a force of many times the weight within microseconds, the beginning of
-an impact that is not modelled. """
+A fall ends in an impact that is not modelled, with a force that grows to many times the
+weight within microseconds. """
 
 Advance = Callable[[Any], np.ndarray]
 """Function that converts a ContactForce of a source's channels to its stems (k, s)

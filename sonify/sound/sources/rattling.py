@@ -14,12 +14,11 @@ from sonify.sound.response import SolvedModes
 from sonify.sound.sources.protocol import ElasticDisk
 
 MAX_MISTUNING = 0.05
-"""Greatest relative difference between the frequencies of one mode in two solutions."""
+"""Maximum relative difference between the frequencies of one mode in two solutions."""
 
 
 class RattlingModes(ElasticDisk):
-    """Elastic modes of a rattling disk; after the motion the air under the disk damps
-    them."""
+    """Elastic modes of a rattling disk, damped by the air film after the motion."""
 
     @cached_property
     def ringing(self) -> RingDown:

@@ -20,8 +20,8 @@ from sonify.sound.sources.protocol import (
 from sonify.sound.unbaffled import UnbaffledRatio
 
 ARRIVAL_MARGIN = 12  # samples
-"""Samples before the first and after the last arrival within which the band-limited
-kernels decay."""
+"""Margin before the first and after the last arrival, in which the band-limited kernels
+decay."""
 
 
 def contact_position(state, disk) -> np.ndarray:
@@ -54,9 +54,9 @@ class ElasticTable(Source):
     """Elastic table driven at the moving contact, with a top face that radiates
     upwards.
 
-    The part under the disk radiates like the rest; shading by the disk is neglected.
-    The friction force is neglected too: compared with the normal force, it bends a
-    plate less by the ratio of thickness to wavelength."""
+    The disk does not shade the table below it. The friction force is neglected, because
+    it bends a plate less than the normal force by the ratio of thickness to
+    wavelength."""
 
     names = ("table",)
 
@@ -76,13 +76,16 @@ class ElasticTable(Source):
         self.tail_duration = FADE_OUT + max(FADE_OUT, audible)
 
     def input_channels(self, force, state):
-        """Return the modal forces (k, m) [N kg^-1/2]: minus the normal force times the
-        shape at the contact."""
+        """Return the modal forces (k, m) [N kg^-1/2].
+
+        They are minus the normal force times the shapes at the contact."""
         return -force[:, 2:] * shapes_at_contact(self._modes, state, self._scene)
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the pressure of the blocks after constant
-        modal forces `first` (m,)."""
+        """Return a function that computes the pressure (k, 1) [Pa] of successive
+        blocks.
+
+        The modal forces `first` (m,) are constant before the first block."""
         bank = OscillatorBank(self._modes.frequency, self._modes.decay_rate, self._rate)
         bank.set_steady_state(first)
         past = len(self._kernels) - 1
@@ -127,8 +130,8 @@ def radiation_kernels(
     baffle: bool = True,
     passband: float = 0.84,
 ) -> np.ndarray:
-    """Return kernels (j, m) for convolution with the modal accelerations, which gives
-    the pressure.
+    """Return kernels (j, m) that convert modal accelerations to pressure by
+    convolution.
 
     The pressure [Pa] at sample n is the sum of kernels[i] times the accelerations at n
     - i. The kernels are those of `table_radiation` delayed by `latency` samples, exact
@@ -158,8 +161,8 @@ def table_radiation(
 
     The factor exp(-i k distance) is omitted. In a plane baffle the result is Rayleigh's
     integral over the top face, exact above and below coincidence. Without a baffle both
-    faces radiate, and each point has the factor of `UnbaffledRatio`, exact for a round
-    table and a distant listener. Matrix products for `block` frequencies at once reduce
+    faces radiate, and each point is weighted by `UnbaffledRatio`, which is exact for a
+    round table and a distant listener. Matrix products over `block` frequencies reduce
     memory traffic."""
     points = _face_points(modes, listener)
     path = np.linalg.norm(listener.position - points, axis=1)
