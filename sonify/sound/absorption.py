@@ -56,8 +56,8 @@ def propagation_latency(listener: Listener) -> int:
 
 
 def propagation_filter(listener: Listener, sample_rate: float):
-    """Return a function that applies absorption and head scattering to successive
-    blocks.
+    """Return a function that filters successive blocks by absorption and head
+    scattering.
 
     The blocks of stems (k, s) are delayed by `propagation_latency`."""
     taps = absorption_taps(listener.air, listener.distance, sample_rate)

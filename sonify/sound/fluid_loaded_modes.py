@@ -185,8 +185,8 @@ class FilmResponse(NamedTuple):
 def _phase_resonance(
     parts, gap, natural, limits, radius, air
 ) -> tuple[float, FilmResponse]:
-    """Return the phase-resonance rate [rad/s] of a mode above the film, and its
-    response.
+    """Return the phase-resonance rate [rad/s] of a mode, and the film response at this
+    rate.
 
     The rate lies within `limits` and solves w^2 + K(rate) = rate^2, where K = -2 rate
     Im drag is the stiffness of the film minus its inertia. The squeezed film acts as a

@@ -79,8 +79,9 @@ def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
 
 
 def modal_forcing_function(modes: Modes, scene: Scene):
-    """Return a function(force (k, 3) [N], attitude (k, 3) [rad]) -> modal forcing (k,
-    m).
+    """Return a function of force and attitude that computes the modal forcing.
+
+    It has the form forcing(force (k, 3) [N], attitude (k, 3) [rad]) -> g (k, m).
 
     The forcing is g in q'' + 2 d q' + w^2 q = g.
 

@@ -30,7 +30,7 @@ MODAL_FORCE_FADE = 0.005  # s
 not settle.
 
 A fall ends in an impact that is not modelled, with a force that grows to many times the
-weight within microseconds. """
+weight within microseconds."""
 
 Advance = Callable[[Any], np.ndarray]
 """Function that converts a ContactForce of a source's channels to its stems (k, s)
