@@ -117,7 +117,7 @@ def published_law_notes(scene: Scene) -> list[str]:
 def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
     """Return sentences that compare a motion with the limits of the film law.
 
-    The law is limited in the inertia, compressibility and rarefaction of the air.
+    The limits concern the inertia, compressibility and rarefaction of the air.
     """
     if not motion.film:
         return []

@@ -14,8 +14,7 @@ class BodyScene:
     """Sections of a scene that `modal.eigenmodes` reads.
 
     `contact` and `release` are None unless the support is the contact. Scenes with
-    equal sections have the same modes; a BodyScene therefore serves as the key of
-    caches of modes."""
+    equal sections have the same modes, so a BodyScene can be a cache key for modes."""
 
     disk: Disk
     material: Material

@@ -31,7 +31,7 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         reason = f"{chosen.reason}; {sentences.FILTER_ERROR_REASON}"
     if chosen.kind != "rigid" and scene.roughness is not None:
         reason += unevenness_clause(scene)
-    contact = Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)
+    contact = Decision(subject="contact at the edge", choice=chosen.kind, reason=reason)
     modelled = [*sentences.CONTACT_MODELLED[chosen.kind]]
     neglected = [*sentences.CONTACT_NEGLECTED[chosen.kind]]
     if chosen.kind != "rigid":
@@ -89,8 +89,8 @@ def rattling_end_prediction(
     """Return the predicted error of the end of a chaotic rattling motion.
 
     `duration_scatter` is the relative change of the duration with the time step. The
-    inclination falls at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a
-    restitution e."""
+    inclination decreases at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a
+    coefficient of restitution e."""
     if scene.roughness is None:
         return predicted
     rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
@@ -107,17 +107,17 @@ def rough_sound_prediction(predicted: Prediction, kind: str, film: bool) -> Pred
     """Return the predicted error of sound samples that are dominated by a rough
     contact.
 
-    The filter yields the same contact sound at every accuracy, so that only the modes
-    differ. In the full model, motions at two accuracies diverge by more than a
-    wavelength of the surface; their sounds are independent noises of equal power, and
-    the relative error is sqrt(2)."""
+    The filter yields the same contact sound at every accuracy; only the modes differ.
+    In the full model, motions at two accuracies diverge by more than a wavelength of
+    the surface. Their sounds are independent noise of equal power, so the relative
+    error is sqrt(2)."""
     if kind == "rigid":
         return predicted
     if kind in ("full", "many"):
         return replace(
             predicted,
             error=2**0.5,
-            source="the noise of a rough contact differs for every time step",
+            source="the noise of a rough contact depends on the time step",
         )
     # Relative amplitudes of the modes in the scene toy, from tests/plan/test_plan.py; the sound of
     # a disk vibrating on its contact is louder over a film.

@@ -27,9 +27,9 @@ from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
 from sonify.sound.force import INTERPOLATION_STRIDE
 
 MAX_NAMED_MODES = 6
-"""Largest number of modes that are listed with their decay."""
+"""Maximum number of modes listed with their decay rates."""
 MIN_MODE_ENERGY_SHARE = 0.01
-"""Least share of the total energy at which an inaudible mode is kept."""
+"""Minimum share of the total energy for which an inaudible mode is kept."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,7 +58,7 @@ class Plan:
     calm : float
         Largest rotation of the contact between two evaluations of a smooth force [rad].
     sounding : tuple of int, or None
-        Indices of the modes that sound; None before the modes are known.
+        Indices of the rendered modes; None before the modes are known.
     decisions : tuple of Decision
         Choices and their reasons.
     predictions : tuple of Prediction
@@ -135,12 +135,12 @@ def plan_of(scene: Scene) -> Plan:
                 reason=sentences.INTEGRATOR_REASONS[integrator],
             ),
             Decision(
-                subject="where the motion may stop",
+                subject="stopping condition of the motion",
                 choice=f"at an inclination of {final:.2g} rad",
                 reason=end_condition_reason(scene, final),
             ),
             Decision(
-                subject="instants at which the force is evaluated",
+                subject="sampling of the force",
                 choice=sampling,
                 reason=sentences.SAMPLING_REASON,
             ),
@@ -170,12 +170,12 @@ def plan_of(scene: Scene) -> Plan:
 def with_sounding_modes(
     plan: Plan, scene: Scene, modes: Modes, loudness, energy
 ) -> Plan:
-    """Return the plan with the selection of the modes that sound.
+    """Return the plan with the selection of the rendered modes.
 
     `loudness` (m,) [Pa^2 s] and `energy` (m,) [J] come from
-    `audible_modes.response_to_unit_jump`. A mode sounds if its loudness is within
-    `range_db` of the loudest one, or if its energy is at least MIN_MODE_ENERGY_SHARE of the
-    total."""
+    `audible_modes.response_to_unit_jump`. A mode is rendered if its loudness is within
+    `range_db` of the loudest one, or if its energy is at least MIN_MODE_ENERGY_SHARE of
+    the total."""
     level = ACCURACY_LEVELS[plan.accuracy]
     heard = audible_mode_indices(loudness, energy, level.range_db)
     solver = Decision(
@@ -184,7 +184,7 @@ def with_sounding_modes(
         reason=sentences.SOLVER_REASONS[scene.support.kind],
     )
     which = Decision(
-        subject="modes that sound",
+        subject="rendered modes",
         choice=f"{len(heard)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
         reason=f"the others are predicted to be more than {level.range_db:g} dB(A) below the "
         f"loudest in both stems of the modes, and have less than {MIN_MODE_ENERGY_SHARE:.0%} of the energy"
@@ -202,7 +202,7 @@ def with_sounding_modes(
 
 
 def audible_mode_indices(loudness, energy, range_db: float) -> np.ndarray:
-    """Return the indices (k,) of the modes that sound.
+    """Return the indices (k,) of the modes to render.
 
     These modes are within `range_db` [dB] of the loudest mode or have at least
     MIN_MODE_ENERGY_SHARE of the total energy."""
@@ -217,7 +217,7 @@ def with_motion_end(
 ) -> Plan:
     """Return the plan with the end of the motion and the decay of the modes added.
 
-    `silence` lists the reasons why claims on the sound cannot be judged.
+    `silence` lists the reasons why claims about the sound cannot be judged.
     """
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
     return plan.with_additions(
@@ -300,7 +300,7 @@ def steady_precession_frequency(disk: Disk, inclination: float) -> float:
 
 def end_condition_reason(scene: Scene, final: float) -> str:
     """Return the reason for stopping the motion of a scene at an inclination [rad]."""
-    turns = f"the contact turns {steady_precession_frequency(scene.disk, final):.3g} times per second there"
+    turns = f"the contact point completes {steady_precession_frequency(scene.disk, final):.3g} turns per second there"
     if final > scene.numerics.stopping_inclination(scene.disk):
         gap = scene.disk.radius * np.sin(final)
         return (

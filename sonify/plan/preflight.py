@@ -1,4 +1,4 @@
-"""Solve plan, modes and motion of a scene, or raise a SceneError with a one-line
+"""Compute plan, modes and motion of a scene, or raise a SceneError with a one-line
 reason."""
 
 from collections.abc import Callable
@@ -82,7 +82,7 @@ def solve_motion(
 ) -> Motion:
     """Return the motion of a scene on a table with the given modes.
 
-    It ends at the latest where the contact leaves the table.
+    The motion ends no later than the contact leaves the table.
 
     Raises SceneError if no contact force satisfies the balance laws.
     """

@@ -4,7 +4,7 @@ from dynamics import Outcome
 
 INTEGRATOR_REASONS = {
     "taylor": "the order of the Taylor series grows with the number of digits: full double "
-    "precision costs a third more than half the digits, and late slips amplify errors",
+    "precision costs only a third more than half the digits, and late slips amplify errors",
     "dop853": "each additional digit requires a third more steps, and late slips amplify errors",
 }
 """Reason for the tolerance of the motion, by integrator."""
@@ -43,7 +43,7 @@ SUPPORT_MODELLED = {
     "the contact; the contact force drives them through the rigid acceleration that it causes.",
     "free": "The elastic modes are those of the free disk; the contact force drives them at the "
     "contact.",
-    "contact": "The elastic modes are those of the disk on the springs of its contact under its "
+    "contact": "The elastic modes are those of the disk on its contact springs under its own "
     "weight, at one inclination; the force that keeps the contact point at rest drives them. If "
     "the contact is elastic, the vibration of the rigid disk on it is rendered as a separate stem, "
     "and only the higher modes are rendered as modes.",
@@ -75,7 +75,7 @@ CONTACT_MODELLED = {
     ),
     "full": (
         "The edge and the table are elastic (Hertz, Mindlin, Kalker): the disk moves on this "
-        "contact, with creep, slip and losses of contact. The stem of the contact is the sound "
+        "contact, with creep, slip and losses of contact. The contact stem is the sound "
         "above half the first contact resonance.",
     ),
     "many": (
@@ -86,9 +86,9 @@ CONTACT_MODELLED = {
     ),
 }
 RATTLING_FILM_MODELLED = (
-    "The air film acts as it does under a disk in contact, which is valid while hops are low "
-    "compared with the mean gap. Its law does not apply to the final part of the motion, in which the rim rises "
-    "by less than ten times the heights of the table."
+    "The air film is modelled as under a disk in contact, which is valid while hops are low "
+    "compared with the mean gap. The film law does not apply to the final part of the motion, in "
+    "which the rim rises by less than ten times the heights of the table."
 )
 RATTLING_FILM_NEGLECTED = (
     "The effect of the film on the modes of the disk before the end; the sound that heave and tilt "
@@ -121,10 +121,11 @@ tests/sound/test_open_film_sound.py checks."""
 FILM_MODELLED = (
     "The air film between disk and table (Reynolds' equation for a wedge) slows the precession, "
     "damps the fall, and carries part of the weight; friction acts on the remaining contact force.",
-    "Heave and tilt of the rigid disk radiate through the film. While it is open, its rim returns "
-    "the flow of the face, with a second harmonic 17 dB below an open tilt, more where the "
-    "film is half closed; a closed film radiates through the face alone. The film damps, detunes and "
-    "muffles the modes; its air has inertia and exchanges heat with both faces.",
+    "Heave and tilt of the rigid disk radiate above the film. While the film is open, the air "
+    "displaced by the face leaves at the rim and cancels part of its sound. The second harmonic of "
+    "this flow is 17 dB below tilt over an open film, and stronger over a half-closed film. Above a "
+    "closed film only the upper face radiates. The film damps and detunes the modes and weakens "
+    "their radiation; the inertia of its air and heat conduction to both faces are included.",
 )
 WAVY_TABLE_MODELLED = (
     "The table is wavy along the contact circle, which moves with the disk; the contact is at the "
@@ -176,7 +177,7 @@ ABSORPTION_SENTENCE = (
     "{at_20_khz:.2g} dB at 20 kHz"
 )
 HEAD_MODELLED = (
-    "Ears: a head is a rigid sphere of radius {radius:g} m, whose scattering of the sound of a point "
+    "Ears: a head is a rigid sphere of radius {radius:g} m. Its scattering of the sound of a point "
     "source at the disk is solved exactly at both ears."
 )
 HEAD_NEGLECTED = "Reflections between head and table, and the extent of the source as seen from the head."
@@ -186,7 +187,7 @@ NEAR_MODELLED = (
 )
 NEAR_NEGLECTED = (
     "The scattering by the edge of the disk at {distance:g} m: below k R = 2 it changes the pressure by "
-    "up to 4 dB for a disk a third of its radius high, and 1 dB for a flat one. The disk radiates as "
+    "up to 4 dB for a disk with a thickness of a third of its radius, and by 1 dB for a thin one. The disk radiates as "
     "if it lay flat at its initial position."
 )
 NEAR_TABLE_NEGLECTED = (
@@ -201,7 +202,7 @@ MODES_ABOVE_NEGLECTED = "The sound of modes above {frequency:g} Hz."
 WALL_SOUND_NEGLECTED = {
     "solid": (),
     "shell": (
-        "The sound of the cylindrical wall of a hoop, which in-plane modes move, and of the air "
+        "The sound of the cylindrical wall of a hoop, driven by in-plane modes, and of the air "
         "inside the hoop: only the upper edge of the wall radiates.",
     ),
 }
@@ -237,19 +238,19 @@ OPEN_FILM_NEGLECTED = (
 )
 FILM_ACTION_NEGLECTED = "The effect of the film on the vibration of the disk on its contact, except for its sound."
 HEIGHT_SOUND_NEGLECTED = (
-    "The height of the disk in the stem of the contact: the disk radiates like a face in the plane of "
-    "the table."
+    "The height of the disk in the contact stem: the disk radiates like a face in the plane of the "
+    "table."
 )
 FILM_NEGLECTED = (
     "The effect of the sound radiated at the rim of the film on the decay of the modes: the pressure "
     "there is set to zero. Doubling the number of elements changes this decay by up to 5 %.",
-    "The memory of the film, and direct excitation of the modes by the film pressure.",
+    "Memory effects of the film, and direct excitation of the modes by the film pressure.",
     "The inertia of the air in the second harmonic at the rim (3 dB at S = 3), and higher harmonics, "
     "which are 50 dB lower.",
-    "The phase and azimuth of the radiation of a mode through the film, for which means are used. "
+    "The variation of a mode's radiation above the film with phase and azimuth; means are used. "
     "Modes above k R = 1.5 (2.2 kHz for a disk of 75 mm) radiate as they do above a closed film, "
     "which only damps and detunes them.",
-    "The failure of the disk as a baffle at steep inclinations: the error of the film sound is "
+    "The imperfect baffling by the disk at steep inclinations: the error of the film sound is "
     "several dB above 0.3 rad, and below 1.5 dB for heave and tilt at smaller inclinations.",
 )
 VACUUM_NEGLECTED = (
@@ -267,21 +268,20 @@ TABLE_NEGLECTED = (
     "acoustic shadowing by the disk.",
 )
 NEAR_LISTENER_NEGLECTED = (
-    "The changing level for a listener near the contact: its changing distance affects only the "
-    "arrival time."
+    "Level changes for a listener near the contact: the varying distance affects only the arrival "
+    "time."
 )
 NEGLECTED_AFTER_END = {
     Outcome.FELL: "The final impact of the face on the table and the ringing that it excites.",
-    Outcome.AIRBORNE: "The landing of the disk on the table. The modes decay over the film as it was "
-    "when contact was lost; in reality the film closes as the disk settles, which changes their "
-    "damping.",
+    Outcome.AIRBORNE: "The landing of the disk on the table. The modes decay above the film at the "
+    "loss of contact; in reality the film closes as the disk settles, which changes their damping.",
 }
 """Omitted events after the motion, by outcome."""
 RAREFACTION_LIMITS = (
     (
         60,
-        "slip at the walls increases the flow by a tenth, later by more, which the film law describes "
-        "within 10 %",
+        "slip at the walls increases the flow by a tenth or more, which the film law describes within "
+        "10 %",
     ),
     (
         10,

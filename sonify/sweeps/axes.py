@@ -1,4 +1,4 @@
-"""Axes of a sweep, which give the values of the scene keys for each run number."""
+"""Axes of a sweep, which define the values of the scene keys for each run number."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,7 +18,7 @@ share modes."""
 
 
 def salib_problem(names: list[str]) -> dict[str, Any]:
-    """Return the problem of SALib for axes whose shares are between 0 and 1."""
+    """Return the SALib problem for axes with shares between 0 and 1."""
     return {
         "num_vars": len(names),
         "names": names,
@@ -41,8 +41,8 @@ class Samples:
     """Factors on the widths of all ranges; the first quarter of the points is repeated
     for each factor."""
     total: Annotated[int, Ge(0), Le(2**20)] = 0
-    """Number N of base points of a second design of N (axes + 2) points, which gives
-    total sensitivity indices; a power of two, or 0 for none."""
+    """Number N of base points of a second design of N (axes + 2) points for total
+    sensitivity indices; a power of two, or 0 for none."""
 
     def __post_init__(self):
         if self.total and not log2(self.total).is_integer():

@@ -32,7 +32,7 @@ from sonify.sweeps.verdict import require_index_library, verdict_conclusion
 
 
 class RunTime(NamedTuple):
-    """Times of single runs, measured under the conditions of the sweep."""
+    """Durations of single runs, measured under the conditions of the sweep."""
 
     first_run: float
     """Time [s] from the start of a process to its first result, including imports and
@@ -167,7 +167,7 @@ def conclusion(sweep_spec: Sweep, folder: Path) -> list[str]:
 
 
 def summarize(path: str | Path) -> tuple[list[str], bool]:
-    """Return a summary of a table, in a list of one line, and True if no self-check
+    """Return a one-line summary of a table, as a list, and True if no self-check
     failed."""
     table = read_table(path)[0].to_pydict()
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
@@ -188,7 +188,8 @@ def plan(
     processes: int | None = None,
     stages: Stages | None = None,
 ) -> list[str]:
-    """Return lines that describe a sweep, with a run time measured on a few runs."""
+    """Return lines that describe a sweep, with its duration estimated from a few
+    runs."""
     sweep_spec = load_with_libraries(source)
     points = sweep_spec.points
     processes = processes or core_count()
@@ -221,7 +222,7 @@ def total_indices_line(
 ) -> str:
     """Return the line of a plan on the runs that total sensitivity indices need."""
     time_limit = 7200.0  # s
-    base = samples.total or 256  # the fewest with a useful interval
+    base = samples.total or 256  # the smallest number with a useful confidence interval
     more = base * (axes + 2)
     seconds = time.total(samples.count + more, processes)
     fits = "fit" if seconds <= time_limit else "do not fit"
@@ -281,8 +282,8 @@ def _measure_two_runs(sweep_spec, start, stride):
 
 
 def _valid_runs(sweep_spec, start, stride, tries=1000):
-    """Yield the runs with valid scenes among every `stride`-th run, from `start` and
-    then before it."""
+    """Yield the runs with valid scenes among every `stride`-th run, first from `start`
+    on, then before it."""
     runs = chain(
         range(start, sweep_spec.points.count, stride),
         range(start % stride, start, stride),

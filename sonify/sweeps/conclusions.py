@@ -8,8 +8,8 @@ import pyarrow as pa
 from dynamics.air import STANDARD_PRESSURE
 
 MAX_VERIFIED_COMPRESSIBILITY = 100.0
-"""Largest compressibility number Lam for which the film law was compared with
-solutions."""
+"""Largest compressibility number Lam for which the film law was verified
+numerically."""
 
 
 def friction_conclusion(table: pa.Table) -> list[str]:

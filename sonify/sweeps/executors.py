@@ -1,4 +1,4 @@
-"""Distribution of runs to local processes or to the workers of a Dask cluster."""
+"""Distribution of runs among local processes or the workers of a Dask cluster."""
 
 import logging
 import os
@@ -26,7 +26,7 @@ from sonify.sweeps.row_processes import (
 from sonify.sweeps.version import version
 
 LOCAL_SCHEDULER = "local"
-"""Value that replaces the address and starts a local Dask scheduler with one worker."""
+"""Value used instead of an address to start a local Dask scheduler with one worker."""
 WORKERS_LOST_MESSAGE = "the worker processes are lost; the finished runs are saved"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
@@ -160,8 +160,8 @@ def solve_tasks(
     submit: Submit,
     processes: Callable[[], int],
 ):
-    """Solve `tasks`, pairs (run number, task); yield lists of (run number, row) in any
-    order.
+    """Solve `tasks`, pairs (run number, task), and yield lists of (run number, row) in
+    any order.
 
     The list is empty after one second without a result. The time limit of a task is
     `limit` [s]. Raises AbortedError if the processes or the scheduler are lost."""

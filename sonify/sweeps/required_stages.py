@@ -1,4 +1,4 @@
-"""Stages of a run that are required for the requested quantities."""
+"""Stages of a run required for the requested quantities."""
 
 from collections.abc import Iterable
 from functools import cache

@@ -247,8 +247,8 @@ def known_type(schema, name):
 
 
 def _sync_folder(folder):
-    """Synchronize a folder to disk; Windows can neither open folders nor needs this
-    step."""
+    """Synchronize a folder to disk; on Windows this is neither possible nor
+    necessary."""
     if os.name == "posix":
         handle = os.open(folder, os.O_RDONLY)
         try:

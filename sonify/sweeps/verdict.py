@@ -21,22 +21,22 @@ CLAIM_TEXTS = {
     "precession_rises": "The final precession rate is at least twice that half-way",
     "resonance_rises": "The contact resonance rises by at least a fifth",
 }
-"""Texts of the claims, by table column."""
+"""Text of each claim, by table column."""
 MAX_INTERVAL_WIDTH = 0.2
-"""Largest width of the 95 % interval of a resolved index."""
+"""Maximum width of the 95 % confidence interval of a resolved index."""
 MIN_REPORTED_INDEX = 0.05
 """Smallest index that is reported."""
 BOOTSTRAP_RESAMPLES = 100
 """Number of bootstrap resamples of an index."""
 INDEX_HARMONICS = 4
-"""Number of harmonics in an index; enough for a monotonic dependence, and few to limit
-noise."""
+"""Number of harmonics in an index; enough for a monotonic dependence, and few enough to
+limit noise."""
 WIDTH_IN_WORDS = {0.5: "halved", 2.0: "doubled"}
 
 
 class SensitivityIndex(NamedTuple):
     """First-order sensitivity index of an axis, with the half-width of its 95 %
-    interval."""
+    confidence interval."""
 
     axis: str
     value: float
@@ -44,7 +44,7 @@ class SensitivityIndex(NamedTuple):
 
     @property
     def resolved(self) -> bool:
-        """True if the interval is narrow enough."""
+        """True if the confidence interval is narrow enough."""
         return 2 * self.error <= MAX_INTERVAL_WIDTH
 
 
@@ -65,14 +65,14 @@ def first_order_indices(
     ----------
     names : list of str
         Names of the axes.
-    draws : (n, d) array
+    draws : ndarray, shape (n, d)
         Values of the axes in each draw.
-    result : (n,) array
+    result : ndarray, shape (n,)
         Result of each draw; must vary.
     """
     from SALib.analyze import rbd_fast
 
-    with np.errstate(invalid="ignore"):  # a resample in which the result does not vary
+    with np.errstate(invalid="ignore"):  # the result may be constant in a resample
         found = rbd_fast.analyze(
             salib_problem(names),
             draws,
@@ -88,7 +88,8 @@ def first_order_indices(
 def total_indices(names: list[str], result: np.ndarray) -> list[SensitivityIndex]:
     """Return the total sensitivity index of each axis, the largest first.
 
-    `result` (N, axes + 2) has the results of the N base points of `Samples.total`.
+    `result` (N, axes + 2) contains the results for the N base points of
+    `Samples.total`.
     """
     from SALib.analyze import sobol
 

@@ -14,7 +14,7 @@ def solve_task(task: dict) -> dict[str, Any]:
     version."""
     from sonify.sweeps.run_row import (
         row_of,
-    )  # slow to import; the parent does not need it
+    )  # slow to import and not needed by the parent
 
     began = perf_counter()
     try:
