@@ -297,15 +297,15 @@ class CompliantModel:
             t = (steps + steps_per_row * np.arange(1, n + 1)) / self.rate
             flying = flights[flight_count]
             slipping = slips[slip_count]
-            steps = steps + steps_per_row * n
-            rows_left = rows_left - n
+            steps += steps_per_row * n
+            rows_left -= n
             # unfinished events end with the motion
             if rows_left == 0 or end_reason != EndReason.CONTINUES:
                 end = steps / self.rate
                 flying[1] = end
                 slipping[1] = end
-                flight_count = flight_count + (flying[0] < end)
-                slip_count = slip_count + (slipping[0] < end)
+                flight_count += flying[0] < end
+                slip_count += slipping[0] < end
             begin, end, top = flights[:flight_count].T
             losses = ContactLosses(np.column_stack([begin, end - begin, top]))
             yield MotionPiece(

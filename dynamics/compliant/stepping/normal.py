@@ -149,7 +149,7 @@ def step_normal(y, constants, law, table, rim, h):
     K0 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
     loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient)
     dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
-    loss = loss / h
+    loss /= h
     half_length = law_column(law, i, u, LAW_COLUMNS.half_length)
     zt0 = y[STATE.roughness_heights]
     zr0 = y[STATE.roughness_heights + 1]
@@ -337,9 +337,9 @@ def step_normal(y, constants, law, table, rim, h):
     )
     y[STATE.contact_loss] += (elastic_force - N) * dgap
     y[STATE.table_loss] += table_yield * (N - weight) ** 2
-    y[0] = y[0] + h * V0
-    y[1] = y[1] + h * V1
-    y[2] = y[2] + h * V2
+    y[0] += h * V0
+    y[1] += h * V1
+    y[2] += h * V2
     y[3] = 2 * V0 - y[3]
     y[4] = 2 * V1 - y[4]
     y[5] = 2 * V2 - y[5]
@@ -349,9 +349,9 @@ def step_normal(y, constants, law, table, rim, h):
     y[9] = 2 * M0 - L0
     y[10] = 2 * M1 - L1
     y[11] = 2 * M2 - L2
-    y[STATE.table_path] = y[STATE.table_path] + dpath
-    y[STATE.edge_path] = y[STATE.edge_path] + dedge
-    y[STATE.table_rise] = y[STATE.table_rise] - table_yield * (N - weight)
+    y[STATE.table_path] += dpath
+    y[STATE.edge_path] += dedge
+    y[STATE.table_rise] -= table_yield * (N - weight)
     y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
     y[STATE.gap_changes + 1] = y[STATE.gap_changes]
     y[STATE.gap_changes] = dgap + (zt1 - zt0) + (zr1 - zr0)

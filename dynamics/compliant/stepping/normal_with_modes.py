@@ -212,11 +212,11 @@ def step_normal_with_modes(
     turned = np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1)
     y[STATE.edge_path] += constants.radius * (turned - twist_change)
     table, body = advance_modes(modes, N, h)
-    y[STATE.table_loss] = y[STATE.table_loss] + table
-    y[STATE.body_loss] = y[STATE.body_loss] + body
-    y[0] = y[0] + h * v0
-    y[1] = y[1] + h * v1
-    y[2] = y[2] + h * V2
+    y[STATE.table_loss] += table
+    y[STATE.body_loss] += body
+    y[0] += h * v0
+    y[1] += h * v1
+    y[2] += h * V2
     y[5] = 2 * V2 - v2
     y[6] = a0
     y[7] = a1
@@ -321,5 +321,5 @@ def add_kinetic_energy(y, constants, modes, work):
         for m in range(len(modes.state)):
             modes.state[m, MODE_STATE.velocity] *= scale
         missing -= min(missing, mode_energy)
-    y[STATE.contact_loss] = y[STATE.contact_loss] - missing
-    y[STATE.energy_deficit] = y[STATE.energy_deficit] + missing
+    y[STATE.contact_loss] -= missing
+    y[STATE.energy_deficit] += missing

@@ -126,6 +126,6 @@ def evaluate_rim_ripple(modes, angle, down, up, out):
         turn = n * angle - rim[m, RIM_COLUMNS.phase]
         c = lowers * np.cos(turn)
         s = lowers * np.sin(turn)
-        out[0] = out[0] + c
-        out[1] = out[1] - n * s
-        out[2] = out[2] - n * n * c
+        out[0] += c
+        out[1] -= n * s
+        out[2] -= n * n * c

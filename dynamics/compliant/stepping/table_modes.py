@@ -448,13 +448,13 @@ def mode_work_sums(waves, h):
             - waves.state[m, MODE_STATE.shape_before]
         )
         compliance = h * h / 2 * waves.compliance[m] * mean
-        D = D + mean * waves.state[m, MODE_STATE.free_change]
-        E = E + compliance * mean
-        P = P + change * (
+        D += mean * waves.state[m, MODE_STATE.free_change]
+        E += compliance * mean
+        P += change * (
             waves.state[m, MODE_STATE.amplitude]
             + waves.state[m, MODE_STATE.free_change] / 2
         )
-        S = S + change * compliance / 2
+        S += change * compliance / 2
     return D, E, P, S
 
 

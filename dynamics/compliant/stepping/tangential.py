@@ -98,10 +98,10 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
         h,
     )
     # the force -p acts at the position reach d - rise e3
-    y[3] = y[3] - h / m * (pd * d0 - pt * d1)
-    y[4] = y[4] - h / m * (pd * d1 + pt * d0)
-    y[9] = y[9] - h * rise * (pt * d0 + pd * d1)
-    y[10] = y[10] - h * rise * (pt * d1 - pd * d0)
+    y[3] -= h / m * (pd * d0 - pt * d1)
+    y[4] -= h / m * (pd * d1 + pt * d0)
+    y[9] -= h * rise * (pt * d0 + pd * d1)
+    y[10] -= h * rise * (pt * d1 - pd * d0)
     y[11] -= h * reach * pt
     y[STATE.tangential_force] = -pt
     y[STATE.tangential_force + 1] = -pd
@@ -319,9 +319,9 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
     mobility = 1 / m + arm * arm / J
     fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
     y[STATE.film_loss] -= fall_impulse * (v + fall_impulse * mobility / 2)
-    y[5] = y[5] + fall_impulse / m
-    y[9] = y[9] + arm * fall_impulse * d1
-    y[10] = y[10] - arm * fall_impulse * d0
+    y[5] += fall_impulse / m
+    y[9] += arm * fall_impulse * d1
+    y[10] -= arm * fall_impulse * d0
     lift_impulse = h * lift / constants.radius
     if lift_impulse > 0:
         arm = reach - constants.radius * tip / lift
@@ -333,9 +333,9 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
         )  # limited by the stored energy
         work = lift_impulse * (v + lift_impulse * mobility / 2)
         y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
-        y[5] = y[5] + lift_impulse / m
-        y[9] = y[9] + arm * lift_impulse * d1
-        y[10] = y[10] - arm * lift_impulse * d0
+        y[5] += lift_impulse / m
+        y[9] += arm * lift_impulse * d1
+        y[10] -= arm * lift_impulse * d0
     stored_energy = min(
         y[STATE.squeezed_air_energy],
         squeezed_air_kernel(
@@ -375,12 +375,10 @@ def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
     )
     if fitted > 0 and available_relief > 0 and rate != 0:
         relief = min(size, available_relief / abs(rate))
-        y[STATE.relieved_friction_energy] = y[
-            STATE.relieved_friction_energy
-        ] + relief * abs(rate)
-        size = size - relief
+        y[STATE.relieved_friction_energy] += relief * abs(rate)
+        size -= relief
     turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / mobility)
-    y[9] = y[9] + turn * a0
-    y[10] = y[10] + turn * a1
-    y[11] = y[11] + turn * a2
+    y[9] += turn * a0
+    y[10] += turn * a1
+    y[11] += turn * a2
     y[cause] -= turn * (rate + turn * mobility / 2)

@@ -144,9 +144,9 @@ def _step_rows(
                 return EndReason.UNSOLVED, row, flight, slip
             forces[current_force, 2] += 2 * half_weight * y[STATE.normal_force]
             previous_force = current_force
-            steps_left = steps_left - 1
+            steps_left -= 1
             if steps_left == 0:
-                current_force = current_force + 1
+                current_force += 1
                 steps_left = steps_per_force
             flying, flight = record_flight(
                 flights,
