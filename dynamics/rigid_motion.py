@@ -1,10 +1,8 @@
 """Motion of a rigid disk on a rigid contact, with its force, energy and regimes."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, wraps
-from typing import Any, TypeVar
-from weakref import WeakKeyDictionary
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,31 +39,8 @@ from dynamics.regime import (
     X,
 )
 
-T = TypeVar("T")
 FORCE_HARMONICS = 8
 """Number of harmonics of the precession rate within the bandwidth of the force."""
-
-
-def cached_for_read_only_times(
-    method: Callable[[Any, ArrayLike], T],
-) -> Callable[[Any, ArrayLike], T]:
-    """Cache the results of a method for the last two read-only arrays of times."""
-    results_of_motion: WeakKeyDictionary[Any, list[Any]] = WeakKeyDictionary()
-
-    @wraps(method)
-    def cached(self: Any, t: ArrayLike) -> Any:
-        if not isinstance(t, np.ndarray) or t.flags.writeable or t.base is not None:
-            return method(self, t)
-        results = results_of_motion.setdefault(self, [])
-        result: Any = next((result for times, result in results if times is t), None)
-        if result is None:
-            result = method(self, t)
-            results[:] = [*results[-1:], (t, result)]
-        if isinstance(result, tuple):
-            return tuple(array.copy() for array in result)
-        return result.copy()
-
-    return cached
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -143,7 +118,6 @@ class RigidMotion(MotionBase):
         """
         return self.at_and_force(t)[1]
 
-    @cached_for_read_only_times
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation."""
         tau, piece = self._time_and_piece(t)
@@ -173,7 +147,6 @@ class RigidMotion(MotionBase):
         rate = precession_rate(state[:, 7], np.sin(state[:, 1]))
         return FORCE_HARMONICS / (2 * np.pi) * np.abs(rate)
 
-    @cached_for_read_only_times
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return the kinetic plus potential energy (k,) [J] at times t (k,) [s].
 
