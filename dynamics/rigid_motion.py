@@ -1,5 +1,6 @@
 """Motion of a rigid disk on a rigid contact, with its force, energy and regimes."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -15,7 +16,6 @@ from dynamics.kinematics import energy, precession_rate
 from dynamics.monotonicity import largest_decrease
 from dynamics.motion import (
     CAUSES,
-    COLUMNS,
     ForceJumps,
     MotionBase,
     Outcome,
@@ -121,15 +121,8 @@ class RigidMotion(MotionBase):
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation."""
         tau, piece = self._time_and_piece(t)
-        state = np.empty((len(tau), len(COLUMNS)))
-        force = np.empty((len(tau), 3))
-        block_size = 8192  # number of times whose states fit into the processor cache
-        for begin in range(0, len(tau), block_size):
-            block = slice(begin, begin + block_size)
-            y = self.path(tau[block], piece[block])
-            state[block] = self._columns(y)
-            force[block] = self._force(y, piece[block])
-        return state, force
+        y = self.path(tau, piece)
+        return self._columns(y), self._force(y, piece)
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
         """Return the normal force (k,) [N] at times t (k,) [s]."""
@@ -222,16 +215,9 @@ class RigidMotion(MotionBase):
     def _power(self, y: np.ndarray, piece: np.ndarray) -> np.ndarray:
         """Return the dissipated power (k,) [W] at states y (11, k) in the pieces (k,)."""
         power = np.empty(len(piece))
-        regime_index = self.regime_of_piece[piece]
-        for index in np.unique(regime_index):
-            selected = regime_index == index
-            regime = self.regimes[index]
-            states = y[:, selected]
-            contact = self._contact(states, piece[selected], regime)
-            branch = Branch.of(regime, self.law, self.loads)
-            power[selected] = ARRAY_FORMULAS.rates(states, contact, branch, self.law)[
-                DISSIPATED
-            ]
+        for selected, states, contact, branch in self._contacts(y, piece):
+            rates = ARRAY_FORMULAS.rates(states, contact, branch, self.law)
+            power[selected] = rates[DISSIPATED]
         return power * self._unit_of_energy / self.disk.time_unit
 
     def largest_regain(self) -> float:
@@ -320,22 +306,28 @@ class RigidMotion(MotionBase):
     def _force(self, y: np.ndarray, piece: np.ndarray) -> np.ndarray:
         """Return the contact force (k, 3) [N] at states y (11, k) in the pieces (k,)."""
         force = np.empty((len(piece), 3))
-        regime_index = self.regime_of_piece[piece]
-        for index in np.unique(regime_index):
-            selected = np.flatnonzero(regime_index == index)
-            contact = self._contact(
-                y[:, selected], piece[selected], self.regimes[index]
-            )
+        for selected, _, contact, _ in self._contacts(y, piece):
             components = np.broadcast_arrays(contact.F1, contact.F2, contact.Phi)
             force[selected] = np.stack(components, axis=1)
         return force * (self.disk.mass * self.disk.radius / self.disk.time_unit**2)
 
-    def _contact(self, y: np.ndarray, piece: np.ndarray, regime: Regime) -> Contact:
-        """Solve the balance laws at states y (11, k) of one regime in the pieces (k,)."""
-        if regime.sliding:
-            self._set_direction_at_rest(y, piece)
-        branch = Branch.of(regime, self.law, self.loads)
-        return ARRAY_FORMULAS.contact(y, branch, regime.senses, self.law)
+    def _contacts(
+        self, y: np.ndarray, piece: np.ndarray
+    ) -> Iterator[tuple[np.ndarray, np.ndarray, Contact, Branch]]:
+        """Solve the balance laws at states y (11, k) in the pieces (k,).
+
+        Yields the indices and states of each regime, its contact and its branch.
+        """
+        regime_index = self.regime_of_piece[piece]
+        for index in np.unique(regime_index):
+            selected = np.flatnonzero(regime_index == index)
+            states = y[:, selected]
+            regime = self.regimes[index]
+            if regime.sliding:
+                self._set_direction_at_rest(states, piece[selected])
+            branch = Branch.of(regime, self.law, self.loads)
+            contact = ARRAY_FORMULAS.contact(states, branch, regime.senses, self.law)
+            yield selected, states, contact, branch
 
     def _set_direction_at_rest(self, y: np.ndarray, piece: np.ndarray) -> None:
         """Replace zero slip velocities by tiny ones in the slip direction, in place.
