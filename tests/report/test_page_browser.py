@@ -518,7 +518,7 @@ def test_a_browser_without_3d_says_so(open_page):
         "; console.error = console.warn = () => {}"
     )
     page.wait_for_function(READY, timeout=60_000)
-    assert "draws no 3-D" in page.locator("#three-notice").inner_text()
+    assert "cannot draw 3-D views" in page.locator("#three-notice").inner_text()
 
 
 def test_a_browser_that_keeps_silent_says_so(open_page):

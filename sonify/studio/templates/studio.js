@@ -42,19 +42,19 @@ function numberField(control) {
   if (control.optional) number.placeholder = "none";
   const slider = element("input", { type: "range", min: 0, max: sliderSteps, step: 1 });
   slider.setAttribute("aria-label", `${nameOf(control)}, slider`);
-  const tell = () => slider.setAttribute("aria-valuetext", number.value || "none");
+  const updateSliderText = () => slider.setAttribute("aria-valuetext", number.value || "none");
   slider.value = toSlider(control, control.value);
-  tell();
+  updateSliderText();
   slider.addEventListener("input", () => {
     number.value = fromSlider(control, Number(slider.value));
     changed[control.key] = Number(number.value);
-    tell();
+    updateSliderText();
     showFault("", control.key);
   });
   number.addEventListener("input", () => {
     changed[control.key] = number.value === "" ? null : Number(number.value);
     if (number.value !== "") slider.value = toSlider(control, Number(number.value));
-    tell();
+    updateSliderText();
     showFault("", control.key);
   });
   return [label, number, slider];
@@ -101,7 +101,6 @@ function showFault(sentence, key = "") {
   const field = key && $(`control-${key}`);
   if (!field) {
     $("fault").textContent = sentence;
-    if (sentence === "") return;
     return;
   }
   $(`fault-${key}`).textContent = sentence;
@@ -122,9 +121,9 @@ async function* linesOf(response) {
   }
 }
 
-function progressText(told) {
-  if (told.before) return `waiting for ${told.before} earlier ${told.before > 1 ? "jobs" : "job"}`;
-  return told.line || "starting";
+function progressText(status) {
+  if (status.before) return `waiting for ${status.before} earlier ${status.before > 1 ? "jobs" : "job"}`;
+  return status.line || "starting";
 }
 
 function chooseRun(run) {
@@ -183,26 +182,26 @@ async function runScene(event) {
       signal: abort.signal,
     });
     if (!response.ok) {
-      const told = await response.json();
-      showFault(told.error, told.key);
+      const status = await response.json();
+      showFault(status.error, status.key);
       return;
     }
-    for await (const told of linesOf(response)) {
-      if (told.error) showFault(told.error, told.key);
-      if ((told.streams || told.heard) && !run.added) {
-        const sound = told.heard ? told.sound : told.stream;
-        Object.assign(run, { sound, page: told.page, added: true });
+    for await (const status of linesOf(response)) {
+      if (status.error) showFault(status.error, status.key);
+      if ((status.streams || status.heard) && !run.added) {
+        const sound = status.heard ? status.sound : status.stream;
+        Object.assign(run, { sound, page: status.page, added: true });
         addRun(run);
       }
-      if (told.heard && run.sound !== told.sound) {
-        run.sound = told.sound;
+      if (status.heard && run.sound !== status.sound) {
+        run.sound = status.sound;
         if (chosen === run) chooseRun(run);
       }
-      if (told.done) {
+      if (status.done) {
         run.done = true;
-        run.label.textContent = ` ${run.name}: ${told.result.outcome}`;
+        run.label.textContent = ` ${run.name}: ${status.result.outcome}`;
         showPage(run);
-      } else showProgress(told);
+      } else showProgress(status);
     }
   } catch (error) {
     showFault(error.name === "AbortError" ? "The run was cancelled." : "The studio does not respond; is it still running?");
@@ -219,10 +218,10 @@ function busy(on) {
   if (on) showProgress({ line: "", share: null });
 }
 
-function showProgress(told) {
-  $("doing").textContent = progressText(told);
-  if (told.share === null || told.share === undefined) $("progress").removeAttribute("value");
-  else $("progress").value = told.share;
+function showProgress(status) {
+  $("doing").textContent = progressText(status);
+  if (status.share === null || status.share === undefined) $("progress").removeAttribute("value");
+  else $("progress").value = status.share;
 }
 
 function wavOf(sound) {
@@ -250,7 +249,7 @@ function wavOf(sound) {
 async function analyse(file) {
   const state = $("recording-state");
   $("recording").replaceChildren();
-  state.textContent = "reading the sound";
+  state.textContent = "reading the recording";
   try {
     const context = new AudioContext({ sampleRate: 48000 });
     let sound;
@@ -270,32 +269,32 @@ async function analyse(file) {
       return;
     }
     if (!response.ok) {
-      const told = await response.json();
-      state.textContent = told.error;
-      showFault(told.error, told.key);
+      const status = await response.json();
+      state.textContent = status.error;
+      showFault(status.error, status.key);
       return;
     }
-    if (chosen?.name !== nameOfRun()) $("scene-form").requestSubmit(); // show the simulated disk next to the recording
-    for await (const told of linesOf(response)) {
-      state.textContent = told.error ?? (told.done ? "" : progressText(told));
-      if (told.done) showRecording(told);
+    if (chosen?.name !== nameOfRun()) $("scene-form").requestSubmit(); // run the simulation for comparison
+    for await (const status of linesOf(response)) {
+      state.textContent = status.error ?? (status.done ? "" : progressText(status));
+      if (status.done) showRecording(status);
     }
   } catch {
     state.textContent = "The studio does not respond; is it still running?";
   }
 }
 
-function showRecording(told) {
+function showRecording(status) {
   const list = (title, lines) => [
     element("h3", { textContent: title }),
     ...lines.map((line) => element("p", { textContent: line })),
   ];
-  const pictures = told.result.pictures.map((name) =>
-    element("img", { src: told.folder + name, alt: `Picture of the recording: ${name.replace(".png", "")}` }),
+  const pictures = status.result.pictures.map((name) =>
+    element("img", { src: status.folder + name, alt: `Picture of the recording: ${name.replace(".png", "")}` }),
   );
-  const verdict = told.result.fit.length ? list(`Compared with ${$("scene").value}`, told.result.fit) : [];
+  const verdict = status.result.fit.length ? list(`Compared with ${$("scene").value}`, status.result.fit) : [];
   const gallery = element("div", { className: "pictures" }, ...pictures);
-  $("recording").replaceChildren(...verdict, ...list("Analysis of the recording", told.result.heard), gallery);
+  $("recording").replaceChildren(...verdict, ...list("Analysis of the recording", status.result.heard), gallery);
 }
 
 let recorder = null;
@@ -323,7 +322,7 @@ async function toggleRecording() {
     button.textContent = "Stop recording";
     button.setAttribute("aria-pressed", "true");
   } catch {
-    $("recording-state").textContent = "The browser does not allow access to a microphone.";
+    $("recording-state").textContent = "The browser does not allow access to the microphone.";
   }
 }
 

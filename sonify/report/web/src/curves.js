@@ -27,14 +27,14 @@ export class Curves {
         ],
         series: [{}, ...curves.map(({ colour, dash }) => ({ stroke: colour, width: 1.5, dash, points: { show: false } }))],
       },
-      [t, ...curves.map(({ values }) => Array.from(values, (v) => (Number.isNaN(v) ? null : v)))], // null is a gap
+      [t, ...curves.map(({ values }) => Array.from(values, (v) => (Number.isNaN(v) ? null : v)))], // null makes a gap
       parent,
     )
     this.element = this.plot.over
     this.label = parent.querySelector('.value')
     parent.querySelector('.title').textContent = title
     this.plot.root.setAttribute('role', 'img')
-    this.plot.root.setAttribute('aria-label', `${title}, from ${this.#told(t[0])} to ${this.#told(t.at(-1))}`)
+    this.plot.root.setAttribute('aria-label', `${title}, from ${this.#valuesText(t[0])} to ${this.#valuesText(t.at(-1))}`)
     new ResizeObserver(() => this.plot.setSize({ width: this.#width(parent), height })).observe(parent)
   }
 
@@ -47,11 +47,11 @@ export class Curves {
   }
 
   /** Show the values of the curves at a time next to the title. */
-  tell(time) {
-    this.label.textContent = this.#told(time)
+  showValues(time) {
+    this.label.textContent = this.#valuesText(time)
   }
 
-  #told(time) {
+  #valuesText(time) {
     return this.curves
       .map(({ name, unit, values }) => [name, digits(at(this.t, values, time), unit)].filter(Boolean).join(' '))
       .join(', ')

@@ -3,8 +3,8 @@ import * as THREE from 'three'
 import { at, place } from './data.js'
 import { Stage, theme } from './stage.js'
 
-const TRAIL = 400 // places of the path that are shown
-const SINCE = 3 // turns of the contact that the path goes back
+const PATH_POINTS = 400 // points of the drawn path
+const PATH_TURNS = 3 // turns of the contact covered by the drawn path
 
 export class Disk3D {
   constructor(canvas, run) {
@@ -19,7 +19,7 @@ export class Disk3D {
     )
     this.force = new THREE.ArrowHelper(new THREE.Vector3(0, 0, 1), new THREE.Vector3(), 1, theme('--force'))
     this.trail = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: theme('--contact') }))
-    this.trail.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * TRAIL), 3))
+    this.trail.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * PATH_POINTS), 3))
     this.trail.frustumCulled = false
     this.stage.scene.add(this.contact, this.force, this.trail)
   }
@@ -72,10 +72,10 @@ export class Disk3D {
     const turn = this.motion.precession
     const now = place(this.motion.t, t)
     let first = now
-    while (first > 0 && Math.abs(turn[now] - turn[first]) < 2 * Math.PI * SINCE) first--
+    while (first > 0 && Math.abs(turn[now] - turn[first]) < 2 * Math.PI * PATH_TURNS) first--
     const positions = this.trail.geometry.attributes.position
-    for (let i = 0; i < TRAIL; i++) {
-      const back = this.motion.t[first] + (i / (TRAIL - 1)) * (t - this.motion.t[first])
+    for (let i = 0; i < PATH_POINTS; i++) {
+      const back = this.motion.t[first] + (i / (PATH_POINTS - 1)) * (t - this.motion.t[first])
       positions.setXYZ(i, ...this.#contact(this.#state(back)))
     }
     positions.needsUpdate = true

@@ -1,19 +1,19 @@
 // Interactive page of a run: sound, spectrogram and curves over time, and 3-D views of the disk and its modes.
-// Without this script the page still contains all results as text and pictures.
+// Without this script, the page still contains all results as text and pictures.
 import './page.css'
 import { clock, runs } from './data.js'
 import { Curves } from './curves.js'
 import { Disk3D } from './disk3d.js'
-import { EXAGGERATED, Modes3D } from './modes3d.js'
+import { MAX_DRAWN_DISPLACEMENT, Modes3D } from './modes3d.js'
 import { Player } from './player.js'
 import { Spectrogram } from './spectrogram.js'
 import { Timeline } from './timeline.js'
 
-const LAST = 1 // [s]: the last stretch before the end
-const SLOW = 0.1 // speed of slow motion
-const QUIET = -20 // [dB SPL]: the lower end of a level meter
-const LOUD = 100
-const LINES = 'white: turns of the contact; blue, dashed: rocking; dotted: modes'
+const END_SPAN = 1 // [s], played by the buttons for the last second
+const SLOW_SPEED = 0.1 // playback speed of slow motion
+const METER_MIN = -20 // [dB SPL], lower end of the level meters
+const METER_MAX = 100 // [dB SPL], upper end of the level meters
+const LINE_LEGEND = 'white: turns of the contact; blue, dashed: rocking; dotted: modes'
 
 const $ = (selector, parent = document) => parent.querySelector(selector)
 const still = matchMedia('(prefers-reduced-motion: reduce)')
@@ -25,49 +25,49 @@ function element(tag, attributes = {}, ...children) {
 }
 
 /** Show a message about a feature that does not work in this browser. */
-function say(text) {
+function showNotice(text) {
   $('#notice').textContent = text
   $('#notice').hidden = !text
 }
 
 async function start() {
   document.documentElement.classList.add('alive')
-  copies()
-  await frame() // show title and answer before decoding starts
+  addCopyButtons()
+  await nextFrame() // show title and answers before decoding starts
   const all = runs()
   const player = new Player(all)
   const timeline = new Timeline(player.duration, player)
-  timeline.onError = (error) => say(`No sound: ${error.message}.`)
+  timeline.onError = (error) => showNotice(`No sound: ${error.message}.`)
   window.sonify = { player, timeline, runs: all, spectrograms: [] }
-  transport(player, timeline, all)
-  const scenes = three(all)
+  addTransport(player, timeline, all)
+  const scenes = addDiskViews(all)
   scenes.disks.forEach((disk) => disk.draw(player.time))
-  await frame()
-  const curves = motion(all, timeline)
+  await nextFrame()
+  const curves = addCurves(all, timeline)
   timeline.keys($('#workbench'))
-  loop(() => {
+  everyFrame(() => {
     player.tick()
     timeline.draw()
-    meters(player)
+    updateMeters(player)
     $('#clock').textContent = clock(player.time, timeline.span[1] - timeline.span[0])
-    curves.forEach((one) => one.tell(player.time))
+    curves.forEach((one) => one.showValues(player.time))
     scenes.disks.forEach((disk) => disk.draw(player.time))
     scenes.bodies.forEach((draw) => draw(performance.now() / 1000))
   })
   try {
-    await spectrograms(all, player, timeline)
+    await addSpectrograms(all, player, timeline)
     await player.samples()
   } catch (error) {
-    say(`The sound cannot be decoded by this browser (${error.message}); the WAV files beside this page can be played.`)
+    showNotice(`This browser cannot decode the sound (${error.message}); play the WAV files in the folder of this page instead.`)
   }
 }
 
 /** Wait until the browser has redrawn the page. */
-function frame() {
+function nextFrame() {
   return new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 }
 
-function loop(draw) {
+function everyFrame(draw) {
   const frame = () => {
     draw()
     requestAnimationFrame(frame)
@@ -75,7 +75,7 @@ function loop(draw) {
   requestAnimationFrame(frame)
 }
 
-function copies() {
+function addCopyButtons() {
   for (const button of document.querySelectorAll('button[data-copy]')) {
     const [name, source] = [button.textContent, $(button.dataset.copy)]
     button.addEventListener('click', async () => {
@@ -84,16 +84,16 @@ function copies() {
         button.textContent = 'copied'
       } catch {
         getSelection().selectAllChildren(source)
-        button.textContent = 'not allowed: it is selected, press Ctrl-C'
+        button.textContent = 'not allowed; press Ctrl+C to copy the selection'
       }
       setTimeout(() => (button.textContent = name), 2000)
     })
   }
 }
 
-function transport(player, timeline, all) {
+function addTransport(player, timeline, all) {
   const plays = $('#play')
-  const attempt = (promise) => Promise.resolve(promise).then(() => say(''), timeline.onError)
+  const attempt = (promise) => Promise.resolve(promise).then(() => showNotice(''), timeline.onError)
   plays.addEventListener('click', () => attempt(player.toggle()))
   $('#speed').addEventListener('change', (event) => attempt(player.set({ speed: Number(event.target.value) })))
   $('#pitch').addEventListener('change', (event) => attempt(player.set({ keepPitch: event.target.checked })))
@@ -111,37 +111,37 @@ function transport(player, timeline, all) {
   $('#wider').addEventListener('click', () => timeline.zoom(2))
   const loopEnd = async (speed) => {
     const end = all[player.run].source_end
-    timeline.select(end - LAST, end + LAST / 10)
+    timeline.select(end - END_SPAN, end + END_SPAN / 10)
     await atSpeed(speed)
     return attempt(player.play())
   }
   $('#end').addEventListener('click', () => loopEnd(1))
-  $('#slow').addEventListener('click', () => loopEnd(SLOW))
+  $('#slow').addEventListener('click', () => loopEnd(SLOW_SPEED))
   $('#loop').addEventListener('click', () => timeline.setLooping(!timeline.looping))
   timeline.onLoop = (looping) => $('#loop').setAttribute('aria-pressed', String(looping))
   timeline.onShow = (from, to) => {
     $('#span').textContent = `${clock(from, to - from)} to ${clock(to, to - from)}`
   }
   timeline.showAll()
-  if (all.length > 1) choice(player, all, attempt)
+  if (all.length > 1) addRunChoice(player, all, attempt)
   player.onChange(() => {
     plays.setAttribute('aria-pressed', String(player.playing))
     plays.textContent = player.playing ? 'Pause' : 'Play'
   })
-  mixer(player)
+  buildMixer(player)
 }
 
-function choice(player, all, attempt) {
+function addRunChoice(player, all, attempt) {
   all.forEach((run, i) => {
     const name = 'AB'[i]
     const radio = element('input', { type: 'radio', name: 'run', value: String(i), checked: i === 0 })
-    radio.addEventListener('change', () => attempt(player.set({ run: i }).then(() => mixer(player))))
+    radio.addEventListener('change', () => attempt(player.set({ run: i }).then(() => buildMixer(player))))
     $('#runs').append(element('label', {}, radio, ` ${name}: ${run.name}`))
   })
   $('#runs').hidden = false
 }
 
-function mixer(player) {
+function buildMixer(player) {
   const { inaudible } = player.runs[player.run].sounds
   $('#mixer').replaceChildren(
     ...player.names.map((name) => {
@@ -157,7 +157,7 @@ function mixer(player) {
         mute.ariaPressed = String(player.muted.has(name))
         solo.ariaPressed = String(player.solo === name)
       })
-      const meter = element('meter', { min: QUIET, max: LOUD, value: QUIET })
+      const meter = element('meter', { min: METER_MIN, max: METER_MAX, value: METER_MIN })
       meter.setAttribute('aria-label', `level of ${words}`)
       const level = element('span', { className: 'level' })
       const row = element('div', { className: 'strip' }, element('span', { className: 'name', textContent: words }), mute, solo, meter, level, ...faint)
@@ -167,16 +167,16 @@ function mixer(player) {
   )
 }
 
-function meters(player) {
+function updateMeters(player) {
   const { unit } = player
   for (const row of document.querySelectorAll('.strip')) {
     const level = player.level(row.dataset.stem)
-    $('meter', row).value = Math.max(level, QUIET)
-    $('.level', row).textContent = level > QUIET ? `${level.toFixed(0)} ${unit}` : `< ${QUIET} ${unit}`
+    $('meter', row).value = Math.max(level, METER_MIN)
+    $('.level', row).textContent = level > METER_MIN ? `${level.toFixed(0)} ${unit}` : `< ${METER_MIN} ${unit}`
   }
 }
 
-async function spectrograms(all, player, timeline) {
+async function addSpectrograms(all, player, timeline) {
   for (const [i, run] of all.entries()) {
     const stems = await player.samples(i, 'true')
     const mix = () => {
@@ -193,9 +193,9 @@ async function spectrograms(all, player, timeline) {
     ]
     const panel = element('div', { className: 'panel spectrogram' }, element('canvas'), element('canvas', { className: 'lines' }))
     const title = element('span', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name} ` : 'Spectrogram ' })
-    const key = element('span', { className: 'value', textContent: LINES })
+    const key = element('span', { className: 'value', textContent: LINE_LEGEND })
     $('#loading').before(element('p', { className: 'caption' }, title, key), panel)
-    seeks(panel, `${run.seen} ${LINES}`, player)
+    makeTimeSlider(panel, `${run.seen} ${LINE_LEGEND}`, player)
     const spectrogram = new Spectrogram($('canvas', panel), mix(), {
       sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.full_scale, start: run.start,
     })
@@ -212,7 +212,7 @@ async function spectrograms(all, player, timeline) {
       spectrogram.showLines = event.target.checked
       spectrogram.show(...timeline.span)
     })
-    let sized = false // the first call only states the size
+    let sized = false // the first call only reports the size
     new ResizeObserver(() => {
       if (sized) spectrogram.show(...timeline.span)
       sized = true
@@ -221,22 +221,22 @@ async function spectrograms(all, player, timeline) {
   $('#loading').hidden = true
 }
 
-/** Make a panel a slider for the playing time, with the keys of the timeline. */
-function seeks(panel, label, player) {
+/** Make a panel a slider for the playback time, controlled by the keys of the timeline. */
+function makeTimeSlider(panel, label, player) {
   panel.tabIndex = 0
   panel.setAttribute('role', 'slider')
   panel.setAttribute('aria-label', label)
   panel.setAttribute('aria-valuemin', player.start)
   panel.setAttribute('aria-valuemax', player.duration)
-  const tell = () => {
+  const update = () => {
     panel.setAttribute('aria-valuenow', player.time)
     panel.setAttribute('aria-valuetext', clock(player.time))
   }
-  tell()
-  player.onChange(tell)
+  update()
+  player.onChange(update)
 }
 
-function motion(all, timeline) {
+function addCurves(all, timeline) {
   const panel = () => {
     const place = element('div', { className: 'panel' }, element('p', {}, element('span', { className: 'title' }), ' ', element('span', { className: 'value' })))
     $('#curves').append(place)
@@ -257,37 +257,37 @@ function motion(all, timeline) {
       () => new Curves(panel(), `${who}Energy [mJ]`, t, [{ unit: 'mJ', values: run.motion.energy.map((e) => 1e3 * e), colour: theme('--second') }]),
     ]
   })
-  const made = makers[0].flatMap((_, k) => makers.map((of) => of[k]())) // place panels to be compared side by side
+  const made = makers[0].flatMap((_, k) => makers.map((of) => of[k]())) // put panels to be compared next to each other
   made.forEach((one) => timeline.add(one))
   return made
 }
 
 const theme = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
 
-function three(all) {
+function addDiskViews(all) {
   try {
     const disks = all.map((run, i) => {
       const canvas = element('canvas', { className: 'orbit', tabIndex: 0 })
       canvas.setAttribute('role', 'img')
-      canvas.setAttribute('aria-label', `The disk ${all.length > 1 ? `of ${run.name} ` : ''}on its table at the time that is heard. Arrow keys turn the view, plus and minus bring it nearer and farther.`)
+      canvas.setAttribute('aria-label', `The disk ${all.length > 1 ? `of ${run.name} ` : ''}on its table at the playback time. Arrow keys turn the view; plus and minus zoom in and out.`)
       if (all.length > 1) $('#disks').append(element('p', { className: 'caption' }, `${'AB'[i]}: ${run.name}`))
       $('#disks').append(canvas)
       return new Disk3D(canvas, run)
     })
     const name = all.length > 1 ? ` (A: ${all[0].name})` : ''
-    return { disks, bodies: [shapes(all[0].shapes, '', name), shapes(all[0].table, 'table-', name)].filter(Boolean) }
+    return { disks, bodies: [addModeView(all[0].shapes, '', name), addModeView(all[0].table, 'table-', name)].filter(Boolean) }
   } catch (error) {
     $('#three').classList.add('without')
-    $('#three-notice').textContent = `This browser draws no 3-D (${error.message}); the pictures below show the motion and the modes.`
+    $('#three-notice').textContent = `This browser cannot draw 3-D views (${error.message}); the pictures below show the motion and the modes.`
     return { disks: [], bodies: [] }
   }
 }
 
-function shapes(given, whose, name) {
+function addModeView(given, whose, name) {
   if (!given || !given.shapes.length) return undefined
   const canvas = $(`#${whose}mode-canvas`)
   const [choice, swing] = [$(`#${whose}mode`), $(`#${whose}swing`)]
-  let modes // made when it is first seen
+  let modes // created when first visible
   let seen = false
   new IntersectionObserver(([{ isIntersecting }]) => (seen = isIntersecting)).observe(canvas)
   given.captions.forEach((caption, i) => choice.append(element('option', { value: String(i), textContent: caption })))
@@ -297,7 +297,7 @@ function shapes(given, whose, name) {
   }
   choice.addEventListener('change', (event) => pick(Number(event.target.value)))
   pick(0)
-  $(`#${whose}exaggerated`).textContent = `Exaggerated to ${Math.round(100 * EXAGGERATED)} % of the radius where it moves most; bright is far.`
+  $(`#${whose}exaggerated`).textContent = `Displacements are exaggerated: the largest is ${Math.round(100 * MAX_DRAWN_DISPLACEMENT)} % of the radius. Bright parts move most.`
   swing.checked = !still.matches
   $(`#${whose}modes3d`).hidden = false
   $(`#${whose}modes3d h2`).append(name)
@@ -312,6 +312,6 @@ function shapes(given, whose, name) {
 }
 
 start().catch((error) => {
-  say(`The page cannot show this run interactively (${error.message}); what follows is complete without that.`)
+  showNotice(`The page cannot show this run interactively (${error.message}); the text and pictures below are complete.`)
   throw error
 })

@@ -2,8 +2,8 @@
 import * as THREE from 'three'
 import { Stage, theme } from './stage.js'
 
-const SWING = 1.2 // [s] a period on the screen
-export const EXAGGERATED = 0.18 // of the radius, where it moves most
+const PERIOD = 1.2 // [s], of the animation
+export const MAX_DRAWN_DISPLACEMENT = 0.18 // divided by the radius
 
 export class Modes3D {
   constructor(canvas, { points, triangles, shapes }) {
@@ -23,7 +23,7 @@ export class Modes3D {
   pick(number) {
     this.shape = this.shapes[number]
     const most = largest(this.shape)
-    this.scale = (EXAGGERATED * this.radius) / most
+    this.scale = (MAX_DRAWN_DISPLACEMENT * this.radius) / most
     const [still, far] = [theme('--still'), theme('--far')]
     const colour = this.geometry.attributes.color
     for (let i = 0; i < colour.count; i++) {
@@ -47,7 +47,7 @@ export class Modes3D {
   }
 
   draw(seconds, still) {
-    if (!still) this.moved(Math.cos((2 * Math.PI * seconds) / SWING))
+    if (!still) this.moved(Math.cos((2 * Math.PI * seconds) / PERIOD))
     this.stage.draw()
   }
 }

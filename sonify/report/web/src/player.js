@@ -2,8 +2,8 @@
 import stretching from 'text:signalsmith-stretch/SignalsmithStretch.mjs'
 import { bytes } from './data.js'
 
-const AHEAD = 0.05 // what a stretcher is told so long before it is heard starts cleanly [s]
-const FADE = 0.1 // a part of a sound begins without a click if it is faded in [s]
+const STRETCHER_LEAD = 0.05 // [s], between scheduling and playback, so that the stretcher starts cleanly
+const FADE_IN = 0.1 // [s], so that a part of a sound starts without a click
 
 export class Player {
   /** `runs` contain sounds {full_scale, tracks: {name: data URL}, weighting: {full_scale, sections}}. */
@@ -50,7 +50,7 @@ export class Player {
       tracks.map(async ([name, url]) => {
         const buffer = await context.decodeAudioData(bytes(url))
         const channels = Array.from({ length: buffer.numberOfChannels }, (_, c) => buffer.getChannelData(c))
-        if (run.start > 0) channels.forEach((channel) => fadeIn(channel, FADE * run.sample_rate))
+        if (run.start > 0) channels.forEach((channel) => fadeIn(channel, FADE_IN * run.sample_rate))
         return { name, channels }
       }),
     )
@@ -102,8 +102,8 @@ export class Player {
     if (this.playing) return
     this.context ??= new AudioContext({ sampleRate: this.runs[0].sample_rate })
     const running = this.context.resume()
-    const patience = new Promise((_, no) => setTimeout(no, 2000, new Error('this browser does not let the page sound')))
-    await Promise.race([running, patience])
+    const timeout = new Promise((_, reject) => setTimeout(reject, 2000, new Error('this browser does not allow the page to play sound')))
+    await Promise.race([running, timeout])
     if (this.position >= this.duration - 1e-3) this.position = this.start
     await this.#start()
     this.#changed()
@@ -137,7 +137,7 @@ export class Player {
     await node.addBuffers(channels.map((channel) => channel.slice()))
     this.#mixed(node, stems)
     this.from = this.position
-    this.since = this.context.currentTime + AHEAD + (await node.latency())
+    this.since = this.context.currentTime + STRETCHER_LEAD + (await node.latency())
     const offset = this.runs[this.run].start
     const repeats = this.loop ? { loopStart: this.loop[0] - offset, loopEnd: this.loop[1] - offset } : {}
     node.schedule({ output: this.since, outputTime: this.since, input: this.from - offset, rate: this.speed, active: true, ...repeats })

@@ -2,13 +2,13 @@
 // short windows for high frequencies.
 import FFT from 'fft.js'
 
-const LOWEST = 10 // [Hz]
-const SPLIT = 1000 // [Hz]: above it, the short window
-const RANGE = 65 // [dB] from the darkest to the brightest
-const APART = 50 // [dB]: greatest difference of the brightest levels of low and high tones
-const BLEND = [300, 3000] // [Hz]: between these, the brightest level goes from that of low tones to that of high ones
-const SEEN = 200 // [ms] between two looks at a picture that grows
-const BUSY = 12 // [ms] of work between two frames of the screen
+const MIN_FREQUENCY = 10 // [Hz]
+const SPLIT_FREQUENCY = 1000 // [Hz], above which the short window is used
+const RANGE = 65 // [dB], between the darkest and the brightest colour
+const MAX_BAND_DIFFERENCE = 50 // [dB], between the brightest levels of low and high frequencies
+const BLEND = [300, 3000] // [Hz], range in which the brightest level changes from that of low to that of high frequencies
+const REDRAW_INTERVAL = 200 // [ms], while the picture is being computed
+const WORK_TIME = 12 // [ms], of computation between two screen refreshes
 
 export class Spectrogram {
   /** `samples` Float32Array, 1.0 is `fullScale` [Pa]; `colours`: 256 x 3 bytes; `lines` drawn over it: [{name, t, f, style}].
@@ -27,16 +27,16 @@ export class Spectrogram {
 
   /** Convert a frequency to a height in the panel, 0 at the bottom and 1 at the top; `frequency` is the inverse. */
   height(frequency) {
-    return Math.log(frequency / LOWEST) / Math.log(this.highest / LOWEST)
+    return Math.log(frequency / MIN_FREQUENCY) / Math.log(this.highest / MIN_FREQUENCY)
   }
 
   frequency(height) {
-    return LOWEST * (this.highest / LOWEST) ** height
+    return MIN_FREQUENCY * (this.highest / MIN_FREQUENCY) ** height
   }
 
   show(from, to) {
     this.span = [from, to]
-    const job = (this.job = {}) // any other job stops, unless it determines the colour scale
+    const job = (this.job = {}) // other jobs stop, unless they determine the colour scale
     this.first ??= this.#draw(job, from, to)
     this.done = this.first.then(() => this.#draw(job, from, to))
   }
@@ -58,11 +58,11 @@ export class Spectrogram {
     for (let column = 0; column < width; column++) {
       const time = from + ((column + 0.5) / width) * (to - from)
       for (const band of bands) band.read(this.samples, (time - this.start) * this.sampleRate, level, column, width)
-      if (performance.now() - rest > BUSY) {
+      if (performance.now() - rest > WORK_TIME) {
         await new Promise(requestAnimationFrame)
         if (this.scale && job !== this.job) return
         rest = performance.now()
-        if (rest - painted > SEEN) {
+        if (rest - painted > REDRAW_INTERVAL) {
           this.#paint(level, bands, width, height)
           painted = performance.now()
         }
@@ -73,13 +73,13 @@ export class Spectrogram {
     job.done = true
     if (this.scale) return
     this.scale = scale
-    this.onScale?.(this.#words(scale))
+    this.onScale?.(this.#scaleDescription(scale))
   }
 
   #bands(perColumn, height) {
     const long = windowSize(16 * perColumn * this.sampleRate, 512, 16384)
     const short = Math.max(long >> 3, 256)
-    const split = Math.round(height * (1 - this.height(SPLIT)))
+    const split = Math.round(height * (1 - this.height(SPLIT_FREQUENCY)))
     return [
       new Band(this, short, 0, split, height),
       new Band(this, long, split, height, height),
@@ -111,9 +111,9 @@ export class Spectrogram {
     return low + share * (high - low)
   }
 
-  #words([high, low]) {
+  #scaleDescription([high, low]) {
     const spl = (level) => `${Math.round(level + 20 * Math.log10(this.fullScale / 20e-6)) + 0} dB SPL`
-    return `The brightest colour is a sine of ${spl(low)} up to ${BLEND[0]} Hz and of ${spl(high)} from ${BLEND[1] / 1000} kHz; black is ${RANGE} dB less.`
+    return `The brightest colour corresponds to a sine of ${spl(low)} below ${BLEND[0]} Hz and of ${spl(high)} above ${BLEND[1] / 1000} kHz; black is ${RANGE} dB lower.`
   }
 
   #drawLines(from, to) {
@@ -129,7 +129,7 @@ export class Spectrogram {
         context.beginPath()
         Object.assign(context, { strokeStyle: style, lineWidth: thick })
         context.setLineDash(dash)
-        let joined = false // the line has a gap where it is not a number
+        let joined = false // NaN makes a gap in the line
         for (let i = 0; i < t.length; i++) {
           const x = ((t[i] + this.delay - from) / (to - from)) * width
           const y = height * (1 - this.height(f[i]))
@@ -144,7 +144,7 @@ export class Spectrogram {
 
   #ticks(context, width, height) {
     Object.assign(context, { font: '11px system-ui, sans-serif', lineWidth: 1 })
-    for (let decade = LOWEST; decade < this.highest; decade *= 10) {
+    for (let decade = MIN_FREQUENCY; decade < this.highest; decade *= 10) {
       for (const factor of [1, 2, 5]) {
         const frequency = factor * decade
         if (frequency >= this.highest) continue
@@ -165,7 +165,7 @@ export class Spectrogram {
 
 function brightest(level, bands, width) {
   const tops = bands.map(({ first, last }) => loudest(level.subarray(first * width, last * width)))
-  return tops.map((top) => Math.max(top, Math.max(...tops) - APART))
+  return tops.map((top) => Math.max(top, Math.max(...tops) - MAX_BAND_DIFFERENCE))
 }
 
 function loudest(levels) {

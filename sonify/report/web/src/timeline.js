@@ -1,7 +1,7 @@
 // Time span shown by all panels, and its control by pointer and keys.
 
-const SHORTEST = 1e-3 // [s]
-const DRAG = 4 // a pointer that moves less [px] has clicked
+const MIN_SPAN = 1e-3 // [s]
+const MIN_DRAG = 4 // [px], below which a pointer movement counts as a click
 
 export class Timeline {
   constructor(duration, player) {
@@ -28,7 +28,7 @@ export class Timeline {
   }
 
   show(from, to) {
-    const width = Math.min(Math.max(to - from, SHORTEST), this.duration - this.start)
+    const width = Math.min(Math.max(to - from, MIN_SPAN), this.duration - this.start)
     const start = Math.min(Math.max(from, this.start), this.duration - width)
     this.span = [start, start + width]
     this.panels.forEach((panel) => panel.show(...this.span))
@@ -91,7 +91,7 @@ export class Timeline {
     element.addEventListener('pointermove', (event) => {
       if (!start) return
       const box = element.getBoundingClientRect()
-      mark.hidden = Math.abs(event.clientX - start.x) < DRAG
+      mark.hidden = Math.abs(event.clientX - start.x) < MIN_DRAG
       mark.style.left = `${Math.min(event.clientX, start.x) - box.left}px`
       mark.style.width = `${Math.abs(event.clientX - start.x)}px`
     })
