@@ -1,9 +1,9 @@
 """Compute the modes of a disk on a patch by finite elements and modal synthesis.
 
 Synthesis is about ten times as accurate and provides frequencies with error estimates,
-where applicable. Finite elements provide the mesh and the shapes for any patch. The
-methods use different meshes and boundary conditions; if they do not find the same
-modes, the result is that of the finite elements alone.
+where applicable. Finite elements provide the mesh and the shapes for any patch. The two
+methods use different discretisations and boundary conditions; if they do not find the
+same modes, the result is that of the finite elements alone.
 """
 
 from dataclasses import replace

@@ -14,8 +14,8 @@ _watch: ContextVar[Callable[[float], None]] = ContextVar(
 
 @contextmanager
 def progress_reported_to(watch: Callable[[float], None]) -> Iterator[None]:
-    """Call `watch(fraction)` with the completed fraction of the modes computed by this
-    thread in the block."""
+    """Call `watch(fraction)` with the completed fraction of the modal computations of
+    this thread in the block."""
     before = _watch.set(watch)
     try:
         yield

@@ -96,11 +96,11 @@ def radiation_decay(
     """Compute the decay rates of modes due to sound radiation from the faces.
 
     Each face radiates into its own half space, as if a baffle separated them. Without a
-    baffle, the sound of the two sides of a disk small compared with the wavelength
-    cancels, and the result is too large: by the factor 27 pi^2/(8 (k a)^2) [2]_ for a
-    rigid disk in heave, which is 100 at k a = 0.6 (0.9 kHz for a radius of 37.55 mm).
-    Radiation from the rim, the only sound of in-plane modes, is neglected, as are the
-    orders set to 0 in `directivity`.
+    baffle, the sound of the two sides of a disk that is small compared with the
+    wavelength cancels, and the result is too large: by the factor 27 pi^2/(8 (k a)^2)
+    [2]_ for a rigid disk in heave, which is 100 at k a = 0.6 (0.9 kHz for a radius of
+    37.55 mm). Radiation from the rim, the only sound of in-plane modes, is neglected,
+    as are the orders set to 0 in `directivity`.
 
     Parameters
     ----------

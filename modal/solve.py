@@ -15,7 +15,7 @@ from modal.spectral.basis import Plate
 DEFAULT_HIGHEST_FREQUENCY = 24000.0  # Hz
 """Default exclusive upper limit of the frequencies of modes."""
 MAX_MODE_COUNT = 600
-"""Largest number of modes; more would take minutes to compute and hours to render."""
+"""Maximum number of modes; more would take minutes to compute and hours to render."""
 
 
 def disk_density(disk: Any) -> float:

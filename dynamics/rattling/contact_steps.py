@@ -1,13 +1,14 @@
 """Time steps of a disk with contact springs along its whole rim.
 
-A step consists of half a free flight, the impulse of the contacts, and half a free
-flight. The flight is exact: the centre falls, the disk rotates as a symmetric top, and
-its modes vibrate freely. The rim rests on points with springs whose force is linear in
-the depth and whose sum is Hertz's force of the smooth contact. Adjacent points in
-contact form a patch. A dashpot acts on the mean approach speed of a patch, weighted by
-the depth, because dashpots of single points would resist rolling.
+A step consists of free flight for half its duration, the impulse of the contacts, and
+free flight for the other half. The flight is exact: the centre falls, the disk rotates
+as a symmetric top, and its modes vibrate freely. Springs act at points along the rim.
+The force of each is linear in its depth, and the sum is Hertz's force of the smooth
+contact. Adjacent points in contact form a patch. A dashpot acts on the depth-weighted
+mean approach speed of a patch, because dashpots at single points would resist rolling.
 
-High above the table, a step lasts until the last one before the next sample.
+High above the table, all steps except the last one before the next sample are merged
+into one.
 
 A table with modes rises under the rim by W = sum q_m w_m, and each contact force N drives
 its modes by -N w_m. Between contacts they vibrate freely and are advanced exactly, like
@@ -78,11 +79,12 @@ CREEP_COEFFICIENT = 4.5
 """Kalker's coefficient of longitudinal creep for a circle, close to that of a long
 ellipse."""
 PARABOLA_LENGTH = 1.2
-"""Length of a parabola times the sum of its squares, over the square of its sum."""
+"""Length of a parabola times the sum of its squares, divided by the square of its
+sum."""
 SLIP_LIMIT = 0.25
-"""Largest friction impulse in a step divided by mass times slip velocity."""
+"""Maximum friction impulse in a step, divided by mass times slip velocity."""
 BLOCK_SIZE = 32
-"""Number of adjacent points of the rim with a common bound of their heights."""
+"""Number of adjacent points of the rim that share an upper bound of their heights."""
 NODE_REFRESH_TIME = 1e-4
 """Time [s] for which the table mode shapes at a node of the rim are kept."""
 UPRIGHT_COSINE_LIMIT = 0.05
@@ -90,10 +92,10 @@ UPRIGHT_COSINE_LIMIT = 0.05
 MIN_AIRBORNE_TIME = 2e-3
 """Shortest loss of contact [s] after which the air film may support the disk."""
 MIN_AIRBORNE_LIFT = 0.5
-"""Mean film force in a loss of contact, divided by the weight, above which it supports
-the disk."""
+"""Mean film force during a loss of contact, divided by the weight, above which the film
+supports the disk."""
 CONTINUES, LIES_FLAT, STANDS_UPRIGHT, JUMPS, FLOATS = range(5)
-"""Reasons for the end of the time steps."""
+"""Reasons for ending the time steps."""
 
 
 class RattlingDisk(NamedTuple):
@@ -115,13 +117,13 @@ class RattlingDisk(NamedTuple):
         Coefficient of sliding friction.
     contour_moment : float
         Moment that resists the rolling of the contact under the weight [N m].
-    bowl : (3,) tuple of float
+    bowl : tuple of float, length 3
         Restoring acceleration of a concave table divided by the distance from its
         middle [1/s^2], and position of the origin relative to its middle [m].
-    spin_friction : (15,) tuple of float
-        1 or 0, whether slip and creep in the contact resist pivoting, and the
+    spin_friction : tuple of float, length 15
+        First 1 if slip and creep in the contact resist pivoting, else 0; then the
         coefficients of `pivoting_arm` in units of the radius.
-    arms : (3,) tuple of float
+    arms : tuple of float, length 3
         Moments that resist the rotations about a_1, a_2 and the vertical, divided by
         the normal force [m].
     film : AirFilm
@@ -146,29 +148,29 @@ class RattlingDisk(NamedTuple):
 
 
 class MovingTable(NamedTuple):
-    """Modes of a table of unit modal mass at k nodes round the rim.
+    """Modes of a table, of unit modal mass, at k nodes around the rim.
 
     Attributes
     ----------
-    coefficients : (a, b, t) array
+    coefficients : ndarray, shape (a, b, t)
         Spline coefficients of the upward mode shapes.
-    knots_x, knots_y : arrays
+    knots_x, knots_y : ndarray
         Knots of the splines [m].
-    place : (2,) array
+    place : ndarray, shape (2,)
         Origin [m] in the frame of the splines.
     is_fixed : float
         0 if the modes move with the centre of the disk, as modes given by numbers do; else 1.
-    mean_factor : (t,) array
+    mean_factor : ndarray, shape (t,)
         sin(x)/x with x = w h/2: average over the free vibration in a step.
-    shapes : (k, t) array
+    shapes : ndarray, shape (k, t)
         Mode shapes at the nodes [kg^-1/2], times `mean_factor`.
-    known_since : (k,) array
+    known_since : ndarray, shape (k,)
         Time [s] at which the shapes of a node were last evaluated; negative if never.
-    motion : (3, k) array
+    motion : ndarray, shape (3, k)
         Deflection [m], speed [m/s] and change of the speed in the step [m/s] of the nodes.
-    force : (2, k) array
+    force : ndarray, shape (2, k)
         Force [N] of springs and dashpots on the nodes.
-    displacement : (t,) array
+    displacement : ndarray, shape (t,)
         Mean displacements of the modes at both ends of the step.
     """
 
@@ -194,21 +196,21 @@ class Edge(NamedTuple):
 
     Attributes
     ----------
-    heights : (p,) array
+    heights : ndarray, shape (p,)
         Heights [m] of table minus edge.
-    block_heights : (ceil(p/BLOCK_SIZE),) array
+    block_heights : ndarray, shape (ceil(p/BLOCK_SIZE),)
         Greatest height [m] of each block of points.
-    angles : (2, p) array
+    angles : ndarray, shape (2, p)
         Cosine and sine of the angles of the points.
-    axial, radial : (d, p) arrays
+    axial, radial : ndarray, shape (d, p)
         Displacement along the axis and the radius by modes of unit modal mass
         [kg^-1/2], times sin(x)/x with x = w h/2, which is the average over the free
         vibration in a step.
-    place_factor : (m,) array
+    place_factor : ndarray, shape (m,)
         Factor x/tan(x), for the mean of the displacements at both ends of the step.
-    frequency, decay : (m,) arrays
+    frequency, decay : ndarray, shape (m,)
         Angular frequency [rad/s] and decay rate [1/s] of the modes of disk and table.
-    highest : (2 + d,) array
+    highest : ndarray, shape (2 + d,)
         Greatest height [m], greatest displacement by each mode of the disk, and greatest norm of
         the mode shapes of the table [kg^-1/2].
     """
@@ -300,8 +302,8 @@ def record_mode_losses(edge, motion):
 
 @kernel
 def scalar_product(a, b):
-    """Return the scalar product of two arrays from four partial sums, whose operations
-    a processor executes at once."""
+    """Return the scalar product of two arrays, as four partial sums that a processor
+    evaluates in parallel."""
     s0 = 0.0
     s1 = 0.0
     s2 = 0.0
@@ -350,13 +352,13 @@ class MotionState(NamedTuple):
 
     Attributes
     ----------
-    disk : (15,) array
+    disk : ndarray, shape (15,)
         Position, velocity, axis, reference vector of the rim, angular momentum.
-    modes : (2, m) array
+    modes : ndarray, shape (2, m)
         Displacements [kg^1/2 m] and velocities of the modes.
-    record : (15,) array
+    record : ndarray, shape (15,)
         Sums since the start.
-    mode_loss : (m,) array
+    mode_loss : ndarray, shape (m,)
         Energy lost by the damping of each mode since the last sample [J].
     """
 
@@ -371,7 +373,7 @@ class RimGeometry(NamedTuple):
 
     Attributes
     ----------
-    quarter_turn_vector : (3,) array
+    quarter_turn_vector : ndarray, shape (3,)
         Unit vector from the centre to the point of the rim at the angle pi/2.
     upright : float
         Cosine of the inclination.
@@ -398,11 +400,11 @@ class Contacts(NamedTuple):
 
     Attributes
     ----------
-    load : (5, 6) array
+    load : ndarray, shape (5, 6)
         Force and torque by cause.
-    pull : (2, m) array
+    pull : ndarray, shape (2, m)
         Force of springs and dashpots on each mode.
-    depth, speed : (p,) arrays
+    depth, speed : ndarray, shape (p,)
         Mean depth [m] and approach speed [m/s] of the points that were examined.
     """
 
@@ -441,7 +443,8 @@ def rim_geometry(disk, state, quarter_turn_vector):
 
 @kernel
 def horizontal_offset(state, rim, cosine, sine, below):
-    """Return the horizontal coordinates [m], from the centre of the disk, of a point.
+    """Return the horizontal coordinates [m] of a point relative to the centre of the
+    disk.
 
     `cosine` and `sine` [m] are its coordinates along the reference vector of the rim and a
     quarter turn ahead; `below` [m] is its distance below the middle plane.
@@ -475,7 +478,7 @@ def table_at_point(table, row, i, points):
 def push_nodes(table, depth, left, points, spring, damping):
     """Add the forces of a patch to the nodes of the table.
 
-    `spring` and `damping` are the forces over the sum of the depths [N/m].
+    `spring` and `damping` are the forces divided by the sum of the depths [N/m].
     """
     force = table.force
     nodes = table.known_since.size
@@ -493,7 +496,9 @@ def push_nodes(table, depth, left, points, spring, damping):
 
 @kernel
 def nodes_of_arc(table, first, number, points):
-    """Return the first node and the number of nodes around `number` of `points` from `first` on."""
+    """Return the first node and the number of nodes that enclose an arc of the rim.
+
+    The arc consists of `number` points from `first` on, of `points` in all."""
     nodes = table.known_since.size
     begin = int(np.floor(first * nodes / points))
     end = int(np.floor((first + number) * nodes / points)) + 1
@@ -504,8 +509,10 @@ def nodes_of_arc(table, first, number, points):
 def move_nodes(
     disk, table, own, place_factor, motion, rim, velocity, change, now, begin, count
 ):
-    """Evaluate deflection and speed of the table at `count` nodes from `begin` on, and clear their
-    forces. `own` is the number of modes of the disk, which come first.
+    """Evaluate the motion of the table at `count` nodes from `begin` on, and clear
+    their forces.
+
+    `own` is the number of modes of the disk, which precede those of the table.
     """
     state = motion.disk
     modes = table.mean_factor.size
@@ -537,7 +544,8 @@ def move_nodes(
 
 @kernel
 def pull_table(table, own, begin, count, pull):
-    """Add the forces on `count` nodes from `begin` on to those on the modes of the table."""
+    """Add the forces at `count` nodes from `begin` on to the forces on the table
+    modes."""
     for place in range(begin, begin + count):
         node = place % table.known_since.size
         for origin in range(2):
@@ -549,7 +557,8 @@ def pull_table(table, own, begin, count, pull):
 
 @kernel
 def point_depth(disk, edge, motion, rim, i):
-    """Return the depth [m] of point i of the rim in a table at rest; negative above it."""
+    """Return the depth [m] of point i of the rim below a table at rest; negative above
+    it."""
     rise = (
         edge.angles[0, i] * motion.disk[RIM_REFERENCE_VECTOR + 2]
         + edge.angles[1, i] * rim.quarter_turn_vector[2]
@@ -592,7 +601,7 @@ def point_speed(disk, edge, motion, rim, velocity, i):
 def block_depth(disk, edge, motion, rim, block):
     """Return an upper bound of the depth [m] of the points of a block.
 
-    Disk and table are taken as undeformed.
+    Disk and table are assumed undeformed.
     """
     count = edge.heights.size
     first = block * BLOCK_SIZE
@@ -609,8 +618,10 @@ def block_depth(disk, edge, motion, rim, block):
 
 @kernel
 def arc_below(edge, motion, rim, room):
-    """Return half the angle [rad] of the arc of the rim less than `room` [m] above its
-    lowest point, its first point, and its number of points."""
+    """Return the arc of the rim less than `room` [m] above its lowest point.
+
+    The result consists of its half-angle [rad], its first point and its number of
+    points."""
     count = edge.heights.size
     cell = 2 * np.pi / count
     half = np.pi
@@ -625,7 +636,8 @@ def arc_below(edge, motion, rim, room):
 
 @kernel
 def mean_depth(depth, travel):
-    """Return the mean positive depth in a step in which the depth changes by `travel`.
+    """Return the mean positive depth over a step in which the depth changes by
+    `travel`.
 
     The work of a spring then equals the change of its energy even in a step in which
     contact starts or ends.
@@ -642,7 +654,8 @@ def mean_depth(depth, travel):
 def press_patch(
     disk, edge, table, motion, rim, velocity, stiffness, step, left, points, contacts
 ):
-    """Add the forces of a patch of adjacent points from the point `left` on."""
+    """Add the forces of a patch of `points` adjacent points that begins at the point
+    `left`."""
     state = motion.disk
     count = edge.heights.size
     depth_sum = 0.0
@@ -680,11 +693,11 @@ def press_patch(
     )
     centre_z -= disk.fillet
     mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
-    # the number of points of a parabolic patch, continuous as it gains points
+    # number of points of a parabolic patch, continuous when points are added
     length = PARABOLA_LENGTH * depth_sum**2 / squares
     dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * length / mobility)
     spring = stiffness * depth_sum
-    # the share of a step in which contact starts or ends; see `mean_depth`
+    # fraction of contact in a step in which contact starts or ends; see `mean_depth`
     dashpot *= min(1.0, np.sqrt(2 * deepest / (fastest * step)))
     damping = max(dashpot * speed_sum / depth_sum, -spring)
     add_force(contacts.load[ELASTIC], 0.0, 0.0, spring, centre_x, centre_y, centre_z)
@@ -727,8 +740,8 @@ def press_patch(
 def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, contacts):
     """Write the forces of all patches and return their elastic energy [J].
 
-    `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) the change that
-    separates the depths at its ends from those of a uniform motion.
+    `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) its
+    change, by which the depths at both ends deviate from uniform motion.
     """
     travel = abs(velocity[2])
     travel += (abs(velocity[3]) + abs(velocity[4])) * (
@@ -932,7 +945,8 @@ def add_film(disk, motion, rim, velocity, step, load, pressure):
 
 @kernel
 def write_change(disk, motion, contacts, h, out):
-    """Write the velocity changes caused by the forces in a time h to `out` (6 + m,)."""
+    """Write the velocity changes caused by the forces within a time h to `out` (6 +
+    m,)."""
     load = contacts.load
     axis = motion.disk[AXIS : AXIS + 3]
     axial = 0.0
@@ -954,7 +968,8 @@ def write_change(disk, motion, contacts, h, out):
 def kick(disk, motion, contacts, before, change, h):
     """Apply the forces for a time h, and record impulse and losses.
 
-    `before` and `change` (6 + m,) are the velocities before the change, and the change.
+    `before` and `change` (6 + m,) are the velocities before the forces and their
+    change.
     """
     state = motion.disk
     record = motion.record
@@ -1005,7 +1020,7 @@ def floats(record, now, weight):
 
 @kernel
 def stays_clear(disk, edge, table, gravity, motion, rim, contacts, duration):
-    """Return True if no point of the rim can touch the table within a time [s].
+    """Return True if no point of the rim can touch the table within `duration` [s].
 
     The amplitudes of the modes bound their displacements. The lowest point of the rim
     falls at its present rate, accelerated by gravity, the rotation and the air film.
@@ -1069,7 +1084,7 @@ def step_rattling_disk(
     disk : RattlingDisk
         Disk and contact.
     edge : Edge
-        Its lower edge and the unevenness.
+        Lower edge of the disk, with the unevenness.
     table : MovingTable or None
         Modes of the table; None compiles a separate version without them.
     gravity : float
@@ -1085,9 +1100,9 @@ def step_rattling_disk(
         place.
     begin : float
         Time [s] of the first step.
-    samples : (n, 30 + 2 m) array
+    samples : ndarray, shape (n, 30 + 2 m)
         Receives state, record and modes.
-    flights : (f, 3) array
+    flights : ndarray, shape (f, 3)
         Output: start [s], duration [s] and height [m] of each loss of contact that
         ended; f is at least half the number of steps.
 
@@ -1145,7 +1160,7 @@ def step_rattling_disk(
                     disk, edge, table, motion, rim, mean, change, now, step, contacts
                 )
             if contacts.load[ELASTIC, 2] > 0:
-                # The forces with the mean velocity and depth in the step conserve energy.
+                # Forces at the mean velocity and mean depth of the step conserve energy.
                 write_change(disk, motion, contacts, step, change)
                 for i in range(before.size):
                     mean[i] = before[i] + change[i] / 2

@@ -1,9 +1,9 @@
 """Forces of the air film under a rattling disk.
 
 The film is that of a disk in contact, because hops are low compared with the mean gap.
-A drag opposes the precession. The force of the pressure acts at the centre of pressure,
-normal to the face and against the velocity there. The compressed air exerts no pressure
-when no energy is stored.
+A drag opposes the precession. The pressure force acts at the centre of pressure, normal
+to the face, and opposes the normal velocity there. The compressed air exerts no
+pressure when it stores no energy.
 """
 
 from typing import NamedTuple
@@ -17,7 +17,7 @@ film_moment_parts_kernel = kernel(film_moment_parts)
 squeezed_air_kernel = kernel(squeezed_air_energy)
 
 MIN_PRECESSION_RATE = 1e-9
-"""Precession rate [rad/s] below which the drag does not depend on the rate."""
+"""Precession rate [rad/s] below which the drag is independent of the rate."""
 FORCE, ARM, TORQUE = range(3)
 """Rows of the loads (3, 3) of the film: force [N], its position relative to the centre
 [m], and torque [N m]."""
@@ -117,7 +117,7 @@ def film_pressure(film, disk, axis, sine, velocity, stored_energy, step, load):
 def normal_speed(disk, axis, up_slope, velocity, distance):
     """Return the velocity along the axis [m/s] of a point on the lower face.
 
-    `distance` [m] is that of the point from the contact, up the slope.
+    The point is at `distance` [m] from the contact, up the slope.
     """
     x = (distance - disk.radius) * up_slope[0] - disk.half_thickness * axis[0]
     y = (distance - disk.radius) * up_slope[1] - disk.half_thickness * axis[1]

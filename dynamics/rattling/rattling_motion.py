@@ -46,13 +46,13 @@ from dynamics.switching import ImpossibleContactError
 STEPS_PER_CONTACT = 3.0
 """Step rate divided by that of a single elastic contact at the same accuracy."""
 MIN_STEPS_PER_PERIOD = 60
-"""Smallest number of time steps per period of the contact resonance."""
+"""Minimum number of time steps per period of the contact resonance."""
 MIN_RIM_HEIGHT_RATIO = 3.0
 """Ratio of rim height to rms unevenness below which the disk lies flat."""
 NODES_PER_KNOT = 2
-"""Nodes around the rim divided by spline knots of the table modes on the same length."""
+"""Number of rim nodes per spline knot of the table modes."""
 MIN_TABLE_NODES = 64
-"""Smallest number of nodes around the rim at which the table is evaluated."""
+"""Minimum number of nodes around the rim at which the table is evaluated."""
 CHUNK = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
@@ -74,9 +74,9 @@ class RattlingModel(NamedTuple):
         The disk.
     constants : RattlingDisk
         Constants of the time steps.
-    amplitudes : (n,) array
+    amplitudes : ndarray, shape (n,)
         Complex amplitudes [m] of the unevenness around the rim, by order.
-    heights : (p,) array
+    heights : ndarray, shape (p,)
         Heights [m] of table and edge along the rim.
     rim : RimModes
         Modes of the free disk that displace the rim.
@@ -152,7 +152,7 @@ class RattlingModel(NamedTuple):
         if modes is None:
             return None
         frequency = 2 * pi * modes.frequency
-        # copies, since read-only arrays have another Numba type
+        # copies, because read-only arrays have a different Numba type
         knots_x, knots_y = (np.array(part) for part in modes.knots)
         spacing = min(np.diff(part).max() for part in (knots_x, knots_y))
         around = 2 * pi * self.constants.radius / spacing
@@ -162,7 +162,7 @@ class RattlingModel(NamedTuple):
             knots_x,
             knots_y,
             place=np.array(modes.place, dtype=float),
-            is_fixed=float(modes.mass > 0),  # modes given by numbers have no mass
+            is_fixed=float(modes.mass > 0),  # 0 for modes without a body
             mean_factor=self._mean_factor(frequency),
             shapes=np.zeros((count, len(frequency))),
             known_since=np.full(count, -1.0),
@@ -180,7 +180,7 @@ class RattlingMotion(CompliantMotion):
     ----------
     model : RattlingModel
         Disk, contact, unevenness and modes.
-    ringing : (n, 2 m) array
+    ringing : ndarray, shape (n, 2 m)
         Displacement and velocity of each disk mode of unit modal mass, at the times of the
         impulses.
     open_time : float
@@ -363,8 +363,8 @@ def effective_restitution(
     """Return the coefficient of restitution of the edge with the modes of the disk.
 
     The edge of a disk at an inclination [rad] hits a smooth table at a speed [m/s]
-    without gravity. The speeds before and after are those of the rigid disk, so that
-    energy in its modes counts as lost.
+    without gravity. The speeds before and after the impact are those of the rigid disk,
+    so energy in its modes counts as lost.
     """
     fixed = model.constants
     alone = fixed._replace(
@@ -458,9 +458,10 @@ def simulate_rattling(
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
     gravity: float = GRAVITY,
 ) -> RattlingMotion:
-    """Advance a state (15,), which is changed, until a time [s] or a height of the rim [m].
+    """Advance a state (15,) in place to a time [s] or a height of the rim [m].
 
-    A table with modes begins at rest under the weight of the disk, which is lowered with it.
+    A table with modes is initially at rest and deflected by the weight of the disk,
+    which is lowered accordingly.
     """
     edge = model.edge()
     table = model.table()
@@ -516,8 +517,10 @@ def simulate_rattling(
 def static_deflection(
     model: RattlingModel, state: np.ndarray, gravity: float = GRAVITY
 ) -> tuple[float, np.ndarray]:
-    """Return the height [m] of the table at the contact, which carries the weight of a disk in a
-    state (15,), and the displacements (t,) of its modes.
+    """Return the static height [m] of the table at the contact and the displacements
+    (t,) of its modes.
+
+    The table carries the weight of a disk in a state (15,).
     """
     fixed = model.constants
     axis = state[layout.AXIS : layout.AXIS + 3]
@@ -535,7 +538,7 @@ def static_deflection(
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion of samples (n, 30 + 2 m) at FORCE_RATE."""
+    """Return the motion from samples (n, 30 + 2 m) at FORCE_RATE."""
     state = samples[:, : layout.STATE_SIZE]
     record = samples[:, layout.STATE_SIZE : layout.STATE_SIZE + layout.RECORD_SIZE]
     ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE :]

@@ -37,7 +37,7 @@ def lame_constants(material):
 
 
 def bending_wave_number(material, thickness, density, frequency):
-    """Return the bending wave number k [1/m] of a thin plate at a frequency [Hz].
+    """Return the bending wavenumber k [1/m] of a thin plate at a frequency [Hz].
 
     k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
     stiffness = material.young * thickness**2 / (12 * (1 - material.poisson**2))
@@ -45,7 +45,8 @@ def bending_wave_number(material, thickness, density, frequency):
 
 
 def estimated_mode_count(plate, below):
-    """Return a low estimate of the number of modes of a disk below a frequency [Hz].
+    """Return a conservative estimate of the number of modes of a disk below a frequency
+    [Hz].
 
     A plate has (k R)^2/4 bending modes. A body has (4 pi/3) (f/c)^3 modes per wave type
     and unit volume (Weyl 1912, Debye 1912). The contribution of surfaces and edges,
@@ -141,8 +142,7 @@ def lowest_eigenpairs(
     size = stiffness.shape[0]
     inverse = inverse_at(stiffness, mass, shift)
     first = np.random.default_rng(0).standard_normal(size)
-    # of the residual; the error of the eigenvalue is its square, comparable to
-    # round-off
+    # of the residual; the eigenvalue error is its square, comparable to round-off
     tolerance = 1e-9
     count = exact_count or first_count
     while True:

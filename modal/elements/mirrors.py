@@ -1,5 +1,4 @@
-"""Find the symmetry classes of a body on a user's mesh that is mirror-symmetric in x or
-y."""
+"""Find the symmetry classes of a body on a mirror-symmetric user mesh."""
 
 import numpy as np
 import scipy.sparse as sp
@@ -8,8 +7,8 @@ from scipy.spatial import cKDTree
 MIRROR_TOLERANCE = 1e-9
 """Tolerance of mirror symmetry.
 
-It limits the difference between mirrored nodes relative to the size of the body, and
-between mirrored matrices relative to the largest entry.
+It applies to differences between mirrored nodes, relative to the size of the body, and
+between mirrored matrices, relative to the largest entry.
 """
 
 

@@ -61,10 +61,9 @@ def eigenvalue_shift(plate, support):
 
 
 def resolving_mesh_size(size, plate, below, max_waves=3.5, min_share=0.2):
-    """Return the `MeshSize` with blocks narrow enough for bending waves at `below`
-    [Hz].
+    """Return a `MeshSize` with blocks narrow enough for bending waves at `below` [Hz].
 
-    Blocks are narrowed if wave number times radius exceeds `max_waves`, at most by the
+    Blocks are narrowed if wavenumber times radius exceeds `max_waves`, at most by the
     factor `min_share`. The rim ring, which contains the boxes around the patch, is
     narrowed slightly less.
     """
@@ -104,7 +103,7 @@ def solve_symmetry_classes(plate, support, size, selections):
 
     `selections` contains options of `lowest_eigenpairs`: one dictionary for all classes
     or a list with one for each class. Two classes are solved concurrently, because
-    SuperLU releases the interpreter lock; a third thread brings no gain.
+    SuperLU releases the interpreter lock; a third thread would not be faster.
     """
     part = sector(plate.radius, plate.thickness, support, size)
     solid = assemble_solid(
@@ -131,9 +130,9 @@ def solve_symmetry_classes(plate, support, size, selections):
 def without_rigid_modes(solved, shift):
     """Return the classes without rigid-body modes.
 
-    Eigenvalues of rigid-body modes are round-off, far below the shift. Raises
-    ArithmeticError if their number is not six on a free body. Raises UnsolvableError if
-    a held body has any, because round-off then exceeds the effect of its patch.
+    Eigenvalues of rigid-body modes are pure round-off, far below the shift. Raises
+    ArithmeticError if a free body does not have six of them. Raises UnsolvableError if
+    a held body has any, because round-off then exceeds the effect of the patch.
     """
     rigid: list[int] = [
         int(np.count_nonzero(c.values < 1e-6 * abs(shift))) for c in solved

@@ -12,8 +12,8 @@ from modal.modes import Modes
 
 
 def mirror_flips(quarter):
-    """Return pairs of flags that state whether y and z are reversed, for the four
-    images of a quarter or the two of a half."""
+    """Return pairs of flags, True if y or z is reversed, for the images of a quarter or
+    half disk."""
     return list(product((False, True), (False, True) if quarter else (False,)))
 
 

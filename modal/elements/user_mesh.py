@@ -2,8 +2,8 @@
 or an arc.
 
 The axis of the disk is z, and the mesh is translated so that its centre of mass is the
-origin. Every cell is divided into eight, and the errors are estimated from the
-difference from the mesh as given.
+origin. Every cell is divided into eight, and the errors are estimated by comparison
+with the original mesh.
 """
 
 from collections.abc import Sequence
@@ -112,8 +112,8 @@ def discretise(
     """Return the `DiscreteBody` on a mesh with each cell divided into parts.
 
     `part_nodes` (q, 3, n) are the nodes of the q parts in reference coordinates. Linear
-    elements have straight sides, because with curved sides they would resist rotations
-    of the body.
+    elements have straight sides, because on curved cells they would resist rigid
+    rotations.
     """
     nodes = np.concatenate([mesh.mapping().F(x).transpose(1, 2, 0) for x in part_nodes])
     is_tetrahedral = mesh.t.shape[0] == 4
@@ -206,11 +206,10 @@ def solve_body(
     """Compute the modes of a body with quadratic elements and estimate their errors.
 
     Every cell is divided into eight, unless a symmetry class would then have more than
-    `max_unknowns` unknowns; in that case the mesh is solved as given, and the errors
-    are estimated from linear elements. The `components` are held on the `facets`;
-    without facets the body is free. `edge_error_ratio` is a parameter of
-    `relative_errors`. Raises ValueError if the held components do not prevent all
-    rigid-body motions.
+    `max_unknowns` unknowns; in that case the original mesh is used, and the errors are
+    estimated from linear elements. The `components` are held on the `facets`; without
+    facets the body is free. `edge_error_ratio` is a parameter of `relative_errors`.
+    Raises ValueError if the held components do not prevent all rigid-body motions.
     """
     linear, quadratic = lagrange_elements(mesh)
     whole_cell = [quadratic.doflocs.T]
@@ -278,7 +277,7 @@ def mesh_modes(
     density : float
         Density [kg/m^3].
     support : Support
-        Place and kind of the support of the disk.
+        Kind and position of the support.
     below : float, optional
         Exclusive upper limit of the frequencies [Hz].
     patch : str, optional

@@ -1,5 +1,5 @@
-"""Estimate the errors of modes on a refined user mesh from the difference from the
-original mesh.
+"""Estimate the errors of modes on a refined user mesh by comparison with the original
+mesh.
 
 A computed eigenvalue exceeds the exact one by the elastic energy of the error of its
 shape (Strang & Fix, An Analysis of the Finite Element Method, 6.3). Refinement reduces
@@ -45,16 +45,16 @@ def relative_errors(
     Parameters
     ----------
     mesh : skfem.Mesh
-        The mesh as given.
-    facets : (f,) array of int
+        The original mesh.
+    facets : ndarray of int, shape (f,)
         Held facets.
     fine, coarse : DiscreteBody
         The solved body, and the body on the coarser mesh or with linear elements.
-    part_nodes : (q, 3, n) array
+    part_nodes : ndarray, shape (q, 3, n)
         Nodes of the fine cells in reference coordinates of their coarse cell.
-    values : (k,) array
+    values : ndarray, shape (k,)
         Eigenvalues [1/s^2] of the fine body.
-    shapes : (k, p, 3) array
+    shapes : ndarray, shape (k, p, 3)
         Shapes of the fine body.
     shift : float
         Shift of the eigenvalue problem [1/s^2].
@@ -104,7 +104,7 @@ def prolongation(fine_solid, coarse, part_nodes):
     row = np.broadcast_to(cells[..., None], shape)
     column = np.broadcast_to(nodes[:, None], shape)
     cells_at_node = np.bincount(fine_solid.cells.ravel())[row]
-    # mean over the cells at a node, which agree
+    # mean over the cells at a node, all of which agree
     value = np.broadcast_to(weights[:, None], shape) / cells_at_node
     size = len(fine_solid.points), len(coarse.solid.points)
     scalar = sp.csr_matrix((value.ravel(), (row.ravel(), column.ravel())), shape=size)

@@ -52,8 +52,8 @@ def interpolate_on_face(solid, shapes, height, points):
     at a height [m].
 
     Interpolation between nodes is cubic. A point outside the polygonal face is moved
-    towards the axis by the smallest of a few fractions of its radius that brings it
-    inside; otherwise it has the value of the nearest node.
+    inside, towards the axis, by the smallest sufficient fraction of its radius out of a
+    few; if none suffices, it has the value of the nearest node.
     """
     if not len(shapes):
         return np.zeros((0, len(points), shapes.shape[2]))

@@ -80,8 +80,8 @@ EDGE_CELLS_BOX_RATIO = 0.6
 def singular_edge_blocks(size, aspect=1.0, squared_share=EDGE_CELLS_BOX_RATIO):
     """Return blocks of the box [-1, 1] x [0, 1] that resolve u ~ r^(1/2) at the origin.
 
-    The box is later stretched to `aspect` times the depth. The map z = w^2 takes a
-    quarter turn to the half turn about the origin, and linear functions of w to r^(1/2)
+    The box is later stretched to `aspect` times the depth. The map z = w^2 transforms a
+    quarter turn to a half turn about the origin, and linear functions of w to r^(1/2)
     cos(theta/2) and r^(1/2) sin(theta/2). Quadratic cells in the w plane represent both
     the map and the field, as quarter-point elements do along their sides (Henshell &
     Shaw 1975, Barsoum 1976). Rings of four cells shrink geometrically towards the
@@ -155,8 +155,8 @@ def joining_block(line, curve):
 def edge_box_depth(half_angle, size, max_aspect=1.1):
     """Return the depth of the box around the end of an arc of a half angle [rad].
 
-    It equals that of the rim ring if the arc is at least as wide as a block. For a
-    shorter arc it is at most `max_aspect` times the half angle; this limit has a margin
+    It equals the depth of the rim ring if the arc is at least as wide as a block. For a
+    shorter arc it is at most `max_aspect` times the half angle, a limit with a margin
     for nearly incompressible disks.
     """
     if half_angle >= size.width:
@@ -165,10 +165,11 @@ def edge_box_depth(half_angle, size, max_aspect=1.1):
 
 
 def short_arc_blocks(half_angle, size):
-    """Return the blocks at the rim that graduate the mesh from the angles
-    [0, 2 `half_angle`] of the arc to the angles [0, 2 width] of one block of the rim.
+    """Return the rim blocks that coarsen the mesh from a short arc to one block of the
+    rim.
 
-    Both ranges are split in the middle."""
+    They lead from the angles [0, 2 `half_angle`] to the angles [0, 2 width]; both
+    ranges are split in the middle."""
     count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead_ratio)))
     share = np.arange(count + 1) / count
     widths = size.width * (half_angle / size.width) ** share

@@ -1,5 +1,5 @@
-"""Read user volume meshes with meshio, and convert them to scikit-fem or reject them
-with a reason."""
+"""Read user volume meshes with meshio and convert them to scikit-fem, or report why
+they cannot be used."""
 
 import sys
 from contextlib import redirect_stderr, redirect_stdout

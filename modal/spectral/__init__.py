@@ -1,2 +1,2 @@
-"""Compute the modes of axisymmetric solids by Ritz's method with Fourier series and
+"""Compute the modes of axisymmetric solids by the Ritz method with Fourier series and
 polynomials."""

@@ -1,5 +1,4 @@
-"""Define the basis of Ritz's method for axisymmetric solids of one order n and symmetry
-in z.
+"""Define the Ritz basis for axisymmetric solids of one order n and symmetry in z.
 
 The displacement is u_r = a cos n theta, u_theta = b sin n theta, u_z = w cos n theta.
 It is smooth on the axis if a + b, a - b and w are r^|n+1|, r^|n-1| and r^n times

@@ -1,4 +1,4 @@
-"""Solve the Ritz problems of an axisymmetric solid with bases enlarged to
+"""Solve the Ritz problems of an axisymmetric solid with bases enlarged until
 convergence."""
 
 from dataclasses import dataclass
@@ -70,12 +70,12 @@ def scaled_matrices(plate, p, size, rigid_value):
     """Return stiffness and mass (N, N), scaled to a unit stiffness diagonal, and the
     scale (N,).
 
-    The eigenvalue of the rigid-body mode is raised to `rigid_value` [1/s^2]. Compared
-    with shear, bending is softer by the square of the ratio of thickness to radius, and
-    its eigenvalues are smaller by the fourth power. With a Cholesky factor of the
-    scaled stiffness, solving m v = v^-2 k v amplifies round-off only by the square of
-    this ratio, whereas the usual form amplifies it by the fourth power (Demmel &
-    Veselic 1992).
+    The eigenvalue of the rigid-body mode is raised to `rigid_value` [1/s^2]. The
+    stiffness of bending is smaller than that of shear by the square of the ratio of
+    thickness to radius, and its eigenvalues are smaller by the fourth power. With a
+    Cholesky factor of the scaled stiffness, solving m v = v^-2 k v amplifies round-off
+    only by the square of this ratio, whereas the usual form amplifies it by the fourth
+    power (Demmel & Veselic 1992).
     """
     k, m = stiffness_and_mass(plate, p, size)
     mode = rigid_mode(plate, p, size)
@@ -112,7 +112,7 @@ def lowest_eigenvalues(k, m, index, count):
 def first_basis_size(plate, below):
     """Return the initial numbers of radial and axial polynomials.
 
-    They are 3 plus half of wave number times radius, and 2. Waves at `below` [Hz] are
+    They are 3 plus half of wavenumber times radius, and 2. Waves at `below` [Hz] are
     at least as long as in a thin plate.
     """
     wave_number = bending_wave_number(

@@ -1,5 +1,5 @@
-"""Assemble stiffness and mass of an axisymmetric solid in the basis of basis.py by
-exact quadrature."""
+"""Assemble stiffness and mass of an axisymmetric solid in the Ritz basis by exact
+quadrature."""
 
 from functools import cache
 from math import atanh, ceil, log, pi

@@ -110,11 +110,11 @@ def coupled_modes(values, work, rest, limit):
 def error_estimates(patch, free, square, tractions, limit, weights=(1.18, 0.7, 1.08)):
     """Return estimated relative errors (k,) of the frequencies.
 
-    A smaller number of tractions lowers every frequency. The estimate is a weighted sum
-    of the changes due to omitting a third of the circumferential tractions, one
-    traction through the thickness, and the highest polynomials of the basis. With these
-    weights it is 1.2 to 5 times the true error for all types of disks and patches. To
-    first order, an additional flexibility dF lowers w^2 by p^T dF p.
+    Omitting tractions lowers every frequency. The estimate is a weighted sum of the
+    changes due to omitting a third of the circumferential tractions, one traction
+    through the thickness, and the highest polynomials of the basis. With these weights
+    it is 1.2 to 5 times the true error for all types of disks and patches. To first
+    order, an additional flexibility dF lowers w^2 by p^T dF p.
     """
     around = patch.richness.circumferential_tractions
     grid = np.arange(len(free.work)).reshape(len(patch.held), around, -1)
@@ -138,7 +138,7 @@ def high_order_flexibility(disk, patch, y, even, through, held_rows):
     """Return the generalised `FreeOrder.omitted_flexibility` (3, P, P) of the orders
     beyond the retained ones.
 
-    The sum over orders uses interpolation, then a decay as 1/n, and finally an
+    The sum over orders uses interpolation first, then a decay as 1/n, and finally an
     integral. For large n the mean product of the work of two tractions is (pi a
     R)^2/(pi n a) if both are of the same trigonometric type, and 0 otherwise; this
     requires that n a is large compared with the square of their number.

@@ -107,8 +107,9 @@ def solve_free_order(
 
 @dataclass(frozen=True, kw_only=True)
 class FreeDisk:
-    """Free disk that can be held on patches; results computed for the first patch are
-    reused for others.
+    """Free disk that can be held on patches.
+
+    Results computed for the first patch are reused for further patches.
 
     Attributes
     ----------

@@ -1,5 +1,5 @@
-"""Compute the flexibility of a free disk at its edge without the local flexibility near
-the force.
+"""Compute the flexibility of a free disk at its edge, excluding the local flexibility
+near the force.
 
 The flexibility under a force spread over a strip of the edge of length and height s is
 F(s) = a/s + F0 + small terms. The part a/s is due to the material near the force and is

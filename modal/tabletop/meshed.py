@@ -27,7 +27,7 @@ def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
     The contact circle has the radius `contact_radius` [m]. Every cell is divided into
     eight unless a symmetry class would then have more than `max_unknowns` unknowns; in
     that case `error` is far too high. Raises ValueError if the mesh has no top face, if
-    the disk is not on it, or if sets are unknown or consist of single nodes.
+    the disk is not on this face, or if a set is unknown or consists of single nodes.
     """
     mesh, _ = read_checked(surface.file)
     top = top_face_triangles(mesh, surface.file)
@@ -54,8 +54,9 @@ def undamped_mesh_modes(
 ) -> SurfaceModes:
     """Return the undamped `SurfaceModes` of a mesh, with the disk at the origin.
 
-    The result for the last mesh is cached, because tables may differ only in place and
-    loss factor. `modified` is the time of the last change of the file [ns].
+    The result for the last mesh is cached, because successive tables may differ only in
+    the position of the disk and the loss factor. `modified` is the time of the last
+    change of the file [ns].
     """
     mesh, sets = read_checked(file)
     top = top_face_triangles(mesh, file)
@@ -194,7 +195,7 @@ def sample_top_face(shape, top, shortest_wave, below, max_order=19, spare_orders
     The function shape(x (k,), y (k,)) -> (m, k) returns the mode shapes, and
     `shortest_wave` [m] is their shortest wavelength. The quadrature is exact for
     polynomials of order `spare_orders` plus the phase [rad] of a sound wave across a
-    triangle, at most `max_order`. The face is evaluated by the splines, which are as
+    triangle, at most `max_order`. The face is evaluated with the splines, which are as
     accurate between the nodes as nodal interpolation.
     """
     longest_side = np.linalg.norm(top - np.roll(top, 1, axis=1), axis=2).max()

@@ -66,7 +66,7 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
 
 
 def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> SurfaceModes:
-    """Return the `SurfaceModes` of a round plate by Ritz's method.
+    """Return the `SurfaceModes` of a round plate, computed by the Ritz method.
 
     The shapes are w(r) cos n theta and w(r) sin n theta.
     """
@@ -130,8 +130,8 @@ def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> Surfa
 
 
 def table_modes_from_numbers(surface: Any, disk: Any, below: float) -> SurfaceModes:
-    """Return the `SurfaceModes` of a table given by numbers, or no modes for other
-    kinds of table.
+    """Return the `SurfaceModes` specified in the scene, or no modes for other kinds of
+    table.
 
     The shapes are r^n cos n theta and r^n sin n theta divided by sqrt(modal mass), with
     r = 1 at the radius of the disk, and move with the disk. Only the area of the circle

@@ -25,7 +25,7 @@ from dynamics.compliant.law.sections import (
 )
 
 WAVE_NUMBER_COUNT = 8192
-"""Number of wave numbers in a spectrum."""
+"""Number of wavenumbers in a spectrum."""
 
 
 def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
@@ -96,7 +96,7 @@ def edge_profile(roughness: Roughness, radius: float) -> Profile:
 
 
 def wave_spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return wave numbers (w,) [rad/m] that fit a period [m], and mean squares [m^2].
+    """Return wavenumbers (w,) [rad/m] that fit a period [m], and mean squares [m^2].
 
     Raises ValueError if none fits.
     """
@@ -123,10 +123,10 @@ def ellipse_window(ka):
 def spectral_density(
     roughness: Roughness, radius: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return wave numbers (w,) [rad/m] and spectral densities (w,) [m^3] of heights.
+    """Return wavenumbers (w,) [rad/m] and spectral densities (w,) [m^3] of heights.
 
-    The densities are the sum for table and edge, as mean square per wave number, at
-    logarithmically spaced wave numbers. The rms of the edge of a disk of a radius [m]
+    The densities are the sum for table and edge, as mean square per wavenumber, at
+    logarithmically spaced wavenumbers. The rms of the edge of a disk of a radius [m]
     is that of the waves that fit its circumference. Raises ValueError if a file is not
     a valid profile.
     """

@@ -132,7 +132,7 @@ class Roughness:
     longest: Length = 0.1
     """Longest wavelength [m]."""
     exponent: Annotated[float, Ge(0), Le(MAX_SPECTRUM_EXPONENT)] = 0.0
-    """Exponent p of the power spectrum k^-p over the wave number k."""
+    """Exponent p of the power spectrum k^-p over the wavenumber k."""
     loss: Literal["own", "fitted"] = "own"
     """Energy loss by roughness: "own" adds it to the friction of the scene; "fitted"
     assumes that the friction was measured on such a surface and includes it."""
