@@ -70,6 +70,28 @@ def test_energy_is_kept_and_never_gained(elastic, damping):
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
 
 
+@pytest.mark.parametrize(
+    ("inclination", "speed", "loss_factor"),
+    [(3e-3, 1.0, 0.02), (0.02, 0.3, 0.06), (0.02, 1.0, 0.02)],
+)
+def test_hard_impacts_on_a_light_table_have_a_solution(
+    elastic, inclination, speed, loss_factor
+):
+    """The dashpot alone exceeds the elastic force, and Newton's method alternates between two
+    forces."""
+    scene = elastic.replace(f"contact.loss_factor={loss_factor}")
+    modes = (2, 600.0, 0.0, 0.1), (4, 900.0, 0.0, 0.1)
+    rate = 8e4 if inclination < 0.02 else 4.1e4
+    model = standing(scene, rate, scene.friction, *modes)
+    y = preloaded_compliant_state(model, steady(contact_law(scene), inclination)[0])
+    y[5] -= speed
+    first, _, state, _, reason = run(model, y, 1, 10 / rate)
+    lost = state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
+    assert reason is EndReason.CONTINUES
+    assert np.abs(energy(model, state) + lost - first).max() < 1e-12 * first
+    assert np.diff(lost).min() > -1e-12 * first
+
+
 @pytest.mark.parametrize("damping", [0.0, 0.05])
 def test_a_concave_table_with_modes(elastic, damping):
     """Without friction, the centre oscillates about the middle of the table at the angular

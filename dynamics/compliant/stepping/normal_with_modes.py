@@ -161,6 +161,8 @@ def step_normal_with_modes(
     V2 = v2
     elastic_force = 0.0
     T = 0.0
+    other_force = N  # of the previous iteration
+    other_error = 0.0
     iterations_left = MAX_ITERATIONS
     while iterations_left > 0:
         iterations_left -= 1
@@ -196,16 +198,20 @@ def step_normal_with_modes(
         ):
             break
         stiffness_slope = stiff * (r0 / 2 + r1)
-        N = max(
-            0.0,
-            N
-            + error
-            / (
-                1
-                + stiffness_slope * (h * h / 4 * W + E / 2)
-                + loss * elastic_force * (h * h / 2 * W + E)
-            ),
+        newton_change = error / (
+            1
+            + stiffness_slope * (h * h / 4 * W + E / 2)
+            + loss * elastic_force * (h * h / 2 * W + E)
         )
+        # In a hard impact Newton's method alternates around the solution, which the secant between
+        # both forces approaches.
+        if error * other_error < 0 and 2 * abs(error) > abs(other_error):
+            next_force = N - error * (N - other_force) / (error - other_error)
+        else:
+            next_force = max(0.0, N + newton_change)
+        other_force = N
+        other_error = error
+        N = next_force
     if iterations_left == 0:
         return False
     y[STATE.contact_loss] += (elastic_force - N) * (gap - gap0)
