@@ -10,8 +10,9 @@ from modal.modes import Modes
 
 
 def as_json(modes: Modes) -> dict[str, Any]:
-    """Return the content of modes.json: the method, and properties and rim shape of
-    each mode.
+    """Return the content of modes.json.
+
+    It consists of the method and of the properties and rim shape of each mode.
 
     Parameters
     ----------
@@ -187,8 +188,7 @@ support."""
 
 
 def as_faust(modes: Modes, angle: float = OPPOSITE_ANGLE, name: str = "disk") -> str:
-    """Return a Faust program that simulates a disk struck at a point of its bottom
-    edge.
+    """Return a Faust program that simulates a disk struck at its bottom edge.
 
     The program contains the function of `as_faust_library` and a slider for each of its
     arguments.

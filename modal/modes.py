@@ -37,10 +37,10 @@ class UnsolvableError(ArithmeticError, ValueError):
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """An isotropic elastic solid, given by a name from `modal.materials` or by its
-    constants.
+    """An isotropic elastic solid.
 
-    Given constants take precedence over those of the named material.
+    It is specified by a name from `modal.materials` or by its constants, which take
+    precedence over those of the named material.
 
     Raises
     ------
@@ -244,10 +244,9 @@ class ModeList:
 
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Modes(ModeList):
-    """The m elastic modes of a disk in ascending order of frequency, without rigid-body
-    modes.
+    """The m elastic modes of a disk in ascending order of frequency.
 
-    The shapes phi [kg^-1/2] are normalised to unit modal mass, phi^T M phi = 1.
+    Rigid-body modes are excluded. The shapes phi [kg^-1/2] are normalised to unit modal mass, phi^T M phi = 1.
 
     Attributes
     ----------

@@ -171,6 +171,11 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
     Modes
         Modes below `below`; may be empty.
 
+    Raises
+    ------
+    KeyError
+        If the accuracy is unknown.
+
     Examples
     --------
     >>> from modal import Material, Plate

@@ -123,6 +123,13 @@ class FreeDisk:
     ValueError
         If the plate has a hole, a ring or an edge that is not free.
 
+    References
+    ----------
+    .. [1] MacNeal (1971), A hybrid method of component mode synthesis, Computers and
+       Structures 1, 581.
+    .. [2] Rubin (1975), Improved component-mode representation for structural dynamic
+       analysis, AIAA Journal 13, 995.
+
     Examples
     --------
     >>> from modal import Material, Plate, Support

@@ -16,10 +16,10 @@ SPLINE_DEGREE = 3
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class SurfaceModes(ModeList):
-    """The m elastic modes of a table in ascending order of frequency, with unit modal
-    mass.
+    """The m elastic modes of a table in ascending order of frequency.
 
-    The shape w is the upward displacement of the top face [kg^-1/2].
+    The shape w is the upward displacement of the top face at unit modal mass
+    [kg^-1/2].
 
     Attributes
     ----------

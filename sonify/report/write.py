@@ -238,8 +238,17 @@ def rounded_seconds(seconds: dict[str, float]) -> dict[str, float]:
 def summary(result: "Result") -> dict[str, Any]:
     """Return the scalars of a result as one row of a table.
 
-    The row includes the value and verdict of each finding and check, and the duration
-    of each stage [s].
+    Parameters
+    ----------
+    result : Result
+        Result of a run.
+
+    Returns
+    -------
+    dict
+        Scalars by column name: the outcome, the end of the motion [s], the duration [s]
+        and peak [Pa] of the sound, the causes of the end, the value and verdict of each
+        finding and check, and the duration of each stage [s].
     """
     row = {
         "outcome": result.motion.outcome.name,
