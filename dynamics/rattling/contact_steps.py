@@ -10,11 +10,11 @@ mean approach speed of a patch, because dashpots at single points would resist r
 High above the table, all steps except the last one before the next sample are merged
 into one.
 
-A table with modes rises under the rim by W = sum q_m w_m, and each contact force N drives
-its modes by -N w_m. Between contacts they vibrate freely and are advanced exactly, like
-those of the disk. W is evaluated at nodes around the rim and interpolated linearly. The
-model is valid while the table is nearly level, because its slopes do not change the
-direction of the force. Waves above the highest mode are neglected.
+A table with modes rises under the rim by W(x, y) = sum q_m w_m(x, y). The contact force is
+the gradient of the elastic energy with respect to all coordinates of the gap: a force N
+drives the modes by -N w_m and pushes the rim by (-N dW/dx, -N dW/dy, N). Between contacts
+the modes vibrate freely and are advanced exactly, like those of the disk. W is evaluated at
+nodes around the rim and interpolated linearly. Waves above the highest mode are neglected.
 """
 
 from typing import NamedTuple
@@ -22,7 +22,10 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from dynamics.compliant.stepping.table_modes import store_table_shapes
+from dynamics.compliant.stepping.table_modes import (
+    store_table_shapes,
+    store_table_slopes,
+)
 from dynamics.numba_kernels import outermost
 from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT, friction_limited_arm
 from dynamics.rattling import film_force
@@ -86,7 +89,7 @@ SLIP_LIMIT = 0.25
 BLOCK_SIZE = 32
 """Number of adjacent points of the rim that share an upper bound of their heights."""
 NODE_REFRESH_TIME = 1e-4
-"""Time [s] for which the table mode shapes at a node of the rim are kept."""
+"""Time [s] for which the table mode shapes near a node of the rim are linear."""
 UPRIGHT_COSINE_LIMIT = 0.05
 """Cosine of the inclination below which the disk is considered upright."""
 MIN_AIRBORNE_TIME = 2e-3
@@ -164,10 +167,17 @@ class MovingTable(NamedTuple):
         sin(x)/x with x = w h/2: average over the free vibration in a step.
     shapes : ndarray, shape (k, t)
         Mode shapes at the nodes [kg^-1/2], times `mean_factor`.
+    slopes : ndarray, shape (k, 2, t)
+        Slopes of the mode shapes along x and y at the nodes [kg^-1/2/m], times `mean_factor`.
     known_since : ndarray, shape (k,)
-        Time [s] at which the shapes of a node were last evaluated; negative if never.
+        Time [s] at which the slopes of a node were last evaluated; negative if never.
+    position : ndarray, shape (k, 2)
+        Horizontal positions [m] at which the shapes of the nodes were evaluated.
     motion : ndarray, shape (3, k)
-        Deflection [m], speed [m/s] and change of the speed in the step [m/s] of the nodes.
+        Deflection [m], speed [m/s] and change of the speed in the step [m/s] of the table under
+        the nodes.
+    incline : ndarray, shape (k, 2)
+        Slopes of the table along x and y at the nodes.
     force : ndarray, shape (2, k)
         Force [N] of springs and dashpots on the nodes.
     displacement : ndarray, shape (t,)
@@ -181,8 +191,11 @@ class MovingTable(NamedTuple):
     is_fixed: float
     mean_factor: np.ndarray
     shapes: np.ndarray
+    slopes: np.ndarray
     known_since: np.ndarray
+    position: np.ndarray
     motion: np.ndarray
+    incline: np.ndarray
     force: np.ndarray
     displacement: np.ndarray
 
@@ -506,15 +519,56 @@ def nodes_of_arc(table, first, number, points):
 
 
 @kernel
+def node_arm(disk, table, motion, rim, node):
+    """Return the vector (x, y, z) [m] from the centre of the disk to a node of the rim."""
+    state = motion.disk
+    angle = 2 * np.pi * node / table.known_since.size
+    c = (disk.radius - disk.fillet) * np.cos(angle)
+    s = (disk.radius - disk.fillet) * np.sin(angle)
+    below = disk.half_thickness - disk.fillet
+    x, y = horizontal_offset(state, rim, c, s, below)
+    z = c * state[RIM_REFERENCE_VECTOR + 2] + s * rim.quarter_turn_vector[2]
+    return x, y, z - below * rim.upright
+
+
+@kernel
+def horizontal_velocity(velocity, is_fixed, x, y, z):
+    """Return the horizontal velocity [m/s] of a point of the disk relative to the mode shapes."""
+    spin_x, spin_y, spin_z = velocity[TORQUE : TORQUE + 3]
+    along_x = is_fixed * velocity[0] + spin_y * z - spin_z * y
+    along_y = is_fixed * velocity[1] + spin_z * x - spin_x * z
+    return along_x, along_y
+
+
+@kernel
+def move_shapes(table, node, x, y, now, basis_x, basis_y):
+    """Update the mode shapes of a node that has moved to (x, y) [m]."""
+    shapes = table.shapes[node]
+    slopes = table.slopes[node]
+    if now - table.known_since[node] > NODE_REFRESH_TIME:
+        table.known_since[node] = now
+        store_table_shapes(table, x, y, basis_x, basis_y, shapes)
+        store_table_slopes(table, x, y, basis_x, basis_y, slopes)
+        for m in range(shapes.size):
+            shapes[m] *= table.mean_factor[m]
+            slopes[0, m] *= table.mean_factor[m]
+            slopes[1, m] *= table.mean_factor[m]
+    else:
+        step_x = x - table.position[node, 0]
+        step_y = y - table.position[node, 1]
+        for m in range(shapes.size):
+            shapes[m] += slopes[0, m] * step_x + slopes[1, m] * step_y
+    table.position[node, 0] = x
+    table.position[node, 1] = y
+
+
+@kernel
 def move_nodes(
     disk, table, own, place_factor, motion, rim, velocity, change, now, begin, count
 ):
-    """Evaluate the motion of the table at `count` nodes from `begin` on, and clear
-    their forces.
-
-    `own` is the number of modes of the disk, which precede those of the table.
+    """Evaluate height, slopes and speed of the table at `count` nodes from `begin` on, and clear
+    their forces. `own` is the number of modes of the disk, which come first.
     """
-    state = motion.disk
     modes = table.mean_factor.size
     for m in range(modes):
         table.displacement[m] = place_factor[own + m] * motion.modes[0, own + m]
@@ -522,37 +576,47 @@ def move_nodes(
     basis_y = np.empty((3, 4))
     for place in range(begin, begin + count):
         node = place % table.known_since.size
-        if now - table.known_since[node] > NODE_REFRESH_TIME:
-            table.known_since[node] = now
-            angle = 2 * np.pi * node / table.known_since.size
-            c = (disk.radius - disk.fillet) * np.cos(angle)
-            s = (disk.radius - disk.fillet) * np.sin(angle)
-            below = disk.half_thickness - disk.fillet
-            x, y = horizontal_offset(state, rim, c, s, below)
-            x += table.is_fixed * state[CENTRE]
-            y += table.is_fixed * state[CENTRE + 1]
-            store_table_shapes(table, x, y, basis_x, basis_y, table.shapes[node])
-            for m in range(modes):
-                table.shapes[node, m] *= table.mean_factor[m]
+        x, y, z = node_arm(disk, table, motion, rim, node)
+        centre_x = table.is_fixed * motion.disk[CENTRE]
+        centre_y = table.is_fixed * motion.disk[CENTRE + 1]
+        move_shapes(table, node, x + centre_x, y + centre_y, now, basis_x, basis_y)
         shapes = table.shapes[node]
+        incline = table.incline[node]
+        for i in range(2):
+            incline[i] = scalar_product(table.slopes[node, i], table.displacement)
         table.motion[DEFLECTION, node] = scalar_product(shapes, table.displacement)
-        table.motion[SPEED, node] = scalar_product(shapes, velocity[LOAD_SIZE + own :])
-        table.motion[CHANGE, node] = scalar_product(shapes, change[LOAD_SIZE + own :])
+        for row, rate in ((SPEED, velocity), (CHANGE, change)):
+            moved_x, moved_y = horizontal_velocity(rate, table.is_fixed, x, y, z)
+            table.motion[row, node] = (
+                scalar_product(shapes, rate[LOAD_SIZE + own :])
+                + incline[0] * moved_x
+                + incline[1] * moved_y
+            )
         table.force[ELASTIC, node] = 0.0
         table.force[DASHPOT, node] = 0.0
 
 
 @kernel
-def pull_table(table, own, begin, count, pull):
-    """Add the forces at `count` nodes from `begin` on to the forces on the table
-    modes."""
+def push_table(disk, table, motion, rim, own, begin, count, contacts):
+    """Add the forces on `count` nodes from `begin` on to those on the modes of the table, and their
+    horizontal parts to those on the disk.
+    """
     for place in range(begin, begin + count):
         node = place % table.known_since.size
         for origin in range(2):
             force = table.force[origin, node]
-            if force != 0:
-                for m in range(table.mean_factor.size):
-                    pull[origin, own + m] -= force * table.shapes[node, m]
+            if force == 0:
+                continue
+            for m in range(table.mean_factor.size):
+                contacts.pull[origin, own + m] -= force * table.shapes[node, m]
+            x, y, z = node_arm(disk, table, motion, rim, node)
+            push_x = -force * table.incline[node, 0]
+            push_y = -force * table.incline[node, 1]
+            load = contacts.load[origin]
+            add_force(load, push_x, push_y, 0.0, x, y, z)
+            # modes that move with the centre exert torques only
+            load[0] -= (1 - table.is_fixed) * push_x
+            load[1] -= (1 - table.is_fixed) * push_y
 
 
 @kernel
@@ -845,7 +909,7 @@ def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, conta
             )
             points = 0
     if table is not None:
-        pull_table(table, disk_modes, begin, nodes, contacts.pull)
+        push_table(disk, table, motion, rim, disk_modes, begin, nodes, contacts)
     return stiffness * squares / 2
 
 

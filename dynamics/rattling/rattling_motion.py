@@ -165,8 +165,11 @@ class RattlingModel(NamedTuple):
             is_fixed=float(modes.mass > 0),  # 0 for modes without a body
             mean_factor=self._mean_factor(frequency),
             shapes=np.zeros((count, len(frequency))),
+            slopes=np.zeros((count, 2, len(frequency))),
             known_since=np.full(count, -1.0),
+            position=np.zeros((count, 2)),
             motion=np.zeros((3, count)),
+            incline=np.zeros((count, 2)),
             force=np.zeros((2, count)),
             displacement=np.zeros(len(frequency)),
         )

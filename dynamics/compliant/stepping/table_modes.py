@@ -243,6 +243,20 @@ def store_table_shapes(waves, x, y, bx, by, shapes):
 
 
 @kernel
+def store_table_slopes(waves, x, y, bx, by, slopes):
+    """Store the slopes (2, t) of the table mode shapes along x and y at (x, y) [m]."""
+    i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
+    j = cubic_basis(waves.knots_y, y + waves.place[1], by)
+    slopes[:] = 0.0
+    for a in range(4):
+        for b in range(4):
+            row = waves.coefficients[i + a, j + b]
+            for m in range(row.size):
+                slopes[0, m] += bx[1, a] * by[0, b] * row[m]
+                slopes[1, m] += bx[0, a] * by[1, b] * row[m]
+
+
+@kernel
 def table_deflection(waves, x, y, bx, by, out):
     """Write W at (x, y), its gradient and its derivatives xx, xy, yy to `out` (6,).
 
