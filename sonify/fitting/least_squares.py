@@ -2,7 +2,7 @@
 dissipation."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -93,11 +93,6 @@ class ToneSignal:
     first: float
     filtered: bool = False
 
-    @cached_property
-    def cumulative_sum(self) -> np.ndarray:
-        """Cumulative sum (n + 1,) of the samples."""
-        return np.append(0.0, np.cumsum(self.samples))
-
 
 def measured_rates(
     decline: Decline, sound: ToneSignal, end, shares, length, **how
@@ -116,7 +111,6 @@ def measured_rates(
         sound.first,
         course,
         length,
-        cumulative_sum=sound.cumulative_sum,
         **how,
     )
 

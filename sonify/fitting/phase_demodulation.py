@@ -40,7 +40,6 @@ def rates(
     course,
     length: float,
     noise_of=np.mean,
-    cumulative_sum=None,
 ) -> Rates:
     """Return the rates of the tone in samples (n,) at `rate` [Hz] from the time `first`
     [s] on.
@@ -48,13 +47,8 @@ def rates(
     `course` (3, k) contains ascending times [s], turns and rates [Hz] of the expected
     tone, which are interpolated by a cubic spline. Blocks before the beginning of the
     tone are omitted. A block has `length` turns, or more if there would be more than
-    `max_blocks` blocks. `noise_of` computes the noise from the powers at NOISE_OFFSETS.
-    `cumulative_sum` (n + 1,) is the cumulative sum of the samples, which saves time in
-    repeated calls."""
-    cumulative_sum = (
-        np.append(0.0, np.cumsum(samples)) if cumulative_sum is None else cumulative_sum
-    )
-    heard = _demodulated_bins(samples, cumulative_sum, rate, first, course)
+    `max_blocks` blocks. `noise_of` computes the noise from the powers at NOISE_OFFSETS."""
+    heard = _demodulated_bins(samples, rate, first, course)
     begin = _first_clear_block(
         _clear_blocks(heard, length, noise_of)[0]
     ) * _bins_per_step(length)
@@ -98,7 +92,7 @@ def _clear_blocks(heard, length, noise_of):
     return told, middle, expected + missed, error, clear, missed / mean
 
 
-def _demodulated_bins(samples, cumulative_sum, rate, first, course):
+def _demodulated_bins(samples, rate, first, course):
     """Return the demodulated tone averaged over each bin, times [s] and expected rates,
     each (b,)."""
     time, turned, frequency = course[:, course[2] < rate / 2.5]
@@ -112,6 +106,7 @@ def _demodulated_bins(samples, cumulative_sum, rate, first, course):
     t = CubicHermiteSpline(turned, time, 1 / frequency)(edge / FIT.bins_per_turn)
     place = (t - first) * rate + 0.5
     sample = np.clip(place.astype(int), 0, len(samples) - 1)
+    cumulative_sum = np.append(0.0, np.cumsum(samples))
     mean = np.diff(
         cumulative_sum[sample] + (place - sample) * samples[sample]
     ) / np.diff(place)

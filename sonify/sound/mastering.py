@@ -17,7 +17,7 @@ from sonify.sound.playback import (
     MAX_OVERSHOOT,
     TRUE_PEAK_DB,
     TRUE_PEAK_OVERSAMPLING,
-    DerivedTrack,
+    CachedTrack,
     ScaledTrack,
     WeightedTrack,
     true_peak,
@@ -76,16 +76,14 @@ class TrackWithLeadIn:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ProcessedTrack(DerivedTrack):
+class ProcessedTrack(CachedTrack):
     """A track processed in pieces.
 
-    Each piece depends on `context_samples` samples on both sides. The result is cached
-    if it has at most `max_cached` samples.
+    Each piece depends on `context_samples` samples on both sides.
     """
 
     track: Any
     settings: Mastering
-    max_cached: int = 1 << 23
 
     @property
     def context_samples(self) -> int:
@@ -96,30 +94,11 @@ class ProcessedTrack(DerivedTrack):
         """Return the processed samples (k, channels)."""
         raise NotImplementedError
 
-    @cached_property
-    def _cached_blocks(self):
-        few = self.frames * self.channels <= self.max_cached
-        return list(self._processed_blocks()) if few else None
-
-    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Return a new iterator over blocks (k, channels), beginning at sample
-        `start`."""
-        first = start // BLOCK * BLOCK
-        cached = self._cached_blocks
-        for block in (
-            cached[start // BLOCK :] if cached else self._processed_blocks(first)
-        ):
-            yield block[max(start - first, 0) :]
-            first += BLOCK
-
-    def _processed_blocks(self, start=0):
-        """Yield the pieces, beginning with the one at sample `start`."""
+    def computed_blocks(self) -> Iterator[np.ndarray]:
+        """Yield the processed pieces (k, channels)."""
         reach = self.context_samples  # shorter than a piece
-        source = self.track if start else TrackWithLeadIn(self.track, reach)
-        padded = pieces(source, BLOCK, 2 * reach, start - reach if start else 0)
-        for first, samples in zip(
-            range(start, self.frames, BLOCK), padded, strict=False
-        ):
+        padded = pieces(TrackWithLeadIn(self.track, reach), BLOCK, 2 * reach)
+        for first, samples in zip(range(0, self.frames, BLOCK), padded, strict=False):
             yield self.processed(samples)[
                 reach : reach + min(BLOCK, self.frames - first)
             ]
@@ -304,8 +283,8 @@ def initial_gain_step(at_limit, settings):
     return missing if np.isfinite(missing) else 0.0
 
 
-def with_gain(track, gain_db, trim=1.0):
-    return replace(track, gain=track.gain * 10 ** (gain_db / 20), trim=trim)
+def with_gain(track, gain_db):
+    return replace(track, gain=track.gain * 10 ** (gain_db / 20), trim=1.0)
 
 
 def true_peak_dbtp(track) -> float | str:

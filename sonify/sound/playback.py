@@ -50,29 +50,36 @@ class DerivedTrack:
 
 
 @dataclass(frozen=True, kw_only=True)
-class WeightedTrack(DerivedTrack):
-    """A-weighted copy of a track [Pa]; it is cached if it has at most `max_cached`
-    samples."""
+class CachedTrack(DerivedTrack):
+    """A track that is computed from its start, and cached if it has at most
+    `max_cached` samples."""
 
     max_cached: int = 1 << 23
 
+    def computed_blocks(self) -> Iterator[np.ndarray]:
+        """Yield the blocks (k, channels) of the whole track."""
+        raise NotImplementedError
+
     @cached_property
     def _cached_blocks(self):
-        return (
-            list(self._filtered())
-            if self.frames * self.channels <= self.max_cached
-            else None
-        )
+        few = self.frames * self.channels <= self.max_cached
+        return list(self.computed_blocks()) if few else None
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Return a new iterator over blocks (k, channels), beginning at sample
         `start`."""
         done = 0
-        for block in self._cached_blocks or self._filtered():
+        for block in self._cached_blocks or self.computed_blocks():
             yield block[max(start - done, 0) :]
             done += len(block)
 
-    def _filtered(self):
+
+@dataclass(frozen=True, kw_only=True)
+class WeightedTrack(CachedTrack):
+    """A-weighted copy of a track [Pa]."""
+
+    def computed_blocks(self) -> Iterator[np.ndarray]:
+        """Yield the filtered blocks (k, channels)."""
         weighting = a_weighting(self.sample_rate)
         state = np.zeros((len(weighting), 2, self.channels))
         for block in self.track.blocks():
