@@ -15,8 +15,6 @@ FAST_SLIP_MOMENT_RATIO = 0.7
 If the slip u is much faster than the spin w, Hertz's pressure causes the moment mu N
 <y^2> w/u, with y measured across the slip. Averaged over the slip direction, <y^2> is
 (a^2 + b^2)/10: 0.71 arm^2 for a long ellipse, 0.58 arm^2 for a circle."""
-ZERO_DIVISION_OFFSET = 1e-30
-"""Offset that avoids division by zero if the contact is at rest."""
 
 
 def pivoting_arm(sine, pivoting, travel, slip_square, sliding, mu, coefficients):
@@ -78,7 +76,7 @@ def friction_limited_arm(unit_arm, creep, pivoting, speed_square, sliding, mu):
     return (
         arm
         * moment
-        / (arm * arm * speed_square + moment * moment + ZERO_DIVISION_OFFSET) ** 0.5
+        / (arm * arm * speed_square + moment * moment + 1e-30) ** 0.5  # not 0/0 at rest
     )
 
 

@@ -46,29 +46,20 @@ EXPORT_OPTIONS = {
 ACCURACY_LEVELS = ("draft", "standard", "reference")
 
 
-class FullSummaryGroup(click.Group):
-    """Command group that lists every command with its full summary, wrapped to the
-    terminal."""
-
-    def format_commands(self, context, formatter):
-        """Write the commands with their full summaries."""
-        commands = {
-            name: self.get_command(context, name)
-            for name in self.list_commands(context)
-        }
-        summaries = [
-            (name, " ".join(command.help.split("\n\n")[0].split()))
-            for name, command in commands.items()
-        ]
-        with formatter.section("Commands"):
-            formatter.write_dl(summaries)
-
-
-class OneLineErrorGroup(FullSummaryGroup):
+class OneLineErrorGroup(click.Group):
     """Command group that reports expected errors as one line on standard error.
 
     `invoke` defines the exit status.
     """
+
+    def format_commands(self, context, formatter):
+        """Write the commands with their full summaries, wrapped to the terminal."""
+        summaries = [
+            (name, " ".join(command.help.split("\n\n")[0].split()))
+            for name, command in sorted(self.commands.items())
+        ]
+        with formatter.section("Commands"):
+            formatter.write_dl(summaries)
 
     def main(self, *arguments, **options):
         """Run the command line.

@@ -46,9 +46,6 @@ from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import render_sound
 from sonify.sound.wav import write_sound
 
-MAX_CACHED_MODES = 4
-"""Number of disks whose modes are cached; the modes of one disk may take 100 MB."""
-
 
 @one_blas_thread
 def solve(
@@ -300,7 +297,7 @@ def cached_modes(scene: Scene, below: float) -> Modes:
     return _modes_of(body_scene(scene), below)
 
 
-@lru_cache(MAX_CACHED_MODES)
+@lru_cache(4)  # the modes of one disk may take 100 MB
 def _modes_of(body: BodyScene, below: float) -> Modes:
     if painter.cache_info().currsize == 0:  # no worker was started
         return eigenmodes(body, below=below)

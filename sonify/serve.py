@@ -63,25 +63,44 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
         raise InputError(
             "--host = '': must be an address; 0.0.0.0 selects all addresses of this machine"
         )
+    with listening_socket(host, port) as listening:
+        note(address(host, listening))
+        run_application(application(folder, host), HEADERS, listening)
+
+
+def listening_socket(host: str, port: int) -> socket.socket:
+    """Return a socket that listens at an address.
+
+    Raises InputError if the port is invalid or unavailable.
+    """
     if not 0 <= port <= LAST_PORT:
         raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
     try:
-        listening = socket.create_server(
+        return socket.create_server(
             (host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET
         )
     except OSError as error:
         raise InputError(
             f"--port = {port}: unavailable on {host}: {error.strerror}"
         ) from None
-    note(f"http://{f'[{host}]' if ':' in host else host}:{listening.getsockname()[1]}/")
+
+
+def address(host: str, listening: socket.socket) -> str:
+    """Return the address of a listening socket for a browser."""
+    return (
+        f"http://{f'[{host}]' if ':' in host else host}:{listening.getsockname()[1]}/"
+    )
+
+
+def run_application(app: Starlette, headers: dict[str, str], listening: socket.socket):
+    """Serve an application with these headers until interrupted."""
     config = uvicorn.Config(
-        application(folder, host),
-        headers=[*HEADERS.items()],
+        app,
+        headers=[*headers.items()],
         log_level="warning",
         timeout_graceful_shutdown=1,
     )
-    with listening:
-        uvicorn.Server(config).run(sockets=[listening])
+    uvicorn.Server(config).run(sockets=[listening])
 
 
 def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:

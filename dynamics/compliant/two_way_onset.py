@@ -20,8 +20,6 @@ from dynamics.surface import MIN_TWO_WAY_SHARE, ModesSurface
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
-INCLINATION_COUNT = 200
-"""Number of inclinations at which the reaction of the table is evaluated."""
 RIM_POINT_COUNT = 64
 """Number of points of the rim at which the table modes are evaluated."""
 
@@ -173,7 +171,7 @@ def table_energy_power_shares(
     beta = np.geomspace(
         min(radians(scene.release.inclination_deg), 0.3),
         FLAT_INCLINATION,
-        INCLINATION_COUNT,
+        200,  # inclinations
     )
     rate = np.array([steady_precession_rate(scene, b) for b in beta])[:, None, None]
     angle = 2 * np.pi * np.arange(RIM_POINT_COUNT) / RIM_POINT_COUNT

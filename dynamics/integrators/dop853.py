@@ -9,8 +9,6 @@ from dynamics.integrators.codegen import compile_branch, compiled_function
 from dynamics.integrators.runge_kutta import INTEGRATE_SIGNATURE, integrate_dop853
 from dynamics.regime import Regime, describe_state
 
-MIN_TOLERANCE = 1e-15
-
 
 def advance(
     y,
@@ -37,7 +35,7 @@ def advance(
         parameters,
         len(names),
         span,
-        max(tolerance, MIN_TOLERANCE),
+        max(tolerance, 1e-15),
     )
     if not len(times):
         raise StalledError(f"{describe_state(y)}: no step is short enough in {regime}")

@@ -26,8 +26,6 @@ STEP_SAFETY = 0.9
 MIN_STEP_RATIO = 0.2
 MAX_STEP_RATIO = 10.0
 MAX_STEPS_PER_CALL = 1000
-MIN_STEP = 1e-13
-"""Shortest step, in units of r."""
 MAX_GUARDS = 16
 """Array size that is sufficient for the guards of any branch."""
 
@@ -205,7 +203,7 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
     fired = -1
     while n < MAX_STEPS_PER_CALL and t < span and fired < 0:
         h = min(h, max_step(y), span - t)
-        if not h > MIN_STEP * y[R]:
+        if not h > 1e-13 * y[R]:  # too short
             break
         error = step_and_error(flow, y, p, h, rates, y_end, guard_values) / tolerance
         if not error < 1:  # NaN if the step leaves the domain of the formulas

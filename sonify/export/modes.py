@@ -12,9 +12,6 @@ from sonify.scene_errors import InputError
 
 SUFFIXES = {"faust": "dsp", "uff": "uff", "vtu": "vtu"}
 """File suffix of each format."""
-OPPOSITE_DEG = 180.0
-"""Angle of the rim point opposite the contact, the default strike position
-[degrees]."""
 
 
 def export_modes(
@@ -35,7 +32,7 @@ def export_modes(
         Path of the file (default: <scene name>.<suffix>).
     strike_deg : float, optional
         Strike angle of the Faust program, measured from the middle of the contact
-        [degrees] (default: OPPOSITE_DEG).
+        [degrees] (default: opposite the contact).
 
     Returns
     -------
@@ -58,7 +55,7 @@ def export_modes(
                 modes,
                 form,
                 temporary,
-                OPPOSITE_DEG if strike_deg is None else strike_deg,
+                180.0 if strike_deg is None else strike_deg,
             )
     except (ValueError, ModuleNotFoundError) as error:
         raise InputError(str(error)) from None

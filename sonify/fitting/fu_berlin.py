@@ -28,8 +28,6 @@ FITTED_STRETCHES = {"whole run": np.inf, "last 4 s": 4.0, "last 1 s": 1.0}
 PUBLISHED_EXPONENTS = {"whole run": (0.309, 0.032), "last 4 s": (0.223, 0.041)}
 """Published exponents of a toy on granite: mean of 15 runs and standard deviation of a
 run."""
-MIN_TIME_LEFT = 0.02
-"""Least remaining time [s] of the columns that are used."""
 
 
 class Exponent(NamedTuple):
@@ -78,7 +76,7 @@ def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent
 def _fitted_line(remaining, ridge, longest):
     """Return the exponent of an unweighted fit of log Omega against log(remaining
     time)."""
-    within = (remaining > MIN_TIME_LEFT) & (remaining < longest)
+    within = (remaining > 0.02) & (remaining < longest)  # s
     if within.sum() < 8:
         return Exponent(np.nan, np.nan, int(within.sum()))
     (slope, _), covariance = np.polyfit(

@@ -21,8 +21,6 @@ ABSENT_LAW = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """Share of a law that was not fitted, such as the film in a vacuum."""
 MAX_PANELS = 6
 """Largest number of recordings that are drawn."""
-BAND_DRAWS = 120
-"""Approximate number of draws that determine an uncertainty band."""
 
 
 def write_fits(
@@ -393,7 +391,7 @@ def _draw_one(above, below, fitted):
     drawn = np.array(
         [
             _rate_of_draw(decline, one, d, at)
-            for d in one.draws[:: max(len(one.draws) // BAND_DRAWS, 1)]
+            for d in one.draws[:: max(len(one.draws) // 120, 1)]  # about 120 suffice
         ]
     )
     low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)

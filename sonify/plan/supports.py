@@ -10,9 +10,6 @@ from sonify.plan import sentences
 from sonify.plan.plan import Decision
 from sonify.scene import Scene
 
-MAX_NAMED_MODES = 6
-"""Largest number of frequencies listed for each support."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class SupportStep:
@@ -69,7 +66,7 @@ def support_comparison(scene: Scene, modes: Modes, below: float) -> Decision:
         kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")
     }
     lowest = {
-        kind: ", ".join(f"{f:.0f}" for f in found.frequency[:MAX_NAMED_MODES]) or "none"
+        kind: ", ".join(f"{f:.0f}" for f in found.frequency[:6]) or "none"
         for kind, found in ({"contact": modes} | others).items()
     }
     return Decision(

@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-import socket
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from functools import cache
@@ -15,7 +14,6 @@ from shutil import rmtree
 from tempfile import TemporaryDirectory
 from typing import Any
 
-import uvicorn
 from jinja2 import Environment, PackageLoader
 from markupsafe import Markup
 from starlette.applications import Starlette
@@ -39,10 +37,12 @@ from sonify.scene_errors import InputError
 from sonify.serve import (
     CONTENT_SECURITY_POLICY,
     HEADERS,
-    LAST_PORT,
     LOOPBACK,
+    address,
     file_response,
+    listening_socket,
     routes_of_runs,
+    run_application,
 )
 from sonify.studio.controls import changed_scene, control_key_of_error, controls
 from sonify.studio.job_queue import Job, JobQueue
@@ -50,8 +50,6 @@ from sonify.studio.worker import PREVIEW_FILE, STREAM_FILE, analyse_recording, r
 
 MAX_UPLOAD_BYTES = 100_000_000
 """Largest accepted recording [bytes]; about 17 minutes of mono sound."""
-MAX_REQUEST_BYTES = 100_000
-"""Largest accepted request for a run [bytes]."""
 STUDIO_POLICY = CONTENT_SECURITY_POLICY | {
     "connect-src": "'self' data:",
     "media-src": "'self' data: blob:",
@@ -70,26 +68,12 @@ def studio(folder: str | Path, port: int = 8001, note: Callable = print):
     Runs are written to `folder`. Port 0 selects any free port. Raises InputError if the
     port is invalid or in use, and OutputError if the folder cannot be written.
     """
-    if not 0 <= port <= LAST_PORT:
-        raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
     host = LOOPBACK[0]
-    try:
-        listening = socket.create_server((host, port))
-    except OSError as error:
-        raise InputError(
-            f"--port = {port}: unavailable on {host}: {error.strerror}"
-        ) from None
-    with listening:
+    with listening_socket(host, port) as listening:
         root = create_folder(folder)
         token = token_urlsafe(16)
-        note(f"http://{host}:{listening.getsockname()[1]}/{token}/")
-        config = uvicorn.Config(
-            application(root, token),
-            headers=[*STUDIO_HEADERS.items()],
-            log_level="warning",
-            timeout_graceful_shutdown=1,
-        )
-        uvicorn.Server(config).run(sockets=[listening])
+        note(f"{address(host, listening)}{token}/")
+        run_application(application(root, token), STUDIO_HEADERS, listening)
 
 
 def application(
@@ -161,7 +145,7 @@ class Session:
     async def run(self, request: Request) -> Response:
         """Run a scene and stream its progress; closing the response cancels the run."""
         try:
-            asked = json.loads(await _body(request, MAX_REQUEST_BYTES))
+            asked = json.loads(await _body(request, 100_000))
             name, values = str(asked["scene"]), dict(asked["values"])
         except (ValueError, LookupError, TypeError):
             return JSONResponse(

@@ -10,8 +10,6 @@ from typing import Any
 from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 from sonify.studio.worker import PROGRESS_FILE, warm_up
 
-WORKER_MODULE = "sonify.studio.worker"
-
 
 class Job:
     """One function call in the worker process, which writes its progress to
@@ -22,7 +20,6 @@ class Job:
         self.folder = folder
         self.function = function
         self.arguments = arguments
-        self.started = False
         self.cancelled = False
         self.ended = Event()
         self.result: dict[str, Any] | None = None
@@ -43,9 +40,13 @@ class JobQueue:
     """First-in, first-out queue of jobs for one worker process that is kept ready."""
 
     def __init__(
-        self, start_worker: Callable[[], WorkerProcess] | None = None, warm: bool = True
+        self,
+        start_worker: Callable[[], WorkerProcess] = lambda: WorkerProcess(
+            "sonify.studio.worker", single_threaded=False
+        ),
+        warm: bool = True,
     ):
-        self._start_worker = start_worker or _start_worker
+        self._start_worker = start_worker
         self._warm = warm
         self._jobs: SimpleQueue[Job | None] = SimpleQueue()
         self._lock = Lock()
@@ -119,7 +120,6 @@ class JobQueue:
                 self._waiting.remove(job)
             if not job.cancelled:
                 self._current = job
-                job.started = True
         try:
             if job.cancelled or worker is None:
                 raise WorkerDiedError("cancelled" if job.cancelled else "no worker")
@@ -141,7 +141,3 @@ class JobQueue:
             if worker is not None and self._worker is worker:
                 worker.kill()
                 self._worker = None
-
-
-def _start_worker():
-    return WorkerProcess(WORKER_MODULE, single_threaded=False)

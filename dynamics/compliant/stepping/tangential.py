@@ -34,8 +34,6 @@ from dynamics.pivoting import friction_limited_arm
 film_moment_parts_kernel = kernel(film_moment_parts)
 squeezed_air_kernel = kernel(squeezed_air_energy)
 limited_arm_kernel = kernel(friction_limited_arm)
-PRECESSION_RATE_OFFSET = 1e-30
-"""Offset [rad/s] of the precession rate, which avoids division by zero."""
 
 
 @kernel
@@ -289,7 +287,8 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
     a2 = s
     J = constants.diametral_inertia
     m = constants.mass
-    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + PRECESSION_RATE_OFFSET
+    # the offset avoids division by zero
+    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + 1e-30
     drag, fall, lever, tip, lift = film_moment_parts_kernel(
         s,
         rate,
