@@ -27,7 +27,7 @@ class AccuracyLevel(NamedTuple):
     patch_meshes: tuple[MeshSize, MeshSize]
     """Mesh of a disk on a patch, and a coarser mesh for the error estimate."""
     low_patch_meshes: tuple[MeshSize, MeshSize]
-    """The same for a patch lower than the disk, which requires many more cells."""
+    """The same for a partial-height patch, which requires many more cells."""
     basis_sizes: dict[str, Any]
     """Fields of `BasisSizes` with values other than the default."""
     max_table_unknowns: int

@@ -124,8 +124,9 @@ def match_modes_of_class(
     max_excess: float = 0.04,
     min_similarity: float = 0.9,
 ) -> SolvedSymmetryClass | None:
-    """Return the element class with frequencies of the synthesis, or None if they do
-    not match.
+    """Return the finite-element class with the frequencies of the synthesis, or None.
+
+    The result is None if the modes do not match.
 
     `top_rim` (k, n, 3) is the displacement of the top edge in the element modes. An
     element mode matches a mode of the synthesis if its frequency is higher by at most

@@ -11,13 +11,13 @@ from scipy.special import jv
 from modal.modes import Modes
 
 AIR_DENSITY = 1.204  # kg/m^3
-"""Density of dry air at 20 degrees and 101325 Pa."""
+"""Density of dry air at 20 degrees Celsius and 101325 Pa."""
 SOUND_SPEED = 343.2  # m/s
-"""Speed of sound in dry air at 20 degrees."""
+"""Speed of sound in dry air at 20 degrees Celsius."""
 
 
 class Air(Protocol):
-    """Protocol of the air: density [kg/m^3] and speed of sound [m/s]."""
+    """Properties of the air: density [kg/m^3] and speed of sound [m/s]."""
 
     @property
     def density(self) -> float: ...
@@ -26,7 +26,7 @@ class Air(Protocol):
 
 
 class StandardAir(NamedTuple):
-    """Dry air at 20 degrees and 101325 Pa: density [kg/m^3] and speed of sound
+    """Dry air at 20 degrees Celsius and 101325 Pa: density [kg/m^3], speed of sound
     [m/s]."""
 
     density: float = AIR_DENSITY

@@ -47,8 +47,8 @@ def check_solvable(disk: Any, support: Support, max_aspect: float = 50) -> None:
     """Raise ValueError if the solvers are not applicable to the disk on this support.
 
     Reasons are a shell without a wall, a rod thicker than `max_aspect` times its
-    radius, a shell with any other support than "free", a patch taller than the disk,
-    and held components that do not prevent all rigid-body motions.
+    radius, a shell with a support other than "free", a patch taller than the disk, and
+    held components that do not prevent all rigid-body motions.
     """
     inner_radius(disk)
     if disk.thickness > max_aspect * disk.radius:
@@ -72,11 +72,11 @@ def check_solvable(disk: Any, support: Support, max_aspect: float = 50) -> None:
 
 
 class ElasticScene(Protocol):
-    """Protocol of the sections of a scene read by `eigenmodes`.
+    """Sections of a scene that `eigenmodes` reads.
 
     `disk` has radius, thickness [m], mass [kg], shape and, for a shell, wall [m];
     `numerics` has accuracy, which is "draft", "standard" or "reference". For a disk on
-    its contact the sections `contact` and `release` are required, too.
+    its contact, the sections `contact` and `release` are also required.
     """
 
     @property

@@ -62,7 +62,7 @@ OUTCOME_OF_END = {
     layout.JUMPS: Outcome.LIFTED_OFF,
     layout.FLOATS: Outcome.AIRBORNE,
 }
-"""Outcome of a motion for each end reason of `step_rattling_disk`."""
+"""Outcome of a motion for each reason for ending `step_rattling_disk`."""
 
 
 class RattlingModel(NamedTuple):

@@ -14,13 +14,14 @@ import scipy.sparse as sp
 from modal.elements.elastic import inverse_at
 
 CORNER_REMAINING_ERROR_RATIO = 0.7
-"""Ratio of remaining to removed error energy if a held face ends at a corner of the
+"""Ratio of remaining to removed error energy where a held face ends at a corner of the
 body.
 
 Refinement reduces the energy by a factor of 2.4.
 """
 FLAT_FACE_REMAINING_ERROR_RATIO = 1.0
-"""Ratio of remaining to removed error energy if the held facets end within a flat face.
+"""Ratio of remaining to removed error energy where the held facets end within a flat
+face.
 
 There the displacement is u ~ r^(1/2), and refinement reduces the energy by a factor of
 2.

@@ -31,7 +31,7 @@ class MeshSize:
     """Size ratio of successive nested boxes between patch and disk, smaller to
     larger."""
     leg_blocks: int = 2
-    """Smallest number of blocks along the upper edge of a patch lower than the disk."""
+    """Minimum number of blocks along the upper edge of a partial-height patch."""
     split: int = 1
     """Number of cells per block in each direction."""
 

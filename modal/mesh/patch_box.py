@@ -1,9 +1,9 @@
-"""Mesh the region of a patch lower than the disk by nested boxes at the rim.
+"""Mesh the region of a partial-height patch with nested boxes at the rim.
 
 The coordinates are angle, depth below the rim and height above the lower plane, with
 lengths divided by the radius. A box is [0, angle] x [0, depth] x [0, height], and the
-patch is the outer side of one of them. Along the two edges of the patch, where u ~
-r^(1/2), the adjacent boxes are replaced by a tube with the cross-section of
+patch is the outer side of one box. Along the two edges of the patch, where u ~ r^(1/2),
+the adjacent boxes are replaced by a tube with the cross-section of
 `singular_edge_blocks`, mitred at the corner of the patch.
 """
 

@@ -38,7 +38,7 @@ class Sector:
 def layer_heights(bottom, top, size, radius):
     """Return the boundaries (k + 1,) [m] of layers of equal thickness.
 
-    The layers are not thicker than the plane cells are wide.
+    The thickness of a layer does not exceed the width of the plane cells.
     """
     count = ceil((top - bottom) / (max_layer_height(size) * radius) - 1e-9)
     return np.linspace(bottom, top, size.split * max(1, count) + 1)
@@ -105,8 +105,9 @@ def cartesian_nodes(nodes, radius, bottom):
 
 
 def low_patch_cells(radius, bottom, top, angle, height, size):
-    """Return the cell nodes (c, 27, 3) [m] of a disk between two heights [m], held on a
-    lower arc.
+    """Return the cell nodes (c, 27, 3) [m] of a disk held on a partial-height arc.
+
+    The disk extends between two heights [m].
 
     The arc has a half angle [rad] and a height [m] above `bottom`.
     """

@@ -94,7 +94,7 @@ def traction_work_on_order(around, through):
 
 
 def coupled_modes(values, work, rest, limit):
-    """Return the modes of coupled free modes up to a limit [1/s^2].
+    """Return the modes that result from coupling the free modes, up to a limit [1/s^2].
 
     The result consists of squared angular frequencies (k,) [1/s^2], coefficients (n, k)
     of the free modes, and tractions (P, k). The arguments are those of

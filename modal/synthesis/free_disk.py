@@ -239,7 +239,8 @@ class FreeDisk:
         Raises
         ------
         ValueError
-            If the patch is lower than the disk or does not prevent rigid-body motion.
+            If the patch does not cover the whole thickness or does not prevent
+            rigid-body motion.
         """
         return np.sort(
             np.concatenate(
@@ -278,7 +279,8 @@ class FreeDisk:
         Raises
         ------
         ValueError
-            If the patch is lower than the disk or does not prevent rigid-body motion.
+            If the patch does not cover the whole thickness or does not prevent
+            rigid-body motion.
         """
         arc = np.deg2rad(support.half_angle_deg) * self.plate.radius
         extra = min(max_extra_tractions, int(0.7 * arc / self.plate.thickness))

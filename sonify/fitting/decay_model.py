@@ -59,7 +59,7 @@ def neglected_parts(scene: Scene) -> list[str]:
         "true values; no verdict is given"
     )
     found = {
-        "the table may react on the motion": may_be_two_way(scene),
+        "the table may affect the motion": may_be_two_way(scene),
         "the table is wavy": scene.imperfection is not None,
     }
     return [f"{what}: {means}" for what, here in found.items() if here]

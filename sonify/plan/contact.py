@@ -154,12 +154,14 @@ def bending_sentence(scene: Scene, late_inclination: float = 0.01) -> str:
 
 
 MAX_RADIATION_ERROR_DB = 2.0
-"""Largest error [dB] of the mean-square pressure around a disk that vibrates over a
+"""Maximum error [dB] of the mean-square pressure around a disk that vibrates above a
 film.
 
 It applies up to 0.35 rad and for thicknesses of 0.1 to 0.8 radii;
 tests/sound/test_open_film_sound.py measures it."""
 STEEP_RADIATION_ERROR_RANGE_DB = (-4.0, 6.0)
-"""Range of the error [dB] of that pressure at inclinations from 0.35 to 0.6 rad."""
+"""Range of the error [dB] of the mean-square pressure at inclinations from 0.35 to 0.6
+rad."""
 MAX_SHORT_WAVE_UNDERESTIMATE_DB = 5.0
-"""Largest underestimate [dB] of that pressure at wavenumbers k R between 4 and 5."""
+"""Maximum underestimate [dB] of the mean-square pressure at wavenumbers k R from 4 to
+5."""

@@ -280,7 +280,7 @@ def damping_decision(material: Material) -> Decision:
     return Decision(
         subject="decay of the modes",
         choice=f"the first {given} as measured, the others " * bool(given)
-        + "by loss factor and radiation upwards",
+        + "from the loss factor and upward radiation",
         reason=sentences.MEASURED_DECAY_REASON
         if given
         else sentences.LOSS_FACTOR_REASON,

@@ -211,12 +211,12 @@ NEGLECTED_IN_DRAFT = (
     "modes.",
 )
 MODAL_REACTION_NEGLECTED = (
-    "The sound of impacts; the reaction of the elastic modes on the motion"
+    "The sound of impacts; the effect of the elastic modes on the motion"
 )
 CONTACT_NEGLECTED = {
     "rigid": ("The sound of roughness, including the contact resonance.",),
     "filter": (
-        "The reaction of this vibration on the motion; losses of contact; fluctuating friction "
+        "The effect of this vibration on the motion; losses of contact; fluctuating friction "
         "while the disk slides.",
     ),
     "full": (),
@@ -263,7 +263,7 @@ NO_ERROR_PREDICTION_WITH_TABLE = (
 )
 RIGID_TABLE_NEGLECTED = "The sound of the table, which is assumed rigid."
 TABLE_NEGLECTED = (
-    "The reaction of the table on the motion through its absorbed energy and its deflection.",
+    "The effect of the table on the motion through its absorbed energy and its deflection.",
     "Excitation of the table by friction, the sound of its other faces, its damping by the air, and "
     "acoustic shadowing by the disk.",
 )

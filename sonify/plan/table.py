@@ -160,7 +160,7 @@ def without_unknown_predictions(plan: Plan, scene: Scene) -> Plan:
 
     The error of the sound samples is kept for a rough contact, except for a filtered
     contact on a table with modes. The error of the end is removed if the table is wavy
-    or may react on the motion."""
+    or may affect the motion."""
     has_modes = scene.surface.kind not in ("rigid", "infinite")
     known = scene.roughness and not (
         has_modes and choose_contact_model(scene).kind == "filter"

@@ -40,14 +40,14 @@ FRAME_RATE = 25  # frames per second
 EXPOSURES_PER_FRAME = 12
 FILM_DURATION = 8.0  # s
 TAIL_DURATION = 1.0
-"""Duration of the film after the end of the motion [s]."""
+"""Duration of the video after the end of the motion [s]."""
 MIN_DRAWN_INCLINATION = np.radians(15.0)
-"""Lower bound of the greatest inclination drawn in the film [rad]."""
+"""Lower bound of the maximum inclination drawn in the video [rad]."""
 MAX_TRACE_TURNS = 4
-"""Largest number of turns over which the path of the contact point is drawn."""
+"""Maximum number of turns over which the path of the contact point is drawn."""
 FILM_SIZE = (1280, 720)  # px
 DISK_VIEW_SIZE = (800, 432)
-"""Size of the view of the disk at the upper left of the film [px]."""
+"""Size of the view of the disk at the upper left of the video [px]."""
 
 EXPLANATION = (
     "real time",
@@ -56,15 +56,15 @@ EXPLANATION = (
     "blue: path of the contact,",
     f"at most its last {MAX_TRACE_TURNS} turns",
 )
-"""Explanation of the film for its viewers."""
+"""Explanation displayed in the video."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Clip:
-    """Part of a result shown in the film, with `frames` frames.
+    """Part of a result shown in the video, with `frames` frames.
 
-    It begins at the time `start` [s] of the listener, who hears the source after the
-    propagation delay. `max_inclination` [rad] is the greatest inclination in the clip.
+    It begins at `start` [s], measured at the listener, who hears the source after the
+    propagation delay. `max_inclination` [rad] is the maximum inclination in the clip.
     """
 
     result: object
@@ -162,9 +162,9 @@ def write_clip_sound(clip, path: Path) -> Path:
 
 
 def encode_film(path, sound, frames: int, images, watch):
-    """Encode images (h, w, 3) and a sound file as a film.
+    """Encode images (h, w, 3) and a sound file as a video.
 
-    Raises OSError if the film does not contain all frames.
+    Raises OSError if the video does not contain all frames.
     """
     from imageio_ffmpeg import count_frames_and_secs, write_frames
 

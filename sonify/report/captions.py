@@ -1,6 +1,6 @@
 """Describe the pictures of a result and the limits of its model in sentences.
 
-A limit is the time from which an effect omitted by the model becomes significant.
+A limit is the time after which an effect omitted by the model becomes significant.
 """
 
 from typing import TYPE_CHECKING
@@ -19,8 +19,8 @@ OMITTED_EFFECTS = {
     "modes_take_little": "The modes of the disk affect its motion",
     "table_takes_a_hundredth": "The table affects the motion",
 }
-"""Effects by the key of the finding that states how long before the end [s] they become
-significant."""
+"""Effects that become significant at a time [s] before the end, by the key of the
+finding that states this time."""
 
 
 def describe_spectrogram(result: "Result") -> str:
@@ -106,7 +106,7 @@ def describe_modes(result: "Result") -> str:
 
 
 def omitted_effects(result: "Result") -> list[str]:
-    """Return one sentence for each omitted effect with the time from which it is
+    """Return one sentence for each omitted effect, with the time after which it is
     significant."""
     end = result.motion.t[-1]
     found = {finding.key: finding for finding in result.findings}
@@ -148,4 +148,4 @@ PICTURE_CAPTIONS = {
         "nodal lines. Modes of the table, if any, are shown below.",
     ),
 }
-"""Function that describes the picture of a result, and caption, by file name."""
+"""Description function and caption of each picture, by file name."""

@@ -57,8 +57,8 @@ CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
         ),
     },
 }
-"""Clauses for findings that hold and that do not, by subject and key; the first finding
-present is used."""
+"""Clauses for findings that hold and for those that do not, by subject and key; the
+first available finding is used."""
 
 
 def headline(findings: Iterable[Finding]) -> str:

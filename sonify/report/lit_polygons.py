@@ -1,4 +1,4 @@
-"""Project a deformed body in an oblique view to shaded polygons, sorted by distance."""
+"""Project a deformed body to shaded polygons in an oblique view, sorted by distance."""
 
 import numpy as np
 

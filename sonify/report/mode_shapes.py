@@ -115,7 +115,7 @@ def draw_modes(
         axis.text(
             MODE_WIDTH * MODES_PER_ROW / 2,
             -high / 2,
-            "There is no mode below the requested highest frequency.",
+            "There are no modes below the upper frequency limit.",
             ha="center",
         )
     if table:

@@ -36,7 +36,7 @@ def write_page(result: "Result", path: Path, numbers: dict[str, Any] | None = No
     """Write the page of a result with all pictures and sounds embedded.
 
     The page plays only the end of a long sound. `numbers` is the return value of
-    `template_data`, if already known.
+    `template_data`, if already computed.
     """
     modes = result.modes
     held = result.scene.support.kind == "patch"

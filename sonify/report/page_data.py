@@ -27,23 +27,23 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 MAX_INSTANTS = 22_000
-"""Largest number of instants of the motion in the page.
+"""Maximum number of times at which the page stores the motion.
 
-Half of them are evenly spaced in time, half in the angle of the contact.
+Half of them are evenly spaced in time and half in the angle of the contact.
 """
 MAX_SHAPES = 24
-"""Largest number of modes in the page; the lowest modes are kept."""
+"""Maximum number of modes in the page; the lowest modes are kept."""
 MAX_SOUND_SECONDS = 30.0
-"""Longest final part of a sound in the page [s]."""
+"""Maximum duration of the final part of a sound in the page [s]."""
 MAX_SOUND_BYTES = 2_800_000
-"""Largest size of all sounds in the page [characters of base64]; a larger sound is
+"""Maximum size of all sounds in the page [base64 characters]; longer sounds are
 shortened."""
 
 
 def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
     """Return the data of a page.
 
-    `parts` are the slow parts, if already known: the `instants` of the motion, the
+    `parts` are the slow parts, if already computed: the `instants` of the motion, the
     `sounds`, and the colours of a spectrogram as bytes.
     """
     sound = result.sound
@@ -140,7 +140,7 @@ def encoded_rates(motion: Motion) -> dict[str, Any]:
 
 
 def encoded_motion(motion: Motion) -> dict[str, Any]:
-    """Return the motion at its sampled instants [s].
+    """Return the motion at its sampled times [s].
 
     The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
     [J].
@@ -157,9 +157,9 @@ def encoded_motion(motion: Motion) -> dict[str, Any]:
 
 
 def sample_times(motion: Motion, begin: float) -> np.ndarray:
-    """Return about MAX_INSTANTS instants [s] from `begin` to the end of the motion.
+    """Return about MAX_INSTANTS times [s] from `begin` to the end of the motion.
 
-    They are closer together where the contact revolves faster.
+    They are spaced more closely where the contact revolves faster.
     """
     first = max(int(np.searchsorted(motion.t, begin, "right")) - 1, 0)
     some = slice(first, None, max((len(motion.t) - first) // 200_000, 1))

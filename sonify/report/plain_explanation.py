@@ -1,4 +1,5 @@
-"""Explain in five sentences, for readers without physics, why the disk buzzes."""
+"""Explain in five sentences, for readers without a background in physics, why the disk
+buzzes."""
 
 from collections.abc import Sequence
 from math import pi

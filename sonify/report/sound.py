@@ -395,7 +395,8 @@ def draw_stems(path, stems, end: float, duration: float):
         above.axhspan(-30, 0, color="0.9", label="inaudible")
         above.set(ylabel="above the threshold [dB]", ylim=(-30, None))
         above.set_title(
-            "Best third octave over the threshold of hearing (ISO 226)", loc="left"
+            "Most audible third octave, above the threshold of hearing (ISO 226)",
+            loc="left",
         )
         for axes in (weighted, above):
             axes.grid(alpha=0.3)

@@ -39,7 +39,8 @@ FACE_VELOCITIES = (0, 1, 2)
 FACE_SOLUTIONS = (0, 1, 1)
 """Columns of the corresponding exterior solutions."""
 EXTERIOR_WAVENUMBERS = np.linspace(WAVENUMBERS[0], WAVENUMBERS[-1], 16)
-"""Values of k R at which the exterior field is solved; it has no resonances."""
+"""Values of k R at which the exterior field is solved; they may be sparse because it
+has no resonances."""
 MEAN_GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
 """Ratios of mean gap to radius at which the radiation is tabulated, densest above 0.1,
 where the resonance frequencies vary; outside the range the nearest value applies."""

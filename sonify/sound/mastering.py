@@ -276,8 +276,8 @@ def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> Mastered
 
 
 def initial_gain_step(at_limit, settings):
-    """Return the extra gain [dB] that reaches the loudness if the limiter has no
-    effect."""
+    """Return the additional gain [dB] that reaches the specified loudness without
+    limiting."""
     unlimited = ScaledTrack(track=at_limit.track, full_scale=1 / at_limit.gain)
     missing = settings.loudness_lufs - unlimited.loudness
     return missing if np.isfinite(missing) else 0.0

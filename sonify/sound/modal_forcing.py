@@ -14,8 +14,8 @@ from sonify.scene import Scene
 
 
 def in_patch_frame(force, inclination) -> np.ndarray:
-    """Rotate forces (k, 3) along a_1, a_2, a_3 into the patch frame at inclinations
-    (k,) [rad]; (2.1)."""
+    """Rotate forces (k, 3) along a_1, a_2, a_3 into the patch frame (2.1) at
+    inclinations (k,) [rad]."""
     along, across, normal = np.asarray(force).T
     s = np.sin(inclination)
     c = np.cos(inclination)
@@ -37,8 +37,10 @@ def rigid_acceleration(contact_force, disk: Disk) -> np.ndarray:
 
 
 def inertia(disk: Disk) -> np.ndarray:
-    """Return the diagonal (6,) of the mass matrix in the patch frame: three times the
-    mass [kg], then the moments of inertia [kg m^2] about x, y, z; (2.4)."""
+    """Return the diagonal (6,) of the mass matrix (2.4) in the patch frame.
+
+    It contains the mass [kg] for each translation and the moments of inertia [kg m^2]
+    about x, y, z."""
     about_diameter = disk.mass * (
         disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12
     )

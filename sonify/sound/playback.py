@@ -126,7 +126,7 @@ def audible_copy(track) -> ScaledTrack:
 
 
 class LoudTrack(Protocol):
-    """Protocol of a track that has a loudness."""
+    """Track with a loudness."""
 
     @property
     def loudness(self) -> float:

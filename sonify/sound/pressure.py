@@ -25,7 +25,7 @@ STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 to the smooth part of the force and to its jumps. A scene may have further stems."""
 COLUMNS = ("pressure", *STEMS)
 MAX_BYTES_IN_MEMORY = 1 << 27
-"""Size [bytes] above which a sound is kept in an unnamed temporary file."""
+"""Size [bytes] above which a sound is stored in an unnamed temporary file."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

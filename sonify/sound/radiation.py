@@ -183,10 +183,10 @@ def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarra
     pressure.
 
     The taps apply to samples n + 1, n, n - 1. The response equals Rayleigh's integral
-    at the frequency of the mode and at 0. Within 2 % below the Nyquist frequency the
-    phase is only approximate."""
+    at the frequency of the mode and at 0. The phase is only approximate less than 2 %
+    below the Nyquist frequency."""
     min_sine = (
-        0.06  # attained 2 % below the Nyquist frequency, where the taps would diverge
+        0.06  # sine at 2 % below the Nyquist frequency, where the taps would diverge
     )
     turn = 2 * np.pi * modes.frequency / sample_rate
     at_mode = directivity_table(modes, listener)

@@ -33,8 +33,7 @@ from sonify.sound.sources.protocol import (
 
 
 class Renderer:
-    """Renders blocks of pressure [Pa] at a listener from a motion and modes, one column
-    per stem.
+    """Renderer of the pressure [Pa] at a listener in blocks, with one column per stem.
 
     Times are measured at the listener, who hears the source with a delay of distance /
     c. The modes ring down after the motion, regardless of its outcome. The only side

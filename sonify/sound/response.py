@@ -11,8 +11,7 @@ from sonify.sound.oscillators import Knots, OscillatorBank, free_response
 
 @runtime_checkable
 class VibrationPart(Protocol):
-    """Protocol of a motion that was solved together with the elastic modes of the
-    disk."""
+    """Motion that was solved together with the elastic modes of the disk."""
 
     def vibration(self, t: np.ndarray) -> np.ndarray:
         """Return displacement, velocity and acceleration (k, 3, m) of the modes of unit

@@ -93,7 +93,7 @@ def unbaffled_disk_ratios(sizes, cosine: float, rho, azimuth) -> np.ndarray:
     for m in range(ceil(along.max()) + 5):
         n = (
             m + 2 * j + 1
-        )  # J_(n + 1/2)(k)/k^(3/2) = sqrt(2/pi) j_n(k)/k is the Hankel transform
+        )  # J_(n + 1/2)(k)/k^(3/2) = sqrt(2/pi) j_n(k)/k is the Hankel transform of the basis function
         polynomials = np.array([eval_jacobi(k, m, 0.5, 1 - 2 * rho**2) for k in j])
         radial = rho**m * np.sqrt(1 - rho**2) * norm[:, None] * polynomials
         around = (1 if m == 0 else 2) * radial * np.cos(m * azimuth)

@@ -25,8 +25,8 @@ MASTER_SCALE_TEXT = (
 )
 
 MAX_RIFF_BYTES = 2**32 - 2**12
-"""Largest size of the samples [bytes] in a WAV file; larger files use RF64 (EBU Tech
-3306) with 64-bit lengths."""
+"""Maximum size of the samples [bytes] in a WAV file; larger files use RF64 (EBU Tech
+3306), which has 64-bit lengths."""
 BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3}
 
 

@@ -43,8 +43,8 @@ class RunTime(NamedTuple):
     """Number of measured runs."""
 
     def total(self, runs: int, processes: int) -> float:
-        """Return the total time [s] of `runs` runs on `processes` processes that each
-        start once."""
+        """Return the total time [s] of `runs` runs on `processes` processes, including
+        their start."""
         rounds = ceil(runs / processes)
         return self.first_run + self.later_run * (rounds - 1)
 
@@ -225,11 +225,11 @@ def total_indices_line(
     base = samples.total or 256  # the smallest number with a useful confidence interval
     more = base * (axes + 2)
     seconds = time.total(samples.count + more, processes)
-    fits = "fit" if seconds <= time_limit else "do not fit"
+    fits = "is within" if seconds <= time_limit else "exceeds"
     state = "included" if samples.total else f"not included; samples.total = {base}"
     return (
-        f"total    indices with interactions need {more} further runs, in all "
-        f"{duration_in_words(seconds)}: they {fits} 2 h ({state})"
+        f"total    indices with interactions require {more} more runs, a total of "
+        f"{duration_in_words(seconds)}, which {fits} 2 h ({state})"
     )
 
 

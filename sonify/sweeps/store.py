@@ -36,9 +36,9 @@ class RunStore:
     """Context manager for the table of a sweep in `folder`, with exclusive write
     access.
 
-    The mask `done` (count,) marks the runs in the table, without those that ended with
-    an error if `retry` is True. Entering raises OutputError if another process writes
-    the table, and InputError if the table belongs to another sweep."""
+    The mask `done` (count,) marks the runs in the table, excluding those that ended
+    with an error if `retry` is True. Entering raises OutputError if another process
+    writes the table, and InputError if the table belongs to another sweep."""
 
     def __init__(
         self,

@@ -134,8 +134,8 @@ class Sweep:
 
         Each value is tested with the first and with the last values of the other axes,
         and without them. Raises SceneError if a value is invalid in each of these
-        scenes or if an axis has no valid value. A value that only contradicts other
-        keys becomes an error of its runs."""
+        scenes or if an axis has no valid value. A value that merely contradicts other
+        keys causes errors in the affected runs."""
         axes = self.points.axes
         ends = [
             {

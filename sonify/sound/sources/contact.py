@@ -266,8 +266,9 @@ class SolvedContactVibration(Source):
         return np.hstack([source.input_channels(force, state) for source in self._disk])
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems (k, 5) [Pa] of the blocks after
-        `first` (c,)."""
+        """Return a function that computes the stems (k, 5) [Pa] of successive blocks.
+
+        Before the first block the channels have the values `first` (c,)."""
         renderers = [
             delay_output(
                 source.make_block_renderer(first[part], note),

@@ -216,8 +216,8 @@ class RigidDiskOverFilm(RigidDisk):
         """Return the acceleration [m/s^2] of a piston equivalent to the second harmonic
         of the rim flow.
 
-        The result is for g2 = 1. The rim flow rotates at `rate` [rad/s] and radiates as
-        a quadrupole in the long-wave limit."""
+        The result applies to g2 = 1. The rim flow rotates at `rate` [rad/s] and
+        radiates as a quadrupole in the long-wave limit."""
         radius = self._disk.radius
         distance = self._listener.distance
         x = rate * distance / self._air.sound_speed
@@ -231,8 +231,9 @@ class RigidDiskOverFilm(RigidDisk):
         return near * radius * np.sin(inclination) * rate**2
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems of the blocks after channels
-        `first`."""
+        """Return a function that computes the stems (k, s) [Pa] of successive blocks.
+
+        Before the first block the channels have the values `first` (c,)."""
         still = first[:2] * [self._a0 - self._b0, 1.0]
         relaxed = np.full(len(HEAVE_RELAXATION_WEIGHTS), first[0])
         radiate_face = self._face.make_block_radiator(still)
@@ -323,8 +324,9 @@ class NearDiskOverFilm(RigidDiskOverFilm):
         )
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems of the blocks after channels
-        `first`."""
+        """Return a function that computes the stems (k, s) [Pa] of successive blocks.
+
+        Before the first block the channels have the values `first` (c,)."""
         relaxed = np.full(len(HEAVE_RELAXATION_WEIGHTS), first[0])
         radiate_face = self._face.make_block_radiator(first[:2])
         rim = NearRim(self._disk, self._listener, self._h)
@@ -395,8 +397,10 @@ class ElasticDiskOverFilm(ElasticDisk):
         )
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems after `first` (3 + m,) and reports
-        the modal energy."""
+        """Return a function that computes the stems (k, s) [Pa] of successive blocks.
+
+        Before the first block the channels have the values `first` (3 + m,). The
+        function reports the modal energy."""
         rate = self._scene.audio.sample_rate
         radiate = self._face.make_block_radiator(first[:2], self._second_ear)
         solved = (

@@ -20,7 +20,7 @@ from sonify.sound.radiators import ElasticFace, RigidFace
 from sonify.sound.response import DrivenModes, SolvedModes, VibrationPart
 
 FADE_IN = 0.02  # s
-"""Length of the raised-cosine fade at the start of a sound, needed because the support
+"""Length of the raised-cosine fade at the start of a sound; the support of the disk
 before the release is not modelled."""
 FADE_OUT = 0.05  # s
 """Length of the raised-cosine fade at the end of a sound, and of the fade of the rigid
@@ -118,8 +118,9 @@ class RigidDisk(Source):
         return heave_and_tilt_accelerations(force, state, self._disk, *ears)
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems of the blocks after accelerations
-        `first`."""
+        """Return a function that computes the stems (k, s) [Pa] of successive blocks.
+
+        Before the first block the accelerations have the values `first` (c,)."""
         radiate = self._face.make_block_radiator(first)
 
         def advance(force):
@@ -205,8 +206,10 @@ class ElasticDisk(Source):
         )
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems after `first` (2 + m,) and reports
-        the modal energy."""
+        """Return a function that computes the stems (k, s) [Pa] of successive blocks.
+
+        Before the first block the channels have the values `first` (2 + m,). The
+        function reports the modal energy."""
         radiate = self._face.make_block_radiator(first[:2], self._second_ear)
         response = self._response(first[2:])
 
@@ -248,7 +251,10 @@ class SourcePair(Source):
         return np.hstack([source.input_channels(force, state) for source in self._pair])
 
     def make_block_renderer(self, first, note):
-        """Return a function that computes the stems after `first`; only the first
+        """Return a function that computes the stems (k, s + 1) [Pa] of successive
+        blocks.
+
+        Before the first block the channels have the values `first` (c,). Only the first
         source reports its energy."""
         notes = (note, lambda t, energy: None)
         own, other = (
@@ -264,8 +270,8 @@ class SourcePair(Source):
 
 
 def delay_output(advance: Advance, samples: int) -> Advance:
-    """Return `advance` with its output delayed by a number of samples of initial
-    silence."""
+    """Return `advance` with its output delayed by `samples` samples, initially
+    silent."""
     held = None
 
     def delayed(force):
@@ -281,8 +287,8 @@ def delay_output(advance: Advance, samples: int) -> Advance:
 
 
 def windowed_energy_peaks(t, acceleration, modes, sample_rate, window=0.002):
-    """Return the times (e,) [s] of windows and the greatest modal energy (e,) [J] in
-    each of them.
+    """Return the times (e,) [s] of windows and the maximum modal energy (e,) [J] in
+    each window.
 
     The energy of an oscillator of unit modal mass at a turning point is q''^2/(2 w^2).
     The `window` [s] is one period of the lowest modes."""

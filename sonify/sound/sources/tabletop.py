@@ -54,9 +54,9 @@ class ElasticTable(Source):
     """Elastic table driven at the moving contact, with a top face that radiates
     upwards.
 
-    The disk does not shade the table below it. The friction force is neglected, because
-    it bends a plate less than the normal force by the ratio of thickness to
-    wavelength."""
+    Shading of the table by the disk is neglected. So is the friction force, because its
+    bending of a plate is smaller than that of the normal force by the ratio of
+    thickness to wavelength."""
 
     names = ("table",)
 
@@ -113,7 +113,10 @@ class ElasticTable(Source):
 
 
 def table_latency(modes: SurfaceModes, listener: Listener, sample_rate: float) -> int:
-    """Return the lead [samples] of the table's first sound over that of the disk, plus
+    """Return the latency [samples], which depends on how early sound from the table can
+    arrive.
+
+    It is the greatest lead of sound from the table over sound from the disk, plus
     ARRIVAL_MARGIN."""
     path = np.linalg.norm(listener.position - _face_points(modes, listener), axis=1)
     return (
@@ -189,8 +192,8 @@ def table_radiation(
 
 
 def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
-    """Return the pressure (k,), summed over modes, of accelerations (j - 1 + k, m) and
-    kernels (j, m).
+    """Return the convolutions of accelerations (j - 1 + k, m) with kernels (j, m),
+    summed over modes (k,).
 
     The first j - 1 accelerations precede the first pressure. Blocks of `block` samples
     fit into the processor cache."""
