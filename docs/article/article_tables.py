@@ -226,6 +226,14 @@ def shares(numbers: Numbers) -> str:
     )
 
 
+def short_number(value: float) -> str:
+    """Return a number with at most four digits, with an exponent below 0.001."""
+    if value == 0 or abs(value) >= 1e-3:
+        return f"{value:.4g}"
+    mantissa, exponent = f"{value:.3e}".split("e")
+    return f"{float(mantissa):g}e{exponent}"
+
+
 def range_in_words(given: Any) -> str:
     """Return the range of an axis of a sweep file."""
     if isinstance(given, list):
@@ -237,9 +245,10 @@ def range_in_words(given: Any) -> str:
     first, last = given["from"], given["to"]
     if isinstance(first, list):
         return "; ".join(
-            f"{low:.4g} to {high:.4g}" for low, high in zip(first, last, strict=True)
+            f"{short_number(low)} to {short_number(high)}"
+            for low, high in zip(first, last, strict=True)
         )
-    return f"{first:.4g} to {last:.4g}" + (
+    return f"{short_number(first)} to {short_number(last)}" + (
         ", log" if given.get("scale") == "log" else ""
     )
 
@@ -263,7 +272,7 @@ def ranges(numbers: Numbers) -> str:
         for (key, words, basis), names in sorted(merged.items())
     ]
     return rows_as_markdown(
-        ["quantity", "range", "basis", "sweeps"], rows, [30, 22, 26, 26]
+        ["quantity", "range", "basis", "sweeps"], rows, [23, 22, 36, 23]
     )
 
 
