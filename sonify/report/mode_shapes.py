@@ -147,7 +147,7 @@ def draw_modes(
 def picture_explanation(slanted: bool, support: Support | None) -> str:
     """Return the two-line explanation of the picture."""
     oblique = (
-        "Oblique view: the body, exaggerated, bright where it moves most. "
+        "Oblique view: the deformed body, exaggerated; bright parts move most. "
         if slanted
         else ""
     )

@@ -120,14 +120,14 @@ def test_points_for_total_indices_are_refused_where_nothing_reads_them():
         load_sweep(with_total(100))
 
 
-@pytest.mark.parametrize(("later", "fits"), [(0.1, "fit"), (20.0, "do not fit")])
+@pytest.mark.parametrize(("later", "fits"), [(0.1, "is within"), (20.0, "exceeds")])
 def test_a_plan_tells_whether_total_indices_fit(later, fits):
     points = load_sweep("verdict-paper").points
     line = total_indices_line(
         points.samples, len(points.axes), RunTime(10.0, later, 2), 2
     )
     assert f"need {256 * (len(points.axes) + 2)} further runs" in line
-    assert f"they {fits} 2 h" in line
+    assert f"which {fits} 2 h" in line
 
 
 @pytest.mark.parametrize("name", VERDICTS)

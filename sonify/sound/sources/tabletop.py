@@ -113,10 +113,9 @@ class ElasticTable(Source):
 
 
 def table_latency(modes: SurfaceModes, listener: Listener, sample_rate: float) -> int:
-    """Return the latency [samples], which depends on how early sound from the table can
-    arrive.
+    """Return the latency [samples] of the sound of the table.
 
-    It is the greatest lead of sound from the table over sound from the disk, plus
+    It is the maximum lead of sound from the table over sound from the disk, plus
     ARRIVAL_MARGIN."""
     path = np.linalg.norm(listener.position - _face_points(modes, listener), axis=1)
     return (
