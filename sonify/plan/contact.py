@@ -120,7 +120,7 @@ def rough_sound_prediction(predicted: Prediction, kind: str, film: bool) -> Pred
             source="the noise of a rough contact depends on the time step",
         )
     # Relative amplitudes of the modes in the scene toy, from tests/plan/test_plan.py; the sound of
-    # a disk vibrating on its contact is louder over a film.
+    # a disk vibrating on its contact is louder above a film.
     modes = 0.05 if film else 0.25
     return replace(
         predicted,

@@ -82,7 +82,7 @@ def solve_motion(
 ) -> Motion:
     """Return the motion of a scene on a table with the given modes.
 
-    The motion ends no later than the contact leaves the table.
+    The motion ends at the latest when the contact leaves the table.
 
     Raises SceneError if no contact force satisfies the balance laws.
     """

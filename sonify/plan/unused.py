@@ -18,7 +18,8 @@ class Rule(NamedTuple):
 
 
 def has_elastic_contact(scene: Scene) -> bool:
-    """Return True if the contact is elastic from the release on or may become so."""
+    """Return True if the contact is elastic from the release onwards or may become
+    so."""
     return scene.contact.law == "elastic" or may_be_two_way(scene)
 
 

@@ -228,7 +228,7 @@ def total_indices_line(
     fits = "is within" if seconds <= time_limit else "exceeds"
     state = "included" if samples.total else f"not included; samples.total = {base}"
     return (
-        f"total    indices with interactions require {more} more runs, a total of "
+        f"total    indices with interactions require {more} more runs; all runs take "
         f"{duration_in_words(seconds)}, which {fits} 2 h ({state})"
     )
 

@@ -73,8 +73,8 @@ def _row(scene, stages, keep, folder, watch):
 
 
 def solve_motion_only(scene, folder):
-    """Return the scalars, findings and checks of the motion; write it to `folder`
-    unless None."""
+    """Return the scalars, findings and checks of the motion; write it to `folder` if
+    given."""
     table = (
         with_table(plan_of(scene), scene)[1]
         if must_compute_table_modes(scene)
@@ -93,8 +93,7 @@ def solve_motion_only(scene, folder):
 
 
 def solve_modes_only(scene, folder):
-    """Return the findings and checks of the modes; write them to `folder` unless
-    None."""
+    """Return the findings and checks of the modes; write them to `folder` if given."""
     _, modes = plan_with_modes(scene, cached_modes)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
@@ -102,8 +101,8 @@ def solve_modes_only(scene, folder):
 
 
 def solve_verdict(scene, folder):
-    """Return the verdicts on the motion of the simplest model; write it to `folder`
-    unless None."""
+    """Return the verdicts on the motion of the simplest model; write it to `folder` if
+    given."""
     simple = simplest_scene(scene)
     motion = solve_motion(simple, table=modes_of_table(simple, plan_of(simple)))
     if folder:

@@ -223,7 +223,7 @@ def _as_table(rows, known, axes):
 
 
 def column_array(name, values, known, axis):
-    """Return a column, in which nonfinite numbers are null unless it is an axis."""
+    """Return a column, in which non-finite numbers are null unless it is an axis."""
     given = {type(value) for value in values if value is not None}
     if name == "run":
         return pa.array(values, pa.int64())

@@ -126,7 +126,7 @@ def test_a_plan_tells_whether_total_indices_fit(later, fits):
     line = total_indices_line(
         points.samples, len(points.axes), RunTime(10.0, later, 2), 2
     )
-    assert f"need {256 * (len(points.axes) + 2)} further runs" in line
+    assert f"require {256 * (len(points.axes) + 2)} more runs" in line
     assert f"which {fits} 2 h" in line
 
 
