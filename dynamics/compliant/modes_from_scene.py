@@ -9,7 +9,6 @@ from scipy.interpolate import NdBSpline, make_interp_spline
 from dynamics.surface import ModesSurface
 
 MAX_TABLE_FREQUENCY = 24e3  # Hz; `modal.surface_modes` has the same limit
-SPLINE_DEGREE = 3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -53,7 +52,7 @@ class TableModes:
                 strict=True,
             )
         ]
-        return NdBSpline(self.knots, self.coefficients, SPLINE_DEGREE)(
+        return NdBSpline(self.knots, self.coefficients, 3)(  # cubic
             np.column_stack(inside)
         )
 
@@ -88,8 +87,8 @@ def modes_from_numbers(surface: ModesSurface, radius: float) -> TableModes:
     around = np.multiply.outer(order, np.arctan2(y, x)) - quarter_turn[:, None]
     shapes = amplitude[:, None] * (distance / radius) ** order[:, None] * np.cos(around)
     values = np.moveaxis(shapes.reshape(len(members), len(side), len(side)), 0, 2)
-    along_x = make_interp_spline(side, values, SPLINE_DEGREE, axis=0)
-    along_y = make_interp_spline(side, along_x.c, SPLINE_DEGREE, axis=1)
+    along_x = make_interp_spline(side, values, axis=0)
+    along_y = make_interp_spline(side, along_x.c, axis=1)
     return TableModes(
         frequency=np.array([mode.frequency for mode, _ in members]),
         decay_rate=np.array(

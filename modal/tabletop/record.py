@@ -10,9 +10,6 @@ from scipy.interpolate import NdBSpline, make_interp_spline
 
 from modal.modes import ModeList
 
-SPLINE_DEGREE = 3
-"""Degree of the splines of the mode shapes."""
-
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class SurfaceModes(ModeList):
@@ -159,8 +156,8 @@ def fit_splines(
     )
     values = shape(*(grid.ravel() for grid in np.meshgrid(x, y, indexing="ij")))
     grid_values = np.moveaxis(values.reshape(len(values), len(x), len(y)), 0, 2)
-    along_x = make_interp_spline(x, grid_values, SPLINE_DEGREE, axis=0)
-    along_y = make_interp_spline(y, along_x.c, SPLINE_DEGREE, axis=1)
+    along_x = make_interp_spline(x, grid_values, axis=0)
+    along_y = make_interp_spline(y, along_x.c, axis=1)
     return (along_x.t, along_y.t), np.ascontiguousarray(np.moveaxis(along_y.c, 0, 1))
 
 
@@ -174,6 +171,6 @@ def spline_values(
     """Return the values (k, m) of the splines, or of their derivatives of orders
     `slope`, at x, y (k,) [m]."""
     inside = [np.clip(u, t[0], t[-1]) for u, t in zip((x, y), knots, strict=True)]
-    return NdBSpline(knots, coefficients, SPLINE_DEGREE)(
+    return NdBSpline(knots, coefficients, 3)(  # cubic
         np.column_stack(inside), nu=slope
     )

@@ -3,18 +3,11 @@
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields, is_dataclass
 from math import inf
-from typing import Any, NamedTuple
+from typing import Any
 
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.two_way_onset import may_be_two_way
 from sonify.scene import Scene
-
-
-class Rule(NamedTuple):
-    """Keys that no stage reads if `is_unread(scene)` is True."""
-
-    keys: tuple[str, ...]
-    is_unread: Callable[[Scene], bool]
 
 
 def has_elastic_contact(scene: Scene) -> bool:
@@ -60,91 +53,87 @@ def has_all_material_values(scene: Scene) -> bool:
     return bool(mass) and {"young", "poisson", "loss_factor"} <= set(material)
 
 
-PATCH_KEYS = ("half_angle_deg", "height", "position", "held")
-SPECTRUM_KEYS = ("shortest", "longest", "exponent", "seed")
-ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile_edge")
+PATCH_KEYS = "support.half_angle_deg support.height support.position support.held"
+SPECTRUM_KEYS = "roughness.shortest roughness.longest roughness.exponent roughness.seed"
+ROUGHNESS_KEYS = (
+    f"roughness.rms roughness.rms_edge {SPECTRUM_KEYS} roughness.loss "
+    "roughness.profile roughness.profile_edge"
+)
 
 
-def section_keys(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the full names of the given keys of a section."""
-    return tuple(f"{section}.{key}" for key in keys)
-
-
-RULES = (
-    Rule(
-        ("friction.mu_dynamic",),
+RULES: tuple[tuple[str, Callable[[Scene], bool]], ...] = (
+    (
+        "friction.mu_dynamic",
         lambda scene: scene.friction.mu_static == inf and not is_rattling(scene),
     ),
-    Rule(
-        ("friction.mu_static", "roughness.loss"),
+    (
+        "friction.mu_static roughness.loss",
         is_rattling,
     ),
-    Rule(("material.name",), has_all_material_values),
-    Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
-    Rule(
-        section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"
-    ),
-    Rule(
-        ("support.position",),
+    ("material.name", has_all_material_values),
+    ("support.inclination_deg", lambda scene: scene.support.kind != "contact"),
+    (PATCH_KEYS, lambda scene: scene.support.kind != "patch"),
+    (
+        "support.position",
         lambda scene: scene.support.height in (None, scene.disk.thickness),
     ),
-    Rule(("surface.action",), lambda scene: scene.surface.kind == "infinite"),
-    Rule(
-        ("dissipation.power_exponent",),
+    ("surface.action", lambda scene: scene.surface.kind == "infinite"),
+    (
+        "dissipation.power_exponent",
         lambda scene: scene.dissipation.power_coefficient == 0.0,
     ),
-    Rule(
-        ("dissipation.air_density",),
+    (
+        "dissipation.air_density",
         lambda scene: scene.dissipation.boundary_layer_viscosity == 0.0,
     ),
-    Rule(
-        ("contact.loss_factor",),
+    (
+        "contact.loss_factor",
         lambda scene: (
             not has_elastic_contact(scene) and scene.support.kind != "contact"
         ),
     ),
-    Rule(
-        ("contact.young", "contact.poisson"),
+    (
+        "contact.young contact.poisson",
         lambda scene: (
             not has_elastic_contact(scene)
             and scene.support.kind != "contact"
             and scene.friction.arm_pivoting != "contact"
         ),
     ),
-    Rule(("surface.diameter",), lambda scene: not scene.surface.sag),
-    Rule(
-        ("surface.place",),
+    ("surface.diameter", lambda scene: not scene.surface.sag),
+    (
+        "surface.place",
         lambda scene: scene.surface.kind == "rigid" and not scene.surface.sag,
     ),
-    Rule(
-        ("contact.body",),
+    (
+        "contact.body",
         lambda scene: not has_elastic_contact(scene) or scene.disk.shape != "solid",
     ),
-    Rule(
-        section_keys("roughness", ROUGHNESS_KEYS),
+    (
+        ROUGHNESS_KEYS,
         lambda scene: scene.contact.law == "rigid",
     ),
-    Rule(section_keys("roughness", SPECTRUM_KEYS), has_no_spectrum),
-    Rule(("roughness.loss",), lambda scene: scene.numerics.contact == "filter"),
-    Rule(("air.film", "air.viscosity"), has_no_film),
-    Rule(
-        ("audio.distance", "audio.elevation_deg"),
+    (SPECTRUM_KEYS, has_no_spectrum),
+    ("roughness.loss", lambda scene: scene.numerics.contact == "filter"),
+    ("air.film air.viscosity", has_no_film),
+    (
+        "audio.distance audio.elevation_deg",
         lambda scene: bool(scene.audio.listeners),
     ),
-    Rule(("numerics.integrator", "numerics.tolerance"), is_solved_in_full),
-    Rule(
-        ("numerics.final_inclination",),
+    ("numerics.integrator numerics.tolerance", is_solved_in_full),
+    (
+        "numerics.final_inclination",
         lambda scene: (
             scene.surface.action == "motion" or scene.imperfection is not None
         ),
     ),
-    Rule(("numerics.contact",), lambda scene: scene.contact.law == "rigid"),
-    Rule(
-        ("numerics.contact_rate",),
+    ("numerics.contact", lambda scene: scene.contact.law == "rigid"),
+    (
+        "numerics.contact_rate",
         lambda scene: not may_be_two_way(scene) and not is_solved_in_full(scene),
     ),
 )
-"""Conditions under which no stage reads a key; tests/plan/test_unused_keys.py checks
+"""Keys, and the condition under which no stage reads them; tests/plan/test_unused_keys.py checks
 them."""
 
 
@@ -165,7 +154,7 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
     return tuple(
         key
         for key in set_keys(scene)
-        if any(key in rule.keys and rule.is_unread(scene) for rule in RULES)
+        if any(key in keys.split() and is_unread(scene) for keys, is_unread in RULES)
     )
 
 

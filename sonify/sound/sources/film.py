@@ -7,6 +7,7 @@ rim, and a and b account for the height of the disk. All coefficients are those 
 wedge (dynamics/film/reynolds.py) at the instantaneous inclination."""
 
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 from numba import njit
@@ -41,30 +42,11 @@ from sonify.sound.sources.protocol import (
 )
 from sonify.sound.sources.rattling import RattlingModes
 
-_RIM_FLOW = np.array(
-    [
-        (0.01, 1.0, 0.2890),
-        (0.1, 0.9996 + 0.0011j, 0.2894 + 0.0008j),
-        (0.2, 0.9986 + 0.0018j, 0.2898 + 0.0018j),
-        (0.3, 0.9971 + 0.0019j, 0.2904 + 0.0028j),
-        (0.5, 0.9931 + 0.0013j, 0.2921 + 0.0047j),
-        (1, 0.9796 - 0.0040j, 0.2979 + 0.0081j),
-        (2, 0.9469 - 0.0193j, 0.3102 + 0.0079j),
-        (3, 0.9135 - 0.0350j, 0.3197 + 0.0020j),
-        (5, 0.8507 - 0.0612j, 0.3292 - 0.0161j),
-        (10, 0.7242 - 0.1021j, 0.3213 - 0.0607j),
-        (20, 0.5604 - 0.1305j, 0.2713 - 0.1047j),
-        (30, 0.4634 - 0.1336j, 0.2301 - 0.1168j),
-        (50, 0.3573 - 0.1257j, 0.1808 - 0.1157j),
-        (100, 0.2490 - 0.1059j, 0.1286 - 0.1007j),
-        (200, 0.1730 - 0.0841j, 0.0908 - 0.0812j),
-        (300, 0.1400 - 0.0721j, 0.0742 - 0.0698j),
-    ]
-).T
-RIM_FLOW_COMPRESSIBILITY = _RIM_FLOW[0].real
+_RIM_FLOW = np.loadtxt(Path(__file__).with_name("rim_flow.csv"), delimiter=",")
+RIM_FLOW_COMPRESSIBILITY = _RIM_FLOW[:, 0]
 """Compressibility numbers Lam at which the rim flow of the rotating wedge is
 tabulated."""
-RIM_FLOW_SHARES = _RIM_FLOW[1:]
+RIM_FLOW_SHARES = (_RIM_FLOW[:, 1::2] + 1j * _RIM_FLOW[:, 2::2]).T
 """First and second harmonics g1, g2 of the rim flow, divided by the dipole of the face.
 
 They were computed by `reynolds.compressible_wedge_response`; above the last Lam both
