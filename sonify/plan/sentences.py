@@ -285,8 +285,7 @@ RAREFACTION_LIMITS = (
     ),
     (
         10,
-        "by kinetic theory (Fukui & Kaneko 1990), the flow is 9 % greater than with slip alone, "
-        "later more",
+        "by kinetic theory (Fukui & Kaneko 1990), the flow is 9 % greater than with slip alone, " "and even more at smaller gaps",
     ),
     (
         1,

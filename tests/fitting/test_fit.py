@@ -422,7 +422,7 @@ def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_o
 
 
 @pytest.mark.parametrize(
-    ("name", "what"), [("light-plate", "may react"), ("wavy", "wavy"), ("thorne", "")]
+    ("name", "what"), [("light-plate", "may affect"), ("wavy", "wavy"), ("thorne", "")]
 )
 def test_what_no_decline_has_is_told(name, what):
     found = neglected_parts(load_scene(name))
