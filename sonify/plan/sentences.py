@@ -111,8 +111,8 @@ BENDING_SENTENCE = (
 HEIGHT_SOUND_MODELLED = (
     "The disk vibrating on its contact radiates at its actual height above the film, including the "
     "flow out of the film. The error, relative to a coupled solution of film and outer air, is "
-    "0.5 dB for a uniform gap. For an inclined disk of 0.1 to 0.8 radii in thickness it is 2 dB up "
-    "to 0.35 rad and k R = 4 (5.8 kHz for a disk of 75 mm). At 0.6 rad it is -4 to +6 dB, and "
+    "0.5 dB for a uniform gap. For an inclined disk with a thickness of 0.1 to 0.8 radii it is 2 dB "
+    "up to 0.35 rad and k R = 4 (5.8 kHz for a disk of 75 mm). At 0.6 rad it is -4 to +6 dB, and "
     "positive above k R = 2; from k R = 4 to 5 a thick disk is up to 5 dB too quiet. Above k R = 6 "
     "the value at 6 is used."
 )
@@ -285,7 +285,8 @@ RAREFACTION_LIMITS = (
     ),
     (
         10,
-        "by kinetic theory (Fukui & Kaneko 1990), the flow is 9 % greater than with slip alone, " "and even more at smaller gaps",
+        "by kinetic theory (Fukui & Kaneko 1990), the flow is 9 % greater than with slip alone, "
+        "and even more at smaller gaps",
     ),
     (
         1,

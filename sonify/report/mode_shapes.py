@@ -34,7 +34,7 @@ def draw_modes(
 
     In the oblique view, colour shows the displacement. In the view from above, colour
     shows axial motion, solid black lines are its nodal lines, and the dashed line is
-    the rim displaced in its plane. Displacements within a mode are to scale. If the
+    the rim displaced in its plane. Displacements are to scale within each mode. If the
     disk has no modes, the picture contains a sentence to that effect.
 
     Parameters

@@ -119,7 +119,7 @@ def test_a_disk_without_modes_says_so(tmp_path):
     )
     assert len(none) == 0
     draw_modes(none, tmp_path / "none.svg")
-    assert "no mode below" in (tmp_path / "none.svg").read_text()
+    assert "no modes below" in (tmp_path / "none.svg").read_text()
 
 
 def test_the_modes_of_a_table_are_below_those_of_the_disk(tmp_path):
