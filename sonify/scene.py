@@ -262,14 +262,7 @@ class Scene(MotionScene):
         >>> scene.diff(scene.replace("disk.radius=0.04"))
         {'disk.radius': (0.03755, 0.04)}
         """
-        here = _flat_keys(asdict(self))
-        there = _flat_keys(asdict(other))
-        keys = dict.fromkeys([*here, *there])
-        return {
-            key: (here.get(key), there.get(key))
-            for key in keys
-            if here.get(key) != there.get(key)
-        }
+        return differing_values(asdict(self), asdict(other))
 
 
 @cache
@@ -436,6 +429,17 @@ def _set_values(section):
     """Return a section without None values and with tuples converted to lists."""
     return {
         key: _plain_value(value) for key, value in section.items() if value is not None
+    }
+
+
+def differing_values(one: dict, other: dict) -> dict[str, tuple[Any, Any]]:
+    """Return the values that differ between two nested documents, by key path."""
+    here = _flat_keys(one)
+    there = _flat_keys(other)
+    return {
+        key: (here.get(key), there.get(key))
+        for key in here | there
+        if here.get(key) != there.get(key)
     }
 
 

@@ -45,16 +45,10 @@ class ModelChoice(NamedTuple):
         'rigid', 'filter', 'full' or 'many'.
     reason : str
         Reason for the choice.
-    max_predicted_rms : float
-        Largest predicted rms of N'/weight.
-    contact_loss_inclination : float
-        Inclination [rad] below which contact is lost; 0 if it never is.
     """
 
     kind: str
     reason: str
-    max_predicted_rms: float = 0.0
-    contact_loss_inclination: float = 0.0
 
 
 def choose_contact_model(scene: "MotionScene") -> ModelChoice:
@@ -121,7 +115,7 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         reason += f"; WARNING: {bumpy}" + f" (contact anywhere: {obstacle})" * bool(
             obstacle
         )
-    return ModelChoice(kind, reason, predicted, below)
+    return ModelChoice(kind, reason)
 
 
 def greatest_curvature_number(scene: "MotionScene") -> tuple[float, float]:

@@ -501,30 +501,19 @@ def _refit(track, decline, length):
     If this fit fails, the motion is solved with shares fitted to the measured rates.
     """
     one = track.fit
-    lines = decline.solved(track.fit.shares)
+
+    def fitted(lines, ends, shares):
+        line = lines[track.line]
+        least = FIT.min_initial_share
+        return lines, fit(line, track.streams, ends, shares, one.free, (length,), least)
+
+    lines = decline.solved(one.shares)
     try:
-        return lines, fit(
-            lines[track.line],
-            track.streams,
-            one.ends,
-            one.shares,
-            one.free,
-            (length,),
-            FIT.min_initial_share,
-        )
+        return fitted(lines, one.ends, one.shares)
     except ValueError:
         heard = tuple(h._replace(line=lines[track.line]) for h in one.heard)
         ends, shares, _ = fit_to_rates(heard, one.ends, one.shares, one.free)
-        lines = decline.solved(shares)
-        return lines, fit(
-            lines[track.line],
-            track.streams,
-            ends,
-            shares,
-            one.free,
-            (length,),
-            FIT.min_initial_share,
-        )
+        return fitted(decline.solved(shares), ends, shares)
 
 
 def _mean_of_equivalent(fits, decline):

@@ -157,7 +157,8 @@ def is_radius_determined(judged: Judged) -> bool:
     found = [_spread_with_radius(judged, factor) for factor in FIT.wrong_radius_factors]
     return bool(judged.streams) and all(
         spread is None
-        or spread > FIT.far_better_ratio * max(judged.fit.spread, FIT.min_rate_error)
+        or spread
+        > FIT.equivalent_fit_ratio * max(judged.fit.spread, FIT.min_rate_error)
         for spread in found
     )
 

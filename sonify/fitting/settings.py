@@ -50,8 +50,8 @@ class FitSettings:
     converged_change: float = 0.25
     """Largest change of converged shares, in standard deviations."""
     equivalent_fit_ratio: float = 2.0
-    """Largest ratio of spreads, and of numbers of blocks, of two equivalent
-    motions."""
+    """Largest ratio of spreads, and of numbers of blocks, of two equivalent fits; a
+    fit with a larger spread is much worse."""
     slip_spread: float = 2.5e-3
     """Spread of the rates due to slips; a steady motion with a smaller spread may
     be kept."""
@@ -188,9 +188,6 @@ class FitSettings:
 
     wrong_radius_factors: tuple[float, float] = (0.9, 1.1)
     """Factors on the radius for which every fit is repeated."""
-    far_better_ratio: float = 2.0
-    """Ratio of the spreads of two fits from which one is much better than the
-    other."""
     min_parallel_recordings: int = 3
     """Least number of recordings that are distributed to worker processes."""
 

@@ -1,6 +1,7 @@
 """Plan of the contact: its model with reasons and omissions, and the predicted error of
 the sound."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from math import radians
 
@@ -53,18 +54,20 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         else:
             neglected.append(sentences.HEIGHT_SOUND_NEGLECTED)
     if chosen.kind == "many":
-        chaotic = (
-            rattling_end_prediction(p, scene) if p.key == "end" else p
-            for p in plan.predictions
-        )
-        plan = replace(plan, predictions=tuple(chaotic))
+        plan = with_prediction(plan, "end", lambda p: rattling_end_prediction(p, scene))
     if scene.roughness:
-        rough = (
-            rough_sound_prediction(p, chosen.kind, film) if p.key == "sound" else p
-            for p in plan.predictions
+        plan = with_prediction(
+            plan, "sound", lambda p: rough_sound_prediction(p, chosen.kind, film)
         )
-        plan = replace(plan, predictions=tuple(rough))
     return plan.with_additions(contact, modelled=modelled, left_out=neglected)
+
+
+def with_prediction(
+    plan: Plan, key: str, changed: Callable[[Prediction], Prediction]
+) -> Plan:
+    """Return the plan with `changed` applied to its prediction of a quantity."""
+    predictions = (changed(p) if p.key == key else p for p in plan.predictions)
+    return replace(plan, predictions=tuple(predictions))
 
 
 def unevenness_clause(scene: Scene) -> str:
