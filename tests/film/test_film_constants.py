@@ -11,6 +11,10 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import jv, k0, k1
 
+from benchmarks.methods.rotating_film import (
+    RotatingFilmMesh,
+    compressible_wedge_response,
+)
 from dynamics import Air, Disk, Surface
 from dynamics.air import PRANDTL_NUMBER, STANDARD_AIR
 from dynamics.film.forces import (
@@ -20,7 +24,7 @@ from dynamics.film.forces import (
     film_moment_parts,
     squeezed_air_energy,
 )
-from dynamics.film.reynolds import FilmMesh, compressible_wedge_response, film_mobility
+from dynamics.film.reynolds import FilmMesh, film_mobility
 from dynamics.film.wedge import (
     FALL_POWER_COEFFICIENT,
     ROTATION_POWER_COEFFICIENT,
@@ -209,7 +213,7 @@ def test_the_compressible_wedge_is_that_of_other_programs():
     The last power differs by 20 %; it is only 1/70 of the power of an incompressible film.
     """
     lift, power, flow = compressible_wedge_response(
-        [0.3, 1, 10, 100], FilmMesh(14, nearest=5.0)
+        [0.3, 1, 10, 100], RotatingFilmMesh(14, nearest=5.0)
     )
     assert lift == pytest.approx([6.6e-3, 0.040, 0.42, 1.19], rel=0.08)
     assert power[:3] == pytest.approx([0.924, 0.745, 0.220], rel=0.01)
@@ -287,12 +291,12 @@ def compare(mesh, numbers):
 
 def test_the_closed_form_is_that_of_the_squeezed_film():
     """Drag agrees within 3 %, lift 5 %, moment 8 %, and the effect of a fall within 6 %."""
-    compare(FilmMesh(10, nearest=5.0), [1.0, 5.0])
+    compare(RotatingFilmMesh(10, nearest=5.0), [1.0, 5.0])
 
 
 @pytest.mark.slow
 def test_the_closed_form_is_that_of_the_squeezed_film_at_low_pressure():
-    compare(FilmMesh(20, nearest=6.0), [0.2, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0])
+    compare(RotatingFilmMesh(20, nearest=6.0), [0.2, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0])
 
 
 @pytest.mark.parametrize("slip", [1e-3, 0.01, 0.1, 1.0, 10.0])
@@ -318,7 +322,7 @@ def test_how_fast_a_fall_the_film_is_right_for():
 
     It is 4 % too low at 12 mu omega_1/(p beta^3) = 0.3, and 27 % at 3.
     """
-    mesh = FilmMesh(12, nearest=5.0)
+    mesh = RotatingFilmMesh(12, nearest=5.0)
     P = None
     for falling, low in ((0.3, 0.04), (1.0, 0.12), (3.0, 0.27)):
         P = mesh.steady_rotating_pressure(1e-3, P, falling)
@@ -380,7 +384,7 @@ def test_a_concave_table_opens_the_film(inclination, sag, drag, fall):
 @pytest.mark.parametrize("bowl", [0.05, 0.2, 0.6])
 def test_the_film_over_a_bowl_is_compressed_less(bowl):
     """The drag agrees within 6 % up to Lam = 1, 15 % at 10; the lift at 1 within 25 %."""
-    mesh = FilmMesh(
+    mesh = RotatingFilmMesh(
         12, height=lambda x, y: 1 + x + bowl * (1 - x * x - y * y), nearest=5.0
     )
     P = None

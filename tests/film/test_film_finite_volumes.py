@@ -12,7 +12,10 @@ import pytest
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import spsolve
 
-from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
+from benchmarks.methods.rotating_film import (
+    RotatingFilmMesh,
+    compressible_wedge_response,
+)
 from dynamics.film.wedge import ROTATION_POWER_COEFFICIENT
 
 
@@ -100,7 +103,9 @@ def test_two_methods_have_one_compressible_film(Lam, power, lift):
     coarse, fine = (np.array(volumes(Lam, n)) for n in (30, 60))
     assert fine[2] > 0.5
     assert (4 * fine - coarse)[:2] / 3 == pytest.approx([power, lift], rel=5e-3)
-    lifts, powers, _ = compressible_wedge_response([Lam], FilmMesh(12, nearest=7.0))
+    lifts, powers, _ = compressible_wedge_response(
+        [Lam], RotatingFilmMesh(12, nearest=7.0)
+    )
     assert [powers[0], lifts[0]] == pytest.approx([power, lift], rel=0.01)
 
 
@@ -112,7 +117,7 @@ def test_the_compressible_film_is_solved_on_every_mesh(nearest):
     """
     for cells in (6, 11):
         lift, power, flow = compressible_wedge_response(
-            [100.0], FilmMesh(cells, nearest=nearest)
+            [100.0], RotatingFilmMesh(cells, nearest=nearest)
         )
         assert power[0] == pytest.approx(0.01346, rel=0.1)
         assert lift[0] == pytest.approx(1.204, rel=0.05 if nearest < 5 else 0.03)
@@ -125,7 +130,7 @@ def test_what_leaves_at_the_rim_is_told_by_the_rim_alone(nearest, falling):
 
     This also holds on a mesh with stronger numerical diffusion (nearest 5) and for a closing gap.
     """
-    mesh = FilmMesh(6, nearest=nearest)
+    mesh = RotatingFilmMesh(6, nearest=nearest)
     P = mesh.steady_rotating_pressure(100.0, falling=falling)
     out = mesh.rim_mass_flow(P, 100.0, falling=falling)
     mesh._waves(3)[mesh._inner] = 0
@@ -139,7 +144,7 @@ def test_so_is_one_that_falls_as_it_turns(falling):
     """A fall increases the lift on every mesh, without an initial guess."""
     lifts = []
     for cells in (8, 12):
-        mesh = FilmMesh(cells, nearest=6.0)
+        mesh = RotatingFilmMesh(cells, nearest=6.0)
         lifts.append(
             [
                 mesh.integral(mesh.steady_rotating_pressure(10.0, falling=f) - 1)

@@ -13,9 +13,13 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import solve_banded
 
+from benchmarks.methods.rotating_film import (
+    RotatingFilmMesh,
+    compressible_wedge_response,
+)
 from dynamics import Outcome
 from dynamics.air import HEAT_CAPACITY_RATIO, PRANDTL_NUMBER
-from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
+from dynamics.film.reynolds import FilmMesh
 from dynamics.film.wedge import compressibility_number
 from dynamics.observables import precession_rate
 from modal import eigenmodes
@@ -77,7 +81,7 @@ def test_the_share_of_the_tilt_is_tabled_and_goes_on():
 @pytest.mark.slow
 def test_the_table_is_that_of_the_solver():
     numbers = [0.3, 3, 30]
-    flow = compressible_wedge_response(numbers, FilmMesh(14, nearest=5.0))[2]
+    flow = compressible_wedge_response(numbers, RotatingFilmMesh(14, nearest=5.0))[2]
     assert rim_flow_shares(np.array(numbers)) == pytest.approx(
         flow[:, [-1, -2]].T, abs=0.003
     )
@@ -176,7 +180,7 @@ def test_the_second_harmonic_of_the_rim_is_heard_as_its_ring_radiates(scene, sen
         (stems_of(disk, state)[:, 1] * np.exp(-2j * rate * t))[count // 2 :]
     )
     Lam = float(compressibility_number(inclination, rate, scene.air))
-    mesh = FilmMesh(10, nearest=5.0)
+    mesh = RotatingFilmMesh(10, nearest=5.0)
     flow = mesh.rim_mass_flow(mesh.steady_rotating_pressure(Lam), Lam)[-2] / Lam
     angle = 2 * np.pi * np.arange(64) / 64
     wave = np.exp(-2j * sense * (angle - state[0, 0] - np.pi / 2))
@@ -471,7 +475,9 @@ def test_heave_and_tilt_of_the_published_motion(scene):
     )
     assert below("heave", 2) == pytest.approx(-25, abs=1.5)
     numbers = np.array([0.1, 0.3, 1, 3, 10, 30, 100])
-    share = compressible_wedge_response(numbers, FilmMesh(14, nearest=5.0))[2][:, -1]
+    share = compressible_wedge_response(numbers, RotatingFilmMesh(14, nearest=5.0))[2][
+        :, -1
+    ]
     _, _, a1, b1 = raised_disk_pressure_ratios(scene.disk.thickness, scene.disk.radius)
     for left in (4, 3, 2, 1.6, 1.4, 1.2, 1.0, 0.8):
         rate = np.abs(precession_rate(state(left)))

@@ -49,7 +49,7 @@ tabulated."""
 RIM_FLOW_SHARES = (_RIM_FLOW[:, 1::2] + 1j * _RIM_FLOW[:, 2::2]).T
 """First and second harmonics g1, g2 of the rim flow, divided by the dipole of the face.
 
-They were computed by `reynolds.compressible_wedge_response`; above the last Lam both
+They were computed by benchmarks/methods/rotating_film.py; above the last Lam both
 decrease as 1/sqrt(Lam)."""
 HEAVE_RELAXATION_TIMES = 10.0 ** np.arange(-4, 0.1, 0.5)
 """Relaxation times of the heave in units of the film's time scale 12 mu R^2/(p g^2)."""
