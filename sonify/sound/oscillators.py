@@ -114,14 +114,17 @@ class OscillatorBank:
         self._compute_step()
         self.set_steady_state(0.0)
 
-    def set_steady_state(self, g, slope=0.0):
-        """Set the state to the steady response to a ramp with `slope` (m,) that reaches
-        g (m,).
+    def set_steady_state(self, g):
+        """Set the state to the static response to a constant force g (m,).
 
-        The first sample of the next block must be g."""
-        v = slope / self.omega**2 + 0 * self.omega
-        q = (g - 2 * self.decay * v) / self.omega**2
-        self.state = self._to_observable_coordinates(np.stack([q, v]) - self.late * g)
+        The samples of the next block must begin with g."""
+        q = g / self.omega**2
+        self.state = self.observable_state(np.stack([q, 0 * q]), g)
+
+    def observable_state(self, x, g) -> np.ndarray:
+        """Return the state (2, m) for displacement and velocity x (2, m) before a force
+        sample g (m,)."""
+        return self._to_observable_coordinates(x - self.late * g)
 
     def advance(
         self, g, knots: Knots | None = None, out: np.ndarray | None = None
@@ -188,16 +191,6 @@ class OscillatorBank:
         )
         through = 1 + np.einsum("i...,i...->...", C, self.late)
         self.step = np.ascontiguousarray([through, into[0], trace, into[1], -det])
-
-    def displacement_velocity(self, state, g) -> np.ndarray:
-        """Return displacement and velocity (2, m) for a state (2, m) before a force
-        sample g (m,)."""
-        return np.einsum("ij...,j...->i...", self.back, state) + self.late * g
-
-    def state_from_displacement_velocity(self, x, g) -> np.ndarray:
-        """Return the state (2, m) for displacement and velocity x (2, m) before a force
-        sample g (m,)."""
-        return self._to_observable_coordinates(x - self.late * g)
 
     def _to_observable_coordinates(self, x):
         """Return x (2, ...) in observable coordinates."""

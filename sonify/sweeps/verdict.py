@@ -3,16 +3,15 @@ axes."""
 
 from collections import Counter
 from importlib.util import find_spec
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pyarrow as pa
 
 from sonify.claims.shares import share_of
-from sonify.runtime.toml_files import read_toml
 from sonify.scene_errors import InputError
 from sonify.sweeps.axes import salib_problem
-from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, Sweep, shipped_sweeps
+from sonify.sweeps.sweep import Sweep
 
 CLAIM_TEXTS = {
     "contact_breaks_before_end": "Vibrations or waves break the contact before the end",
@@ -200,26 +199,3 @@ def outcomes_in_words(table: pa.Table, nominal: np.ndarray) -> str:
     )
     low, middle, high = np.percentile(ends, [0, 50, 100])
     return f"Outcomes: {counts}; the motion lasts {middle:.3g} s ({low:.3g} to {high:.3g} s)."
-
-
-def ranges_table() -> str:
-    """Return a Markdown table of all ranges in the shipped verdict sweeps with their
-    sources."""
-    lines = ["| sweep | quantity | range | scale | source |", "|---|---|---|---|---|"]
-    for name in shipped_sweeps():
-        document = read_toml(SHIPPED_SWEEPS_FOLDER / f"{name}.toml", InputError)
-        sources: dict[str, str] = document.get("sources", {})
-        lines += [
-            f"| `{name}` | `{key}` | {range_in_words(given)} | {sources[key]} |"
-            for key, given in document["axes"].items()
-            if key in sources
-        ]
-    return "\n".join(lines)
-
-
-def range_in_words(given: Any) -> str:
-    """Return the table cells for range and scale of an axis."""
-    if isinstance(given, list):
-        values = given if len(given) <= 6 else [*given[:2], "...", given[-1]]
-        return f"{', '.join(map(str, values))} | list"
-    return f"{given['from']} to {given['to']} | {given.get('scale', 'linear')}"

@@ -124,6 +124,6 @@ def test_each_release_has_at_most_twenty_lines_of_changes():
 
 
 def test_the_documentation_lists_the_ranges_of_the_verdicts():
-    from sonify.sweeps.verdict import ranges_table
+    from verdict_ranges import ranges_table
 
     assert ranges_table() in (ROOT / "docs" / "verdict.md").read_text("utf-8")

@@ -167,13 +167,6 @@ def test_rings_at_its_frequency_and_decays_at_its_rate():
     assert np.abs(found - expected)[1:].max() < 1e-9
 
 
-def test_settled_under_a_rising_force_there_is_no_ringing():
-    bank = OscillatorBank(FREQUENCY[1:4], DECAY[1:4], RATE)
-    bank.set_steady_state(np.full(3, 2.0), np.full(3, 100.0))
-    g = np.repeat(2.0 + 100.0 / RATE * np.arange(401)[:, None], 3, axis=1)
-    assert np.abs(bank.advance(g)).max() < 1e-8
-
-
 @pytest.mark.parametrize(("exactly", "order"), [(True, 2.0), (False, 1.0)])
 def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(
     exactly, order

@@ -8,6 +8,7 @@ import numpy as np
 import pyarrow as pa
 import pytest
 from scipy.stats import qmc
+from verdict_ranges import ranges_table
 
 from sonify import load_scene
 from sonify.claims.verdict import contact_breaks_before_end, simplest_scene
@@ -18,7 +19,7 @@ from sonify.sweeps.axes import Samples, points_of
 from sonify.sweeps.command import RunTime, total_indices_line
 from sonify.sweeps.run_row import row_of
 from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, load_sweep, shipped_sweeps
-from sonify.sweeps.verdict import first_order_indices, ranges_table, verdict_conclusion
+from sonify.sweeps.verdict import first_order_indices, verdict_conclusion
 
 VERDICTS = [name for name in shipped_sweeps() if name.startswith("verdict-")]
 KEY = "friction.arm_rolling"
