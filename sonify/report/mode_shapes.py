@@ -10,7 +10,7 @@ from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
 from sonify.report.lit_polygons import projected_polygons, surface_polygons
-from sonify.report.mode_names import mode_caption, rigid_motion_share  # noqa: F401, also imported from here
+from sonify.report.mode_names import mode_caption
 
 MODES_PER_ROW = 5
 MODE_WIDTH = 2.6  # this and the following lengths in disk radii

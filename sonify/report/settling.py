@@ -1,9 +1,10 @@
 """Convert settling runs to the text and the records of `sonify listen`."""
 
+from dataclasses import asdict
+
 import numpy as np
 
 from sonify.hearing.settling.detector import SettlingRun
-from sonify.hearing.settling.joint_region import Estimate
 from sonify.hearing.settling.settings import SettlingSettings
 
 
@@ -13,9 +14,9 @@ def settling_run_record(run: SettlingRun) -> dict:
     return {
         "kind": run.kind,
         "start": run.start,
-        "t_end": estimate_record(run.t_end),
-        "exponent": estimate_record(run.exponent),
-        "rate_at_1s": estimate_record(run.rate_at_1s),
+        "t_end": asdict(run.t_end),
+        "exponent": asdict(run.exponent),
+        "rate_at_1s": asdict(run.rate_at_1s),
         "events_per_turn": run.events_per_turn,
         "false_alarm": run.false_alarm,
         "bands": [list(band) for band in run.bands],
@@ -96,7 +97,3 @@ def false_alarm_sentence() -> str:
         f"false alarms: {settings.false_alarms_per_hour:g} per hour of eventful sound without a "
         f"disk ({low:g} to {high:g}, 95 %)"
     )
-
-
-def estimate_record(estimate: Estimate) -> dict:
-    return {"value": estimate.value, "low": estimate.low, "high": estimate.high}

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
-from typing import Protocol
 
 import numpy as np
 from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
@@ -125,15 +124,7 @@ def audible_copy(track) -> ScaledTrack:
     )
 
 
-class LoudTrack(Protocol):
-    """Track with a loudness."""
-
-    @property
-    def loudness(self) -> float:
-        """Loudness by BS.1770 [LUFS]."""
-
-
-def loudness(copy: LoudTrack) -> float | str:
+def loudness(copy) -> float | str:
     """Return the loudness of a copy [LUFS], or the reason why it is undefined."""
     try:
         return copy.loudness

@@ -264,13 +264,11 @@ def render_sound(
         renderer = Renderer(
             scene, motion, modes, wanted, calm, table, listener, turn, renderer
         )
-        share_done = partial(_report_listener_progress, watch, i, len(listeners))
+
+        def share_done(share, i=i):
+            watch((i + share) / len(listeners))
+
         sounds.append(
             renderer.sound(share_done, listen) if i == 0 else renderer.sound(share_done)
         )
     return replace(sounds[0], others=tuple(sounds[1:]))
-
-
-def _report_listener_progress(watch, listener, listeners, share):
-    """Report the completed fraction of one listener as a fraction of all listeners."""
-    watch((listener + share) / listeners)

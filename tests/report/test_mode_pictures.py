@@ -14,11 +14,11 @@ import skfem
 
 from modal import Body, Material, Plate, Support, plate_modes
 from sonify.report.lit_polygons import surface_polygons
+from sonify.report.mode_names import rigid_motion_share
 from sonify.report.mode_shapes import (
     draw_modes,
     face_radii,
     mode_caption,
-    rigid_motion_share,
     top_face,
 )
 
