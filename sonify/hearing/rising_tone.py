@@ -1,23 +1,31 @@
-"""Detection of a rising tone f(t) = a (t_end - t)^-p in a sound."""
+"""Detection of a rising tone f(t) = a (t_end - t)^-p in a sound.
+
+The tone is tracked as a ridge of the spectrogram that rises ever faster; the law is
+then fitted to the peaks near the ridge. Peaks (3, n) are ascending times [s], log2
+frequencies and levels [dB]. A curve is (end [s], exponent, log2 of a)."""
 
 from dataclasses import dataclass
+from operator import itemgetter
 
 import numpy as np
+from numba import njit
 
-from sonify.hearing.log_spectrogram import HOP, STEPS_PER_OCTAVE, log_map
+from sonify.hearing.log_spectrogram import HOP, STEPS_PER_OCTAVE, LogMap, log_map
 from sonify.hearing.mains_hum import vertex
-from sonify.hearing.power_law import TIME_LEFT, best_curve, octaves, ridge
 
-EXPONENTS = np.arange(0.15, 1.66, 0.05)
-EARLIEST, EVERY = 60, 6
-"""First tested end, and spacing of the tested ends [frames]."""
-LOWEST = 4
-"""Number of octaves below the lowest bin at which a tone may begin."""
-STAND_OUT_DB = 6.0
-"""Least level of a peak above the median level at its frequency [dB]."""
-FAINTEST_DB, LEAST_OCTAVES, LEAST_SPAN = 4.0, 3.0, 0.5
-"""Least mean level of a tone [dB] (noise has about 2.5 dB); least number of octaves of
-the remaining time with peaks (steady tones have up to 3); least rise [octaves]."""
+TIME_LEFT = (0.02, 8.0)
+"""Range of the remaining time in which the law is fitted [s]."""
+WIDTHS = (0.3, 0.2, 0.12, 0.08, 0.05, 0.04, 0.03, 0.03)
+"""Largest distance of a peak from the curve in successive steps of the fit [octaves]."""
+COLUMN = 2
+"""Number of bins of the spectrogram per bin of the ridge."""
+SLOPES = np.geomspace(0.015, 8.0, 18)
+"""Slopes of a ridge [bins per frame]."""
+BACKGROUND_DB = 6.0
+"""Weighted sum of the levels of three harmonics that a ridge in noise does not exceed
+on average [dB]."""
+BEND = 1.5
+"""Evidence that a change of the slope costs [dB octaves]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,18 +60,13 @@ class RisingTone:
     def stands_out(self, share: float = 1.0) -> bool:
         """Return True if the tone exceeds a share of the thresholds.
 
-        Noise and steady tones do not reach the thresholds.
+        Sounds without a disk reach 2 dB and 1.7 octaves of the remaining time.
         """
-        rise = (
-            self.exponent * np.ptp(np.log2(self.end - self.time))
-            if len(self.time)
-            else 0.0
+        left = self.end - self.time
+        rise = self.exponent * np.ptp(np.log2(left)) if len(left) else 0.0
+        return bool(
+            self.strength >= share * 4.0 and self.octaves >= share * 2.0 and rise >= 0.5
         )
-        clear = (
-            self.strength >= share * FAINTEST_DB
-            and self.octaves >= share * LEAST_OCTAVES
-        )
-        return bool(clear and rise >= LEAST_SPAN)
 
     @property
     def factor(self) -> float:
@@ -78,11 +81,9 @@ def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
     """Return the strongest rising tone in samples (n,) at `rate` [Hz]; None if none
     stands out.
 
-    The lowest octave that stands out is the fundamental. Ends, exponents and
-    frequencies are searched on a grid, with points evenly spaced in the log remaining
-    time; the best curve for each exponent is refined by a robust fit.
-    tests/hearing/test_listen.py measures the errors in noise, hum and a room, and for
-    sounds that change from one line to another."""
+    The lowest octave that stands out is the fundamental. tests/hearing/test_listen.py
+    measures the errors in noise, hum and a room, and for sounds that change from one
+    line to another."""
     tone = clearest_tone(samples, rate)
     return tone if tone is not None and tone.stands_out() else None
 
@@ -96,16 +97,21 @@ def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
     peaks = _peaks(seen)
     if seen.time[-1] < 4 * TIME_LEFT[0] or not peaks.size:
         return None
-    curve, errors = best_curve(peaks, _search(seen))
-    time, pitch, level = ridge(peaks, curve)
+    guesses = _guesses(_ridge(seen))
+    if not guesses:
+        return None
+    curve, errors = _best_curve(peaks, guesses)
+    time, pitch, level = _strongest_line(peaks, curve)
+    left = np.geomspace(*TIME_LEFT, 72)
+    along = 2 ** (curve[2] - curve[1] * np.log2(left))
     return RisingTone(
         end=float(curve[0]),
         end_error=float(errors[0]),
         exponent=float(curve[1]),
         exponent_error=float(errors[1]),
         scale=float(2 ** curve[2]),
-        strength=float(_strength(seen, curve)),
-        octaves=float(octaves(peaks, curve)),
+        strength=float(np.mean(seen.read(curve[0] - left, along))),
+        octaves=float(_normal_equations(peaks, curve, WIDTHS[-1])[2]),
         time=time,
         frequency=2**pitch,
         level=level,
@@ -114,14 +120,12 @@ def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
 
 def _peaks(seen):
     """Return times [s], log2 frequencies and levels [dB] (3, n) of the peaks of all
-    frames."""
+    frames that are 6 dB above the median level at their frequency."""
     below = seen.level[:, :-2]
     top = seen.level[:, 1:-1]
     above = seen.level[:, 2:]
     contrast = seen.contrast[:, 1:-1]
-    here = row, column = np.nonzero(
-        (contrast > STAND_OUT_DB) & (top >= below) & (top > above)
-    )
+    here = row, column = np.nonzero((contrast > 6.0) & (top >= below) & (top > above))
     column = column + 1 + vertex(below[here], top[here], above[here])
     return np.array(
         [
@@ -132,56 +136,211 @@ def _peaks(seen):
     )
 
 
-def _left():
-    return np.geomspace(*TIME_LEFT, 72)
+def _ridge(seen: LogMap):
+    """Return times [s] and log2 frequencies (2, r) of the ridge with the most evidence.
+
+    The evidence is the level of three harmonics above BACKGROUND_DB, summed over the
+    octaves that the tone rises."""
+    steps = STEPS_PER_OCTAVE // COLUMN
+    width = seen.contrast.shape[1] // COLUMN
+    level = seen.contrast[:, : width * COLUMN].reshape(-1, width, COLUMN).max(axis=2)
+    evidence = level - BACKGROUND_DB
+    for harmonic in (2, 3):
+        bins = round(steps * np.log2(harmonic))
+        evidence[:, :-bins] += np.maximum(level[:, bins:], 0) / 2
+    back, place = _best_paths((evidence / steps).astype(np.float32), SLOPES, BEND)
+    path = np.array(_followed(back, *place, SLOPES))[::-1]
+    middle = (path[:, 1] + 0.5) * COLUMN - 0.5
+    return np.array(
+        [
+            seen.time[path[:, 0]],
+            np.log2(seen.frequency[0]) + middle / STEPS_PER_OCTAVE,
+        ]
+    )
 
 
-def _search(seen):
-    """Return the curve (end, exponent, log2 scale) with the highest mean level for each
-    exponent.
+@njit(cache=True, nogil=True)
+def _shift(slope, frame):
+    """Return the number of bins from the previous frame to a frame."""
+    return int(slope * (frame + 1)) - int(slope * frame)
 
-    The initial frequencies are every second bin.
+
+@njit(cache=True, nogil=True)
+def _best_paths(evidence, slopes, bend):
+    """Return the previous slope (frames, slopes, bins) of the best path through each
+    bin, or -1 if it begins there, and frame, slope and bin of the end of the best path.
+
+    The slope of a path does not decrease, and increases by at most two steps per frame.
+    `evidence` (frames, bins) is per octave."""
+    frames, bins = evidence.shape
+    score = np.zeros((len(slopes), bins), np.float32)
+    updated = np.zeros_like(score)
+    back = np.full((frames, len(slopes), bins), -1, np.int8)
+    best = np.float32(0)
+    place = (0, 0, 0)
+    sums = np.zeros(bins + 1, np.float32)
+    for frame in range(frames):
+        for b in range(bins):
+            sums[b + 1] = sums[b] + evidence[frame, b]
+        for k in range(len(slopes)):
+            shift = _shift(slopes[k], frame)
+            for b in range(bins):
+                first = max(b - max(shift, 1) + 1, 0)
+                gained = slopes[k] * (sums[b + 1] - sums[first]) / max(shift, 1)
+                value = np.float32(0)
+                if b >= shift:
+                    for previous in range(max(k - 2, 0), k + 1):
+                        before = score[previous, b - shift]
+                        if previous < k:
+                            before -= bend
+                        if before > value:
+                            value = before
+                            back[frame, k, b] = previous
+                updated[k, b] = value + gained
+                if updated[k, b] > best:
+                    best = updated[k, b]
+                    place = (frame, k, b)
+        score, updated = updated, score
+    return back, place
+
+
+@njit(cache=True, nogil=True)
+def _followed(back, frame, slope, place, slopes):
+    """Return pairs of frame and bin of a path, from its end to its beginning."""
+    path = [(frame, place)]
+    while back[frame, slope, place] >= 0:
+        previous = back[frame, slope, place]
+        place -= _shift(slopes[slope], frame)
+        frame -= 1
+        slope = previous
+        path.append((frame, place))
+    return path
+
+
+def _guesses(ridge):
+    """Return curves near the last part of a ridge (2, r), the nearest ones for each length
+    of the part."""
+    time, pitch = ridge
+    found = []
+    for length in (0.5, 1.0, 2.0, 4.0, 8.0):
+        part = time > time[-1] - length
+        curves = [
+            _through(time[part], pitch[part], time[-1] - 0.1 + left)
+            for left in np.geomspace(0.01, 3.0, 60)
+        ]
+        found += sorted((one for one in curves if one), key=itemgetter(0))[:8]
+    return [np.array(curve) for _, *curve in found]
+
+
+def _through(time, pitch, end):
+    """Return the mean distance of a ridge from the nearest curve with a given end, and the
+    curve; None for a ridge of few frames.
+
+    Each octave of the remaining time has the same weight."""
+    left = end - time[time < end - 0.01]
+    pitch = pitch[: len(left)]
+    if len(left) < 10:
+        return None
+    slope, height = np.polyfit(np.log2(left), pitch, 1, w=left**-0.5)
+    apart = np.average(np.abs(pitch - height - slope * np.log2(left)), weights=1 / left)
+    return apart, end, -slope, height
+
+
+def _best_curve(peaks, guesses):
+    """Return the curve (3,) that explains most octaves of the frequency of those fitted to
+    peaks (3, n), and its standard errors (3,).
+
+    The tone may have harmonics one and two octaves above. The errors include the
+    distance to other curves that explain nearly as many."""
+    curves = np.array([_fit(peaks, guess, WIDTHS) for guess in guesses])
+    explained = np.array(
+        [curve[1] * _normal_equations(peaks, curve, WIDTHS[-1])[2] for curve in curves]
+    )
+    best = curves[np.argmax(explained)]
+    apart = curves[explained >= 0.85 * explained.max()] - best
+    resolution = (0.0005, 0.001, 0.0)  # hop, and curvature of the tone within a window
+    square = (
+        _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(resolution)
+    )
+    return _lowest(peaks, best), np.sqrt(square)
+
+
+def _strongest_line(peaks, curve, reach=0.4):
+    """Return the strongest peak (3, r) within `reach` [octaves] of the curve in each
+    frame; the nutation is 0.3 octaves below the precession."""
+    inside = peaks[:, _inside(peaks, curve[0])]
+    near = inside[:, np.abs(_residual(inside, curve)) < reach]
+    near = near[:, np.lexsort((-near[2], near[0]))]
+    return near[:, np.unique(near[0], return_index=True)[1]]
+
+
+def _inside(peaks, end):
+    """Return the slice of the peaks within TIME_LEFT before an end [s]."""
+    since = peaks[0] - end
+    return slice(
+        np.searchsorted(since, -TIME_LEFT[1], "right"),
+        np.searchsorted(since, -TIME_LEFT[0]),
+    )
+
+
+def _residual(peaks, curve):
+    """Return the signed distances (n,) of peaks above a curve [octaves]."""
+    return peaks[1] - curve[2] + curve[1] * np.log2(curve[0] - peaks[0])
+
+
+def _fit(peaks, curve, widths):
+    """Return the curve after Gauss-Newton steps, one for each of `widths` [octaves].
+
+    Each step changes the end by at most 0.1 s and the exponent by at most 0.2.
     """
-    left = _left()
-    last = len(seen.time)
-    back = np.round(left / HOP).astype(int)
-    below = LOWEST * STEPS_PER_OCTAVE
-    shape = np.round(
-        np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE
-    ).astype(int)
-    ends = np.arange(EARLIEST, last + int(0.2 / HOP), EVERY)
-    before = -(-back.max() // EVERY) * EVERY
-    level = np.round(8 * seen.contrast[:, : len(seen.frequency) // 2 * 2]).astype(
-        np.int16
+    for width in widths:
+        matrix, right, _ = _normal_equations(peaks, curve, width)
+        step = np.linalg.lstsq(matrix, right)[0]
+        curve = curve + step * min(
+            1, 0.1 / max(abs(step[0]), 1e-9), 0.2 / max(abs(step[1]), 1e-9)
+        )
+    return curve
+
+
+def _normal_equations(peaks, curve, width):
+    """Return the normal equations (3, 3), (3,) of a robust linear fit around a curve,
+    and the number of octaves of the remaining time with peaks.
+
+    The residual log2 f - log2 a + p log2(t_end - t) is relative to the nearest of three
+    octaves. The weights are Tukey's biweight with the half-width `width` [octaves].
+    Each octave of the remaining time has the same total weight."""
+    peaks = peaks[:, _inside(peaks, curve[0])]
+    residual = _residual(peaks, curve)
+    residual -= np.clip(np.round(residual), -1, 1)
+    near = np.abs(residual) < width
+    residual = residual[near]
+    left = curve[0] - peaks[0, near]
+    slope = np.array([-curve[1] / left / np.log(2), -np.log2(left), np.ones_like(left)])
+    weight = (1 - (residual / width) ** 2) ** 2 * HOP / left / np.log(2)
+    return (slope * weight) @ slope.T, (slope * weight) @ residual, weight.sum()
+
+
+def _jackknife(peaks, curve, parts=12):
+    """Return the jackknife variances (3,) for parts of equal log remaining time."""
+    left = np.clip(curve[0] - peaks[0], *TIME_LEFT)
+    part = np.floor(
+        parts * np.log(left / TIME_LEFT[0]) / np.log(TIME_LEFT[1] / TIME_LEFT[0])
     )
-    level = np.pad(level, ((before, ends[-1] + EVERY - last), (below, 0)))
-    grid = level.reshape(-1, EVERY, level.shape[1] // 2, 2).transpose(3, 1, 2, 0).copy()
-    i, k = np.transpose(
-        [_best(grid, before + EARLIEST - back, curve, len(ends)) for curve in shape]
+    moved = np.array(
+        [_fit(peaks[:, part != one], curve, WIDTHS[-1:]) for one in np.unique(part)]
     )
-    beginning = np.log2(seen.frequency[0]) + (2 * k - below) / STEPS_PER_OCTAVE
-    return np.column_stack(
-        [ends[i] * HOP, EXPONENTS, beginning + EXPONENTS * np.log2(TIME_LEFT[1])]
+    return (len(moved) - 1) * moved.var(axis=0)
+
+
+def _lowest(peaks, curve):
+    """Return the curve of the fundamental, the lowest octave with at least half of the
+    largest number of peaks."""
+    moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
+    peaks = peaks[:, _inside(peaks, curve[0])]
+    count = np.array(
+        [
+            np.sum((np.abs(_residual(peaks, x)) < WIDTHS[-1]) / np.abs(x[0] - peaks[0]))
+            for x in moved
+        ]
     )
-
-
-def _best(grid, frames, curve, ends):
-    """Return the indices of end and initial frequency with the highest mean level along
-    a curve (l,).
-
-    The points of the curve are at `frames` (l,) for the first of the `ends`. The array
-    `grid` (2, EVERY, bins / 2, frames / EVERY) is ordered for contiguous sums."""
-    score = np.zeros((grid.shape[2], ends), np.int16)
-    for frame, down in zip(frames.tolist(), curve.tolist(), strict=True):
-        row = frame % EVERY
-        first = frame // EVERY
-        found = grid[down % 2, row, down // 2 :, first : first + ends]
-        score[: len(found)] += found
-    return np.unravel_index(np.argmax(score.T), score.T.shape)
-
-
-def _strength(seen, guess):
-    end, exponent, log_scale = guess
-    left = _left()
-    pitch = 2 ** (log_scale - exponent * np.log2(left))
-    return np.mean(seen.read(end - left, pitch))
+    return moved[np.argmax(count > 0.5 * count.max())]

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import settling_sounds
 import soundfile
 from click.testing import CliRunner
 from scipy.signal import fftconvolve
@@ -210,6 +211,13 @@ def test_the_repetition_of_the_envelope_is_found(tmp_path):
 @pytest.mark.parametrize("seed", range(4))
 def test_noise_alone_has_no_rising_tone(seed):
     assert rising_tone(np.random.default_rng(seed).normal(size=8 * RATE), RATE) is None
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_glissando_has_no_end(seed):
+    """Its logarithmic frequency rises linearly, and no law (t_end - t)^-n fits its ridge."""
+    sound = settling_sounds.IMITATIONS["glissando"](seed)
+    assert rising_tone(sound, settling_sounds.RATE) is None
 
 
 def test_a_steady_tone_does_not_rise():
