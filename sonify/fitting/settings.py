@@ -18,7 +18,7 @@ class FitSettings:
     evidence of a disk."""
     faint_run_score: float = 12.0
     """Score above which a run, together with a faint tone, is evidence of a disk."""
-    strong_tone_factor: float = 2.0
+    strong_tone_factor: float = 1.8
     """Multiple of its thresholds above which a tone alone is evidence of a disk."""
     max_end_difference: float = 0.5
     """Largest difference [s] between the ends of a tone and of a run of the same
