@@ -30,11 +30,18 @@ class ExteriorField:
         Load vectors of heave, tilt, and a unit volume flow per length of the rim.
     """
 
-    def __init__(self, thickness: float, gap: float, far: float):
+    def __init__(
+        self,
+        thickness: float,
+        gap: float,
+        far: float,
+        face_cells: int = FACE_CELLS,
+        radial_cells: int = RADIAL_CELLS,
+    ):
         self.gap = gap
         self.far = far
         height = thickness + gap
-        mesh = exterior_mesh(height, gap, far)
+        mesh = exterior_mesh(height, gap, far, face_cells, radial_cells)
         self._basis = Basis(mesh, ElementQuad2())
         facets = mesh.boundary_facets()
         ends = mesh.p[:, mesh.facets[:, facets]]
@@ -132,25 +139,25 @@ def listener_pressure(
     return wave * np.exp(1j * k * distance) * associated_legendre(n, np.sin(elevation))
 
 
-def exterior_mesh(height, gap, far):
+def exterior_mesh(height, gap, far, face_cells, radial_cells):
     """Return a quadrilateral mesh of the air, refined at the edges of the disk."""
     half = height - (height - gap) / 2
-    inwards = np.linspace(0, 1, FACE_CELLS + 1) ** 2
+    inwards = np.linspace(0, 1, face_cells + 1) ** 2
     low = int(np.ceil(np.log2(max((half - gap) / gap, 4.0)))) + 1
     sides = [
-        height - (height - half) * np.linspace(0, 1, FACE_CELLS // 2 + 1)[1:] ** 2,
+        height - (height - half) * np.linspace(0, 1, face_cells // 2 + 1)[1:] ** 2,
         gap + (half - gap) * (2.0 ** np.arange(low, -1, -1) - 1)[1:] / (2.0**low - 1),
         [gap / 2, 0.0],
     ]
-    z = np.concatenate([np.full(FACE_CELLS + 1, height), *sides])
-    r = np.minimum(np.append(1 - inwards[::-1], np.ones(len(z) - FACE_CELLS - 1)), 1.0)
+    z = np.concatenate([np.full(face_cells + 1, height), *sides])
+    r = np.minimum(np.append(1 - inwards[::-1], np.ones(len(z) - face_cells - 1)), 1.0)
     length = np.append(0.0, np.cumsum(np.hypot(np.diff(r), np.diff(z))))
     angle = np.pi / 4 * (2 - length / length[-1] - np.linspace(0, 1, len(z)))
     disk = np.array([r, z])[..., None]
     arc = far * np.array([np.cos(angle), np.sin(angle)])[..., None]
-    part = np.linspace(0, 1, RADIAL_CELLS + 1) ** 2.0
+    part = np.linspace(0, 1, radial_cells + 1) ** 2.0
     grid = MeshQuad.init_tensor(
-        np.arange(len(z), dtype=float), np.arange(RADIAL_CELLS + 1, dtype=float)
+        np.arange(len(z), dtype=float), np.arange(radial_cells + 1, dtype=float)
     )
     along, across = np.rint(grid.p).astype(int)
     return MeshQuad(
