@@ -276,12 +276,13 @@ class RigidDiskOverFilm(RigidDisk):
             12 * air.viscosity / mean_gap**2 + impedance * HEAVE_RELAXATION_RADIATION
         )
         b = time * air.density / self._h * HEAVE_RELAXATION_INERTIAS * outside
-        heavy = HEAVE_RELAXATION_INERTIAS > 0
+        a = np.maximum(a, 1e-3)  # a lag of a thousandth of a sample is none
+        heavy = b > 1e-4 * np.maximum(a, 1) ** 2  # otherwise the inertia has no effect
         matrices = np.zeros((*a.shape, 2, 2))
-        matrices[:, ~heavy, 0, 0] = -1 / a[:, ~heavy]
-        matrices[:, heavy, 0, 1] = 1.0
-        matrices[:, heavy, 1, 0] = -1 / b[:, heavy]
-        matrices[:, heavy, 1, 1] = -a[:, heavy] / b[:, heavy]
+        matrices[..., 0, 0] = np.where(heavy, 0.0, -1 / a)
+        matrices[..., 0, 1] = heavy
+        matrices[heavy, 1, 0] = -1 / b[heavy]
+        matrices[heavy, 1, 1] = -a[heavy] / b[heavy]
         return expm(matrices)
 
     def _film_load(self, state):
