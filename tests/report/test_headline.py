@@ -4,23 +4,10 @@ Source: the findings of a run. Oracle: findings made by hand, for each verdict.
 """
 
 import pytest
+from made_findings import found
 
-from sonify.claims.finding import Finding
 from sonify.claims.provenance import registered_judges
 from sonify.report.headline import CLAUSES, headline
-
-
-def found(key, value, margin=0.0, cause=""):
-    return Finding(
-        key=key,
-        claim=key,
-        value=value,
-        unit="",
-        at_least=0.0,
-        margin=margin,
-        cause=cause,
-        source="a test",
-    )
 
 
 def test_every_key_is_a_finding():

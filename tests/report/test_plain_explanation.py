@@ -8,10 +8,10 @@ import re
 
 import numpy as np
 import pytest
+from made_findings import found
 
 from dynamics import Outcome, simulate
 from sonify import load_scene
-from sonify.claims.finding import Finding
 from sonify.claims.provenance import registered_judges
 from sonify.report.plain_explanation import (
     END_CLAUSES,
@@ -19,20 +19,6 @@ from sonify.report.plain_explanation import (
     PITCH_KEYS,
     plain_explanation,
 )
-
-
-def found(key, value, margin=0.0, cause=""):
-    """Return a finding that holds for a positive value."""
-    return Finding(
-        key=key,
-        claim=key,
-        value=value,
-        unit="",
-        at_least=0.0,
-        margin=margin,
-        cause=cause,
-        source="a test",
-    )
 
 
 @pytest.fixture(scope="module")
