@@ -12,6 +12,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 from arithmetic import gamma
+from contact_elements import elliptical_elements
 from contact_scenes import GRANITE, REFERENCE, STEEL, granite, on_springs, prototype
 from scipy.integrate import quad
 
@@ -320,31 +321,7 @@ def test_creep_of_a_steadily_rolling_ellipse(ratio):
     U = (1/pi G) times the integral of q/r over the ellipse, for both bodies together. With 32
     elements per side the sum has an error of about 1 %.
     """
-    rows = 32 if ratio == 1 else 20
-    dx = 2 / 32
-    dy = 2 * ratio / rows
-    x, y = np.meshgrid(
-        dx * (np.arange(32) + 0.5) - 1,
-        dy * (np.arange(rows) + 0.5) - ratio,
-        indexing="ij",
-    )
-    inside = np.hypot(x, y / ratio) < 1
-    x = x[inside]
-    y = y[inside]
-
-    def displaced(x, y):
-        """Return the integral of 1/r over an element."""
-        corners = [
-            (x + i * dx / 2, y + j * dy / 2, i * j) for i in (1, -1) for j in (1, -1)
-        ]
-        return sum(
-            s * (u * np.arcsinh(v / abs(u)) + v * np.arcsinh(u / abs(v)))
-            for u, v, s in corners
-        )
-
-    along = x[:, None] - x
-    across = y[:, None] - y
-    grown = (displaced(along, across) - displaced(along + dx, across)) / np.pi
+    x, _, dx, dy, grown = elliptical_elements(ratio, 32 if ratio == 1 else 20)
     found = np.linalg.solve(grown, np.full(len(x), dx)).sum() * dx * dy / ratio
     assert found == pytest.approx(
         creep_coefficients(ratio, 0.0)[0], rel=ASYMPTOTE_ERROR

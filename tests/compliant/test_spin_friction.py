@@ -6,6 +6,7 @@ Oracle: integrals over the ellipse; boundary elements; closed forms; the limits 
 
 import numpy as np
 import pytest
+from contact_elements import elliptical_elements
 from contact_scenes import granite
 from scipy.integrate import dblquad
 
@@ -78,30 +79,7 @@ def test_spin_creep_of_a_steadily_rolling_ellipse(ratio):
 
     The tractions across it have no moment, since each row is symmetric about its middle.
     """
-    rows = 20
-    dx = 2 / 32
-    dy = 2 * ratio / rows
-    x, y = np.meshgrid(
-        dx * (np.arange(32) + 0.5) - 1,
-        dy * (np.arange(rows) + 0.5) - ratio,
-        indexing="ij",
-    )
-    inside = np.hypot(x, y / ratio) < 1
-    x = x[inside]
-    y = y[inside]
-
-    def displaced(x, y):
-        corners = [
-            (x + i * dx / 2, y + j * dy / 2, i * j) for i in (1, -1) for j in (1, -1)
-        ]
-        return sum(
-            s * (u * np.arcsinh(v / abs(u)) + v * np.arcsinh(u / abs(v)))
-            for u, v, s in corners
-        )
-
-    along = x[:, None] - x
-    across = y[:, None] - y
-    grown = (displaced(along, across) - displaced(along + dx, across)) / np.pi
+    _, y, dx, dy, grown = elliptical_elements(ratio, 20)
     traction = np.linalg.solve(grown, -y * dx)
     found = -(y * traction).sum() * dx * dy / ratio**2
     assert found == pytest.approx(spin_coefficient(ratio, 0.0), rel=ASYMPTOTE_ERROR)
