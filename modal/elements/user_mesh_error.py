@@ -105,7 +105,7 @@ def prolongation(fine_solid, coarse, part_nodes):
     row = np.broadcast_to(cells[..., None], shape)
     column = np.broadcast_to(nodes[:, None], shape)
     cells_at_node = np.bincount(fine_solid.cells.ravel())[row]
-    # mean over the cells at a node, all of which agree
+    # the values of all cells at a node agree, so their mean is the value
     value = np.broadcast_to(weights[:, None], shape) / cells_at_node
     size = len(fine_solid.points), len(coarse.solid.points)
     scalar = sp.csr_matrix((value.ravel(), (row.ravel(), column.ravel())), shape=size)
