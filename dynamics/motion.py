@@ -447,9 +447,14 @@ class Motion(Protocol):
         """
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of the dissipated energy between two times.
+        """Return the largest decrease of the dissipated energy between two times.
 
         It is a measure of the numerical error: the exact value is zero.
+
+        Returns
+        -------
+        float
+            Energy [J].
         """
 
     def friction_excess(self) -> float:
@@ -457,6 +462,11 @@ class Motion(Protocol):
 
         It is the excess over mu_static during rolling, and the difference from
         mu_dynamic during sliding.
+
+        Returns
+        -------
+        float
+            Ratio of friction to normal force, dimensionless.
         """
 
     def regime(self, t: ArrayLike) -> np.ndarray:

@@ -228,7 +228,7 @@ class RigidMotion(MotionBase):
         )
 
     def friction_excess(self) -> float:
-        """Return the `Motion.friction_excess` at the midpoints of the pieces."""
+        """Return `Motion.friction_excess`, evaluated at the midpoints of the pieces."""
         t = piece_ends_and_middles(self)
         force = self.force(t)[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]

@@ -41,7 +41,19 @@ class Tabletop:
         return 8 * self.sag / self.diameter**2
 
     def check_disk_fits_bowl(self, radius: float) -> None:
-        """Raise ValueError if a disk of this radius [m] does not fit into the bowl."""
+        """Check that a disk fits into the bowl of a concave table.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the disk [m].
+
+        Raises
+        ------
+        ValueError
+            If the diameter of the bowl is missing, if the disk is wider than the bowl,
+            or if the bowl is too deep for its rim.
+        """
         if not self.sag:
             return
         if self.diameter is None:

@@ -235,8 +235,18 @@ class ModeList:
         return f"{type(self).__name__}({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
 
     def as_indices(self, selection: Sequence[int] | np.ndarray) -> np.ndarray:
-        """Convert a selection of modes, indices (k,) or a mask (m,), to indices
-        (k,)."""
+        """Convert a selection of modes to indices.
+
+        Parameters
+        ----------
+        selection : sequence of int, shape (k,), or ndarray of bool, shape (m,)
+            Indices in the desired order, or a mask.
+
+        Returns
+        -------
+        ndarray of int, shape (k,)
+            Indices of the selected modes.
+        """
         return np.arange(len(self))[
             np.asarray(selection, dtype=None if len(selection) else int)
         ]

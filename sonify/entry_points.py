@@ -46,6 +46,13 @@ def run(
         If the scene is invalid or cannot be solved.
     OutputError
         If `out` cannot be written.
+
+    Examples
+    --------
+    >>> from sonify import run
+    >>> result = run("published", out="outputs/x")  # doctest: +SKIP
+    >>> result.out / "sound.wav"  # doctest: +SKIP
+    PosixPath('outputs/x/sound.wav')
     """
     scene = begin_run(scene, accuracy)
     painter()

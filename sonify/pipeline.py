@@ -85,6 +85,11 @@ def solve(
         If the scene is invalid or cannot be solved.
     InputError
         If `dynamics` is neither "compressed" nor "natural".
+
+    Examples
+    --------
+    >>> from sonify import solve
+    >>> solve("published", accuracy="draft").sound.peak  # Pa  # doctest: +SKIP
     """
     if dynamics not in get_args(Dynamics):
         raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
@@ -215,6 +220,11 @@ def write(
         If `out` cannot be written.
     OSError
         If the disk is full.
+
+    Examples
+    --------
+    >>> from sonify import solve, write
+    >>> write(solve("published"), "outputs/x")  # doctest: +SKIP
     """
     stages = stages or Stages(dict(result.seconds))
     with claimed_folder(out or Path("outputs") / result.scene.name) as folder:

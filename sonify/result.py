@@ -75,6 +75,13 @@ class Result:
         Folder of the files; None before they are written.
     table : SurfaceModes or None
         Modes of the table that radiate sound; None for a rigid or infinite table.
+
+    Examples
+    --------
+    >>> from sonify import run
+    >>> result = run("published", accuracy="draft")  # doctest: +SKIP
+    >>> result.motion.outcome.name, result.passed  # doctest: +SKIP
+    ('SETTLED', True)
     """
 
     scene: Scene
@@ -96,10 +103,23 @@ class Result:
         return all(check.passed for check in self.checks)
 
     def plot(self, name: str = "spectrogram") -> "Image":
-        """Return a picture of the result as a PIL image, which notebooks display.
+        """Draw a picture of the result.
 
-        `name` is spectrogram, stems, motion or modes. Raises ValueError for any other
-        name."""
+        Parameters
+        ----------
+        name : str
+            "spectrogram", "stems", "motion" or "modes".
+
+        Returns
+        -------
+        PIL.Image.Image
+            The picture, which notebooks display.
+
+        Raises
+        ------
+        ValueError
+            If there is no picture of this name.
+        """
         return self.display.picture(self, name)
 
     def __repr__(self):

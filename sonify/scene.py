@@ -114,7 +114,14 @@ class ListenerPosition:
 
 @dataclass(frozen=True, kw_only=True)
 class Audio:
-    """The sound file and the listener."""
+    """The sound file and the listener: the section `audio` of a scene.
+
+    Examples
+    --------
+    >>> from sonify import Audio
+    >>> Audio(distance=1.0).single_listener.elevation_deg
+    45.0
+    """
 
     sample_rate: Annotated[int, Ge(8000), Le(768000)] = 48000
     """Samples per second [Hz]."""
@@ -138,8 +145,22 @@ class Audio:
 
 @dataclass(frozen=True, kw_only=True)
 class Scene(MotionScene):
-    """All inputs of a run. Missing sections have default values; units are SI unless a
-    key ends in `_deg`."""
+    """All inputs of a run, one section of the TOML file per field.
+
+    Missing sections have default values. Units are SI unless a key ends in `_deg` or
+    `_db`. A scene is created by `load_scene` and changed by `replace`.
+
+    See Also
+    --------
+    load_scene : Load a shipped scene or a TOML file.
+
+    Examples
+    --------
+    >>> from sonify import load_scene
+    >>> scene = load_scene("published")
+    >>> scene.name, scene.disk.radius, scene.audio.sample_rate
+    ('published', 0.03755, 48000)
+    """
 
     __pydantic_config__ = ConfigDict(
         extra="forbid", strict=True, use_attribute_docstrings=True
@@ -148,12 +169,17 @@ class Scene(MotionScene):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")] = "scene"
     """Name of the scene and of its default output folder."""
     material: Material = field()
+    """Elastic material of the disk."""
     support: Support = field(default_factory=Support)
+    """Support of the disk in the computation of its modes."""
     surface: Annotated[AnySurface, Field(discriminator="kind")] = field(
         default_factory=Surface
     )
+    """The table: rigid, a plate, an infinite plate, given modes or a mesh."""
     air: Air = field(default_factory=Air)
+    """The air around the disk, and the treatment of the film below it."""
     audio: Audio = field(default_factory=Audio)
+    """The sound file and the listener."""
     _document: ClassVar[dict | None] = None
 
     def __post_init__(self):
@@ -205,12 +231,12 @@ class Scene(MotionScene):
 
     @property
     def document(self) -> dict:
-        """Copy of the TOML document of this scene, as nested plain values."""
+        """Copy of the TOML document of this scene, a dict of nested plain values."""
         return deepcopy(self._document) if self._document else _document(asdict(self))
 
     @cached_property
     def elastic_edge(self) -> Any:
-        """Elastic compliance of the disk at its edge (`modal.Edge`); None for a
+        """Elastic compliance [m/N] of the disk at its edge (`modal.Edge`); None for a
         shell."""
         if self.disk.shape != "solid":
             return None
@@ -250,10 +276,18 @@ class Scene(MotionScene):
         return from_document(document)
 
     def diff(self, other: "Scene") -> dict[str, tuple[Any, Any]]:
-        """Return the keys that differ between two scenes, with their values here and in
-        `other`.
+        """Compare two scenes.
 
-        Keys are paths as in `replace`. The value of a missing key is None.
+        Parameters
+        ----------
+        other : Scene
+            The other scene.
+
+        Returns
+        -------
+        dict of str to pair
+            Path of each key that differs, as in `replace`, with its values in this
+            scene and in `other`. The value of a missing key is None.
 
         Examples
         --------
@@ -338,6 +372,12 @@ def load_scene(source: str | Path = "published") -> Scene:
     SceneError
         If there is no such scene, if the file cannot be read or parsed, or if a key is
         unknown or missing, or its value is invalid.
+
+    Examples
+    --------
+    >>> from sonify import load_scene
+    >>> load_scene("published").disk.mass  # kg
+    0.4387
     """
     if str(source) in FORMER_SCENES and not Path(source).is_file():
         changes = FORMER_SCENES[str(source)]
@@ -373,7 +413,19 @@ def scene_with_accuracy(
 
 
 def shipped_scenes() -> dict[str, str]:
-    """Return the first comment line of every shipped scene, by name."""
+    """List the shipped scenes.
+
+    Returns
+    -------
+    dict of str to str
+        Name of each scene, and the first comment line of its file.
+
+    Examples
+    --------
+    >>> from sonify import shipped_scenes
+    >>> "published" in shipped_scenes()
+    True
+    """
     texts = {
         name: (SHIPPED_SCENES_FOLDER / f"{name}.toml").read_text("utf-8")
         for name in shipped_names(SHIPPED_SCENES_FOLDER)

@@ -37,12 +37,28 @@ tests/plan/test_scene.py checks."""
 
 
 class InputError(ValueError):
-    """Invalid user input; the message is one line."""
+    """Invalid user input; the message is one line.
+
+    Examples
+    --------
+    >>> from sonify.scene_errors import InputError
+    >>> issubclass(InputError, ValueError)
+    True
+    """
 
 
 class SceneError(InputError):
-    """Invalid scene; the message names the key, its value and the allowed values in one
-    line."""
+    """Invalid scene.
+
+    The message is one line with the key, its value and the allowed values.
+
+    Examples
+    --------
+    >>> from sonify import load_scene
+    >>> load_scene("published").replace("disk.radius=-1")
+    Traceback (most recent call last):
+    sonify.scene_errors.SceneError: disk.radius = -1: must be greater than 0
+    """
 
 
 class ContradictionError(SceneError):

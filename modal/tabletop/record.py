@@ -90,7 +90,7 @@ class SurfaceModes(ModeList):
         Returns
         -------
         ndarray, shape (k, m)
-            w [kg^-1/2], or its derivative.
+            Deflection w [kg^-1/2], or its derivative.
         """
         return spline_values(self.knots, self.coefficients, x, y, slope)
 

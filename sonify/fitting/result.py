@@ -47,11 +47,29 @@ class Fitted:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fits:
-    """Results for recordings of one disk: for each of them in `files`, and for all of
-    them together in `pool`.
+    """Fits of recordings of one disk.
 
-    `verdict` is the verdict on all recordings. `resonances` contains the origin and the
-    frequency [Hz] of the resonances of the scene."""
+    Attributes
+    ----------
+    scene : Scene
+        Scene with the radius, the thickness and the air of the disk.
+    files : list of Fitted
+        Result for each recording.
+    pool : Fit
+        Fit of all recordings together.
+    verdict : str
+        "rolling", "air", "both", "impacts", "mixed", "not this scene" or "cannot tell",
+        for all recordings.
+    resonances : list of (str, float)
+        Origin ("disk", "table" or "contact") and frequency [Hz] of each resonance of
+        the scene.
+
+    Examples
+    --------
+    >>> from sonify import fit
+    >>> fits = fit("recordings", scene="toy")  # doctest: +SKIP
+    >>> fits.values()["rolling"].value  # contour friction  # doctest: +SKIP
+    """
 
     scene: Scene
     files: list[Fitted]
@@ -60,7 +78,14 @@ class Fits:
     resonances: list[tuple[str, float]]
 
     def values(self) -> dict[str, Value]:
-        """Return the fitted shares `rolling`, `air` etc. of all recordings together."""
+        """Return the fitted shares of all recordings together.
+
+        Returns
+        -------
+        dict of str to Value
+            The dimensionless shares "rolling", "air" and "law", each with its 95 %
+            interval.
+        """
         return self.pool.values()
 
     def __repr__(self):
@@ -75,13 +100,41 @@ def fit(
     watch: Callable[[float, str], None] = lambda share, doing: None,
     span: tuple[float, float] = (0.0, inf),
 ) -> Fits:
-    """Return the causes that slowed the disk in recordings.
+    """Determine the causes that slowed the disk in recordings.
 
-    The recordings are sound files, phyphox exports, or folders of them. The scene gives
-    radius, thickness and air. With `like` = "fu-berlin", exponents by the method of a
-    published analysis are added. Only the part of each recording within `span` [s] is
-    analysed. Raises RecordingError with a one-line message for a recording that cannot
-    be fitted, and SceneError for an invalid scene."""
+    Parameters
+    ----------
+    files : str, Path, or iterable of them
+        Sound files, phyphox exports, or folders of them.
+    scene : Scene, str or Path
+        Scene with the radius, the thickness and the air of the disk; a name or a path
+        as in `load_scene`.
+    like : str, optional
+        "fu-berlin" adds exponents by the method of a published analysis.
+    watch : callable
+        Called as watch(share, file) after each recording, with the share of the
+        recordings that are finished.
+    span : pair of float
+        Start and end [s] of the analysed part of each recording.
+
+    Returns
+    -------
+    Fits
+        The fits and the verdicts.
+
+    Raises
+    ------
+    RecordingError
+        If a recording cannot be fitted.
+    SceneError
+        If the scene is invalid.
+
+    Examples
+    --------
+    >>> from sonify import fit
+    >>> fit("coin.wav", scene="coin").verdict  # doctest: +SKIP
+    'rolling'
+    """
     from sonify.claims.resonance_matching import resonances  # slow to import
 
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene

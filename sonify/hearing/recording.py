@@ -43,16 +43,45 @@ FOREIGN = {
 
 
 class RecordingError(InputError):
-    """Raised with a one-line message if a recording cannot be analysed."""
+    """Error for a recording that cannot be analysed; the message is one line.
+
+    Examples
+    --------
+    >>> from sonify import listen
+    >>> listen("missing.wav")
+    Traceback (most recent call last):
+    sonify.hearing.recording.RecordingError: missing.wav: not a readable sound file: No such file or directory
+    """
 
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
     """Analysis of a sound without knowledge of its scene.
 
-    `duration` [s] is the length of the sound, and `start` [s] is the start of the
-    analysed part in the file. For a truncated file, `truncation` is set, and `missing`
-    [s] is the missing length according to the header."""
+    Attributes
+    ----------
+    duration : float
+        Length of the sound [s].
+    sample_rate : int
+        Sample rate of the sound [Hz].
+    start : float
+        Start of the analysed part in the file [s].
+    tone : RisingTone or None
+        The rising tone; None if there is none or if it was not searched for.
+    carriers : list of Carrier
+        Spectral lines and noise bands, sorted by decreasing level.
+    missing : float
+        Missing length of a truncated file according to its header [s].
+    truncation : Truncation or None
+        Lengths of a truncated file; None for a complete file.
+
+    Examples
+    --------
+    >>> from sonify import Heard
+    >>> heard = Heard(duration=2.0, sample_rate=48000, start=0.0, tone=None, carriers=[])
+    >>> heard.lines
+    []
+    """
 
     duration: float
     sample_rate: int
@@ -74,13 +103,37 @@ def listen(
     tones: bool = True,
     begin: float = 0.0,
 ) -> Heard:
-    """Return the analysis of a source, or of a file of any rate and format that
-    libsndfile reads.
+    """Analyse a sound; the memory use does not depend on its length.
 
-    For a long sound, only the part before its `end` [s] is analysed. The rising tone is
-    searched for if `tones` is True. The source starts at the time `begin` [s] of its
-    file; times in the result are those of the file. Memory use does not depend on the
-    length. Raises RecordingError if the sound cannot be analysed."""
+    Parameters
+    ----------
+    sound : Source, str or Path
+        A source, or a file of any sample rate and format that libsndfile reads.
+    end : float, optional
+        End of the run in the source [s]. For a long sound, only the part before it is
+        analysed; by default the part around the loudest second.
+    tones : bool
+        Search for the rising tone.
+    begin : float
+        Start of the source in its file [s], added to all times of the result.
+
+    Returns
+    -------
+    Heard
+        Spectral lines, noise bands and rising tone.
+
+    Raises
+    ------
+    RecordingError
+        If the file is unreadable, too short or silent, has too low a sample rate, or
+        contains nonfinite samples.
+
+    Examples
+    --------
+    >>> from sonify import listen
+    >>> [round(line.frequency) for line in listen("coin.wav").lines]  # doctest: +SKIP
+    [4310, 8120]
+    """
     samples, rate, start, duration = read(sound, end)
     truncation = truncation_of(sound)
     start += begin

@@ -249,6 +249,11 @@ def summary(result: "Result") -> dict[str, Any]:
         Scalars by column name: the outcome, the end of the motion [s], the duration [s]
         and peak [Pa] of the sound, the causes of the end, the value and verdict of each
         finding and check, and the duration of each stage [s].
+
+    Examples
+    --------
+    >>> from sonify import solve, summary
+    >>> summary(solve("published"))["t_end"]  # s  # doctest: +SKIP
     """
     row = {
         "outcome": result.motion.outcome.name,

@@ -95,6 +95,14 @@ def sweep(
         If the disk is full.
     AbortedError
         If the scheduler or the worker processes die.
+
+    Examples
+    --------
+    >>> from sonify import sweep
+    >>> axes = {"friction.arm_rolling": [1e-5, 3e-5, 1e-4]}
+    >>> document = {"name": "rolling", "scene": "published", "axes": axes}
+    >>> sweep(document)  # doctest: +SKIP
+    PosixPath('outputs/sweeps/rolling/runs.parquet')
     """
     sweep_spec = load_with_libraries(source)
     stages = stages or Stages()

@@ -222,9 +222,22 @@ def with_values(document: dict, values: dict[str, Any]) -> dict:
 
 
 def load_sweep(source: "str | Path | dict") -> Sweep:
-    """Load and check a sweep, given as a shipped name, a TOML file or a document.
+    """Load and check a sweep.
 
-    Raises InputError if the sweep is invalid.
+    Parameters
+    ----------
+    source : str, Path or dict
+        Name of a shipped sweep, path of a TOML file, or parsed sweep document.
+
+    Returns
+    -------
+    Sweep
+        The validated sweep.
+
+    Raises
+    ------
+    InputError
+        If there is no such sweep, or if a key or value is not allowed.
     """
     path = (
         Path()
@@ -248,5 +261,17 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
 
 def shipped_sweeps() -> list[str]:
-    """Return the names of the shipped sweeps."""
+    """List the shipped sweeps.
+
+    Returns
+    -------
+    list of str
+        Names that `load_sweep` and `sonify.sweep` accept.
+
+    Examples
+    --------
+    >>> from sonify.sweeps.sweep import shipped_sweeps
+    >>> "verdict-glass" in shipped_sweeps()
+    True
+    """
     return shipped_names(SHIPPED_SWEEPS_FOLDER)

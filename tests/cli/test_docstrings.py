@@ -1,5 +1,5 @@
-"""Claim: everything that `dynamics` and `modal` export is documented in numpydoc form, and the
-examples in all docstrings of both packages run and print the output shown.
+"""Claim: everything that `dynamics`, `modal` and `sonify` export is documented in numpydoc form,
+and the examples in all docstrings of the three packages run and print the output shown.
 
 Source: the docstrings; numpydoc's rules of validation. Oracle: numpydoc; the output written in the
 examples.
@@ -10,6 +10,9 @@ import dataclasses
 import doctest
 import importlib
 import inspect
+import re
+from functools import cached_property
+from types import FunctionType
 
 import pytest
 from numpydoc.validate import validate
@@ -17,7 +20,9 @@ from paths import ROOT
 
 import dynamics
 import modal
+import sonify
 
+PACKAGES = (dynamics, modal, sonify)
 OPTIONAL = {
     "GL01",  # the summary begins on the line of the quotes
     "GL02",  # the quotes end a docstring of one line
@@ -30,12 +35,15 @@ OPTIONAL = {
 """Rules of numpydoc that a docstring need not keep."""
 MODULES = [
     ".".join(file.relative_to(ROOT).with_suffix("").parts)
-    for package in ("dynamics", "modal")
-    for file in sorted((ROOT / package).rglob("*.py"))
+    for package in PACKAGES
+    for file in sorted((ROOT / package.__name__).rglob("*.py"))
     if ">>> " in file.read_text("utf-8")
 ]
 EXPORTED = [
-    getattr(package, name) for package in (dynamics, modal) for name in package.__all__
+    getattr(package, name)
+    for package in PACKAGES
+    for name in package.__all__
+    if name != "__version__"  # a string
 ]
 
 
@@ -46,8 +54,14 @@ def test_examples_of_a_module(name):
     assert result.failed == 0
 
 
+def own_classes(kind: type) -> list[type]:
+    """Return a class and its base classes within the three packages."""
+    names = {package.__name__ for package in PACKAGES}
+    return [base for base in kind.__mro__ if base.__module__.split(".")[0] in names]
+
+
 def documented_fields(kind: type) -> set[str]:
-    """Return the fields of a dataclass that have a docstring of their own."""
+    """Return the fields of a class that have a docstring of their own."""
     (body,) = ast.parse(inspect.getsource(kind)).body
     return {
         field.target.id
@@ -58,9 +72,21 @@ def documented_fields(kind: type) -> set[str]:
     }
 
 
-def is_documented_elsewhere(owner, name: str) -> bool:
+def is_documented_elsewhere(owner: type, name: str) -> bool:
     """Return True for a method that the protocol `Motion` documents."""
     return owner is not dynamics.Motion and name in vars(dynamics.Motion)
+
+
+def public_parts(kind: type) -> set[str]:
+    """Return the names of the public methods and properties of a class."""
+    return {
+        name
+        for base in own_classes(kind)
+        for name, part in vars(base).items()
+        if name[0] != "_"
+        and isinstance(part, FunctionType | property | cached_property)
+        and not is_documented_elsewhere(kind, name)
+    }
 
 
 def complaints(thing) -> list[str]:
@@ -71,18 +97,11 @@ def complaints(thing) -> list[str]:
             "PR01",
             "PR02",
         }  # parameters are those of fields, or of Enum and Protocol
-    named = {"": thing}
+    names = [""]
     if inspect.isclass(thing):
-        for name, part in vars(thing).items():
-            has_docstring = inspect.isfunction(part) or isinstance(part, property)
-            if (
-                name[0] != "_"
-                and has_docstring
-                and not is_documented_elsewhere(thing, name)
-            ):
-                named[f".{name}"] = part
+        names += [f".{name}" for name in sorted(public_parts(thing))]
     found = []
-    for name in named:
+    for name in names:
         result = validate(f"{thing.__module__}.{thing.__qualname__}{name}")
         allowed = OPTIONAL if name else optional
         found += [
@@ -105,11 +124,13 @@ def test_what_is_exported_has_a_numpydoc_docstring_with_an_example(thing):
     ids=lambda k: k.__name__,
 )
 def test_every_field_of_an_exported_record_is_documented(kind):
-    own = documented_fields(kind)
-    for field in dataclasses.fields(kind):
-        assert (
-            field.name in own or f"{field.name}" in kind.__doc__.partition("----")[2]
-        ), field.name
+    own = set()
+    listed = set()
+    for base in own_classes(kind):
+        own |= documented_fields(base)
+        listed |= set(re.findall(r"\w+", base.__doc__.partition("----")[2]))
+    names = {field.name for field in dataclasses.fields(kind)}
+    assert names <= own | listed
 
 
 def test_the_rules_find_a_missing_parameter():
