@@ -162,12 +162,15 @@ class Scene(MotionScene):
     ('published', 0.03755, 48000)
     """
 
-    __pydantic_config__ = ConfigDict(
-        extra="forbid", strict=True, use_attribute_docstrings=True
-    )
+    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
 
-    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")] = "scene"
-    """Name of the scene and of its default output folder."""
+    name: Annotated[
+        str,
+        Field(
+            pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
+            description="Name of the scene and of its default output folder.",
+        ),
+    ] = "scene"
     material: Material = field()
     """Elastic material of the disk."""
     support: Support = field(default_factory=Support)
@@ -301,7 +304,7 @@ class Scene(MotionScene):
 
 @cache
 def scene_adapter() -> TypeAdapter:
-    """Return the pydantic adapter that validates a scene and generates its schema."""
+    """Return the pydantic adapter that validates a scene."""
     return TypeAdapter(Scene)
 
 

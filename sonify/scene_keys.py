@@ -2,11 +2,14 @@
 
 import json
 import re
+from dataclasses import dataclass
 from functools import cache
 from textwrap import wrap
 from typing import NamedTuple
 
-from sonify.scene import scene_adapter
+from pydantic import ConfigDict, TypeAdapter
+
+from sonify.scene import Scene
 
 JSON_SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 BOUND_SYMBOLS = {
@@ -33,11 +36,23 @@ class SceneKey(NamedTuple):
     meaning: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class DocumentedScene(Scene):  # its schema contains the docstrings of the keys
+    __doc__ = Scene.__doc__
+    __pydantic_config__ = ConfigDict(
+        **Scene.__pydantic_config__,
+        title="Scene",
+        use_attribute_docstrings=True,  # slow, and not needed to validate a scene
+    )
+
+
 @cache
 def schema() -> dict:
     """Return the JSON schema of a scene, which editors use to complete and check scene
     files."""
-    whole = {"$schema": JSON_SCHEMA_DIALECT} | scene_adapter().json_schema()
+    whole = {"$schema": JSON_SCHEMA_DIALECT} | TypeAdapter(
+        DocumentedScene
+    ).json_schema()
     for section in (whole, *whole["$defs"].values()):
         section["additionalProperties"] = False
     return whole
