@@ -207,7 +207,6 @@ def run_events(
     y: list[Any],
     span: float,
     watch: Callable[[float, list[Any]], None] = lambda t, y: None,
-    max_switches_at_once: int = 100,
 ) -> tuple[Path, str | None]:
     """Integrate a hybrid system.
 
@@ -221,8 +220,6 @@ def run_events(
         Maximum duration.
     watch : callable
         Progress callback `watch(t, state)`, called after every arc.
-    max_switches_at_once : int
-        Largest number of regime changes at one instant.
 
     Returns
     -------
@@ -233,6 +230,8 @@ def run_events(
         regime changes at one instant, STALLED after a `StalledError` (which is
         re-raised at time 0), None at the end of `span`.
     """
+    # Largest number of regime changes at one instant
+    max_switches_at_once = 100
     path = Path()
     start = system.begin(y)
     _append_steps(path, start)

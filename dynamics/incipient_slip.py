@@ -78,8 +78,10 @@ class SlipAcceleration(NamedTuple):
             nu for nu in angles if nu is not None and self.a + self.b * math.sin(nu) > 0
         ]
 
-    def _aligned_direction_from(self, angle, max_iterations=12, tolerance=4e-15):
+    def _aligned_direction_from(self, angle):
         """Return the aligned direction found by Newton's method, or None."""
+        max_iterations = 12
+        tolerance = 4e-15
         for _ in range(max_iterations):
             back = cmath.rect(1.0, -angle)
             once = self.k * back

@@ -35,17 +35,16 @@ def free_rolling_load(disk: Disk, state: np.ndarray) -> np.ndarray:
 @lru_cache(maxsize=1)
 def nutation_peaks(
     motion: Motion,
-    prominence: float = 0.005,
-    relative_prominence: float = 0.5,
-    neighbours: int = 11,
 ) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of `free_rolling_load`.
 
-    The prominence of a peak must be at least `prominence`, and at least
-    `relative_prominence` times the median prominence of its neighbours, because slips
-    and a hopping contact cause small additional peaks. A parabola through three points
-    refines the times.
+    A peak that is small, or much less prominent than its neighbours, is ignored,
+    because slips and a hopping contact cause small additional peaks. A parabola through
+    three points refines the times.
     """
+    prominence = 0.005  # as a fraction of the weight
+    relative_prominence = 0.5  # relative to the median of the neighbours
+    neighbours = 11
     flat = np.flatnonzero(motion.at(piece_ends_and_middles(motion))[:, 1] <= 0)
     t = piece_ends_and_middles(motion)[: flat[0] if len(flat) else None]
     load = free_rolling_load(motion.disk, motion.at(t))
@@ -90,14 +89,14 @@ def _nutations(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return peaks[1:-1], np.where(kept, frequency, np.nan), np.where(kept, ratio, np.nan)
 
 
-def _near_recent_median(
-    ratio: np.ndarray, tolerance: float = 0.15, memory: int = 15
-) -> np.ndarray:
+def _near_recent_median(ratio: np.ndarray) -> np.ndarray:
     """Return a mask (q,) of the ratios close to the median of recently accepted ratios.
 
     The number of nutations per turn varies slowly. Peaks caused by the table occur once
     per turn, and peaks caused by roughness occur at random.
     """
+    tolerance = 0.15
+    memory = 15
     is_close = np.zeros(len(ratio), bool)
     recent = list(ratio[:memory])
     for i, value in enumerate(ratio):
@@ -108,16 +107,16 @@ def _near_recent_median(
     return is_close
 
 
-def _in_long_intervals(
-    time: np.ndarray, frequency: np.ndarray, gap: float = 5.0, min_samples: int = 15
-) -> np.ndarray:
+def _in_long_intervals(time: np.ndarray, frequency: np.ndarray) -> np.ndarray:
     """Return a mask (q,) of the samples that belong to sustained oscillations.
 
-    The samples are frequencies (q,) [Hz] at times (q,) [s]. Gaps longer than `gap`
-    periods separate intervals. The mask selects the interval with the most samples and
-    all intervals with at least `min_samples` samples, because a few peaks of a rough
-    contact may resemble nutation by chance.
+    The samples are frequencies (q,) [Hz] at times (q,) [s]. Gaps of several periods
+    separate intervals. The mask selects the interval with the most samples and all
+    other long intervals, because a few peaks of a rough contact may resemble nutation
+    by chance.
     """
+    gap = 5.0  # periods
+    min_samples = 15
     if not len(time):
         return np.zeros(0, bool)
     apart = np.diff(time) * frequency[:-1] > gap
@@ -139,11 +138,12 @@ def nutation_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     return time[nutates], frequency[nutates]
 
 
-def nutation_end_time(motion: Motion, missing_periods: float = 10.0) -> float | None:
+def nutation_end_time(motion: Motion) -> float | None:
     """Return the time [s] of the last nutation, or None if nutation never ends.
 
-    It has ended if the motion continues without it for at least `missing_periods`.
+    It has ended if the motion continues without it for several periods.
     """
+    missing_periods = 10.0
     time, frequency = nutation_frequency(motion)
     if not len(time) or (motion.t[-1] - time[-1]) * frequency[-1] < missing_periods:
         return None
@@ -158,16 +158,16 @@ def nutations_per_turn(motion: Motion) -> np.ndarray:
 
 def precession_frequency(
     motion: Motion,
-    window: float = 1.25,
-    spacing: float = 0.25,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return times (q,) [s] and precession frequencies (q,) [Hz] without the nutation.
 
-    Mean frequencies over `window` turns, at intervals of `spacing` turns, are averaged
-    over a second window, which is shorter near both ends. This reduces the effect of
-    nutation to less than 1 %. A motion shorter than one window yields its mean
-    frequency.
+    Mean frequencies over little more than a turn, at intervals of a quarter turn, are
+    averaged over a second window, which is shorter near both ends. This reduces the
+    effect of nutation to less than 1 %. A motion shorter than one window yields its
+    mean frequency.
     """
+    window = 1.25  # turns
+    spacing = 0.25  # turns
     t = motion.t
     precession = motion.state[:, 0]
     turned = np.maximum.accumulate(np.abs(precession - precession[0])) / (2 * np.pi)
@@ -189,13 +189,13 @@ def precession_frequency(
 
 def plotted_rates(
     motion: Motion,
-    median_length: int = 5,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return times (q,) [s], precession and nutation frequencies (q,) [Hz] for a plot.
 
     The nutation frequency is a running median; it is NaN where the disk does not
     nutate.
     """
+    median_length = 5
     time, precession = precession_frequency(motion)
     at, nutation, _ = _nutations(motion)
     if not len(at):

@@ -9,12 +9,6 @@ INCLINATION_ROOT = 12
 the ellipse is smooth."""
 COEFFICIENT_COUNT = 7
 """Number of coefficients in each polynomial."""
-FAST_SLIP_MOMENT_RATIO = 0.7
-"""Ratio <y^2>/arm^2 in the moment of fast slip, with the arm at mu = 1.
-
-If the slip u is much faster than the spin w, Hertz's pressure causes the moment mu N
-<y^2> w/u, with y measured across the slip. Averaged over the slip direction, <y^2> is
-(a^2 + b^2)/10: 0.71 arm^2 for a long ellipse, 0.58 arm^2 for a circle."""
 
 
 def pivoting_arm(sine, pivoting, travel, slip_square, sliding, mu, coefficients):
@@ -69,9 +63,14 @@ def friction_limited_arm(unit_arm, creep, pivoting, speed_square, sliding, mu):
     mu : scalar
         Coefficient of dynamic friction.
     """
+    # Ratio <y^2>/arm^2 in the moment of fast slip, with the arm at mu = 1. If the
+    # slip u is much faster than the spin w, Hertz's pressure causes the moment mu N
+    # <y^2> w/u, with y measured across the slip. Averaged over the slip direction,
+    # <y^2> is (a^2 + b^2)/10: 0.71 arm^2 for a long ellipse, 0.58 arm^2 for a circle.
+    fast_slip_moment_ratio = 0.7
     arm = mu * unit_arm
     if sliding:
-        creep = FAST_SLIP_MOMENT_RATIO * unit_arm * arm
+        creep = fast_slip_moment_ratio * unit_arm * arm
     moment = creep * pivoting
     return (
         arm

@@ -12,8 +12,9 @@ if TYPE_CHECKING:
     from dynamics.motion import Motion
 
 
-def plot_motion(motion: "Motion", points: int = 20_000) -> "Figure":
+def plot_motion(motion: "Motion") -> "Figure":
     """Return a figure of a motion, evaluated at evenly spaced times."""
+    points = 20_000
     from matplotlib.figure import Figure  # slow to import
 
     t = np.linspace(0.0, motion.t[-1], points)

@@ -255,13 +255,14 @@ class RollingDisk:
         return Switch(None, step.end, (step,), ended=LIFT_OFF)
 
 
-def first_guard_zero(step: Step, guards: Callable, checks: int = 4):
+def first_guard_zero(step: Step, guards: Callable):
     """Find the first guard that falls to zero within a step.
 
     Returns its time and name, or the duration of the step and None. `guards(y)` is
-    evaluated at `checks` equidistant times. Guards that are not positive at the start
+    evaluated at equidistant times. Guards that are not positive at the start
     are ignored.
     """
+    checks = 4
     before = guards(step.at(0.0))
     start = 0.0
     for look in (k * step.duration / checks for k in range(1, checks + 1)):

@@ -218,14 +218,13 @@ class _Progress:
         return announced
 
 
-def outcome_after_guard(
-    guard: str | None, y: Any, system: RollingDisk, min_film_share: float = 0.01
-) -> Outcome:
+def outcome_after_guard(guard: str | None, y: Any, system: RollingDisk) -> Outcome:
     """Return the outcome of a motion that ended with `guard` at state y.
 
-    A disk that lifts off is airborne if the loads lift it by more than `min_film_share`
-    of its weight.
+    A disk that lifts off is airborne if the lift of the loads is not negligible
+    compared with its weight.
     """
+    min_film_share = 0.01  # of the weight
     if guard == guards.LIFT_OFF and system.loads:
         r = y[R]
         omega = tuple(r * w for w in y[W1 : W3 + 1])

@@ -16,8 +16,8 @@ YoungModulus = Annotated[float, Ge(1), Le(1e15)]
 PoissonRatio = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
 LossFactor = Annotated[float, Ge(0), Le(1)]
-MAX_BOWL_SLOPE = 0.1
-"""Largest slope [rad] of a concave table at the rim of a disk placed in its middle."""
+DEFAULT_LOSS_FACTOR = 0.02
+"""Default loss factor of a table."""
 MIN_TWO_WAY_SHARE = 0.01
 """Threshold of two-way coupling.
 
@@ -54,6 +54,9 @@ class Tabletop:
             If the diameter of the bowl is missing, if the disk is wider than the bowl,
             or if the bowl is too deep for its rim.
         """
+        # Largest slope [rad] of a concave table at the rim of a disk placed in its
+        # middle
+        max_bowl_slope = 0.1
         if not self.sag:
             return
         if self.diameter is None:
@@ -63,7 +66,7 @@ class Tabletop:
                 f"surface.diameter = {self.diameter:g}: must exceed the disk diameter, "
                 f"{2 * radius:g}"
             )
-        greatest = MAX_BOWL_SLOPE * self.diameter**2 / (8 * radius)
+        greatest = max_bowl_slope * self.diameter**2 / (8 * radius)
         if self.sag > greatest:
             raise ValueError(
                 f"surface.sag = {self.sag:g}: too deep for the rim of the disk; at most "
@@ -127,7 +130,7 @@ class PlateSurface(Tabletop):
     """Poisson's ratio of the table."""
     density: Density
     """Density of the table [kg/m^3]."""
-    loss_factor: LossFactor = 0.02
+    loss_factor: LossFactor = DEFAULT_LOSS_FACTOR
     """Loss factor of the material: twice the damping ratio of every mode."""
     edge: Literal["free", "supported", "clamped"] = "supported"
     """Boundary condition at the edge of the plate."""
@@ -230,7 +233,7 @@ class InfiniteSurface(Tabletop):
     """Poisson's ratio of the table."""
     density: Density
     """Density of the table [kg/m^3]."""
-    loss_factor: LossFactor = 0.02
+    loss_factor: LossFactor = DEFAULT_LOSS_FACTOR
     """Loss factor of the material: twice the damping ratio of every mode."""
     baffle: bool = True
     """Whether a baffle prevents air flow around the edge of the table; always true
@@ -267,7 +270,7 @@ class MeshSurface(Tabletop):
     """Poisson's ratio of the table."""
     density: Density
     """Density of the table [kg/m^3]."""
-    loss_factor: LossFactor = 0.02
+    loss_factor: LossFactor = DEFAULT_LOSS_FACTOR
     """Loss factor of the material: twice the damping ratio of every mode."""
     held: tuple[str, ...] = ()
     """Names of the surfaces or node sets of the mesh that are fixed."""

@@ -21,6 +21,9 @@ from modal.materials import MATERIALS, MaterialName
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+DEFAULT_HIGHEST_FREQUENCY = 24000.0  # Hz
+"""Default exclusive upper limit of the frequencies of modes."""
+
 
 class UnsolvableError(ArithmeticError, ValueError):
     """Error for modes that cannot be computed; the message is one line.

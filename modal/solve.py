@@ -8,12 +8,16 @@ from modal.blas_threads import one_blas_thread
 from modal.elements.elastic import estimated_mode_count
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_no_rigid_motion
-from modal.modes import Material, Modes, Support, UnsolvableError
+from modal.modes import (
+    DEFAULT_HIGHEST_FREQUENCY,
+    Material,
+    Modes,
+    Support,
+    UnsolvableError,
+)
 from modal.spectral import axisymmetric
 from modal.spectral.basis import Plate
 
-DEFAULT_HIGHEST_FREQUENCY = 24000.0  # Hz
-"""Default exclusive upper limit of the frequencies of modes."""
 MAX_MODE_COUNT = 600
 """Maximum number of modes; more would take minutes to compute and hours to render."""
 
@@ -43,13 +47,14 @@ def inner_radius(disk: Any) -> float:
     return disk.radius - disk.wall
 
 
-def check_solvable(disk: Any, support: Support, max_aspect: float = 50) -> None:
+def check_solvable(disk: Any, support: Support) -> None:
     """Raise ValueError if the solvers are not applicable to the disk on this support.
 
-    Reasons are a shell without a wall, a rod thicker than `max_aspect` times its
-    radius, a shell with a support other than "free", a patch taller than the disk, and
-    held components that do not prevent all rigid-body motions.
+    Reasons are a shell without a wall, a long thin rod, a shell with a support other
+    than "free", a patch taller than the disk, and held components that do not prevent
+    all rigid-body motions.
     """
+    max_aspect = 50  # ratio of thickness to radius
     inner_radius(disk)
     if disk.thickness > max_aspect * disk.radius:
         raise ValueError(

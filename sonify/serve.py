@@ -23,7 +23,6 @@ from sonify.report.page import page_assets, templates
 from sonify.scene_errors import InputError
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
-LAST_PORT = 65535
 CONTENT_SECURITY_POLICY = {
     "default-src": "'none'",  # forbid everything that is not listed below
     "script-src": "'unsafe-inline' 'wasm-unsafe-eval' data:",  # audio stretching module
@@ -73,8 +72,9 @@ def listening_socket(host: str, port: int) -> socket.socket:
 
     Raises InputError if the port is invalid or unavailable.
     """
-    if not 0 <= port <= LAST_PORT:
-        raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
+    last_port = 65535
+    if not 0 <= port <= last_port:
+        raise InputError(f"--port = {port}: must be from 0 to {last_port}")
     try:
         return socket.create_server(
             (host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET

@@ -60,8 +60,6 @@ FORCE_RATE = 1e5
 """Number of mean forces stored per second of motion."""
 FORCES_PER_ROW = 4
 """Number of mean forces stored per row."""
-LOAD_WINDOW_PARTS = 24
-"""Number of intervals in the mean of the force over half a turn."""
 OUTCOME_OF_END = {
     EndReason.LIES_FLAT: Outcome.SETTLED,
     EndReason.STANDS_UPRIGHT: Outcome.UPRIGHT,
@@ -204,10 +202,12 @@ class CompliantMotion(MotionBase):
         It is the mean over half a turn of the contact with a Hann window, which retains
         nine tenths of the amplitude of nutation.
         """
+        # Number of intervals in the mean of the force over half a turn
+        load_window_parts = 24
         turn = self._turn_duration(t)
         edges = (
             np.asarray(t)
-            + np.linspace(-0.25, 0.25, LOAD_WINDOW_PARTS + 1)[:, None] * turn
+            + np.linspace(-0.25, 0.25, load_window_parts + 1)[:, None] * turn
         )
         impulse = interpolate_rows(
             self.impulses,
@@ -216,7 +216,7 @@ class CompliantMotion(MotionBase):
         )[:, 2]
         lasts = np.diff(np.clip(edges, 0, self._end), axis=0)
         hann = (
-            np.sin(np.pi * (np.arange(LOAD_WINDOW_PARTS) + 0.5) / LOAD_WINDOW_PARTS)[
+            np.sin(np.pi * (np.arange(load_window_parts) + 0.5) / load_window_parts)[
                 :, None
             ]
             ** 2

@@ -20,9 +20,6 @@ from dynamics.surface import MIN_TWO_WAY_SHARE, ModesSurface
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
-RIM_POINT_COUNT = 64
-"""Number of points of the rim at which the table modes are evaluated."""
-
 
 class TableReaction(NamedTuple):
     """Reaction of the table on the motion of the disk.
@@ -165,6 +162,8 @@ def table_energy_power_shares(
         Power dissipated by the waves in the table divided by that of friction and the
         dissipation laws.
     """
+    # Number of points of the rim at which the table modes are evaluated
+    rim_point_count = 64
     disk = scene.disk
     law = scene_constants(scene)
     loads = resistance_of(scene.dissipation, disk)
@@ -174,13 +173,13 @@ def table_energy_power_shares(
         200,  # inclinations
     )
     rate = np.array([steady_precession_rate(scene, b) for b in beta])[:, None, None]
-    angle = 2 * np.pi * np.arange(RIM_POINT_COUNT) / RIM_POINT_COUNT
+    angle = 2 * np.pi * np.arange(rim_point_count) / rim_point_count
     radius = disk.radius - scene.contact.rolling_fillet(disk)
     shapes = modes.at(
         *(radius * np.array([np.cos(angle), np.sin(angle)]) + modes.place[:, None])
     )
-    parts = np.fft.fft(shapes, axis=0) / RIM_POINT_COUNT
-    order = np.fft.fftfreq(RIM_POINT_COUNT, 1 / RIM_POINT_COUNT)[:, None]
+    parts = np.fft.fft(shapes, axis=0) / rim_point_count
+    order = np.fft.fftfreq(rim_point_count, 1 / rim_point_count)[:, None]
     stiff = (2 * np.pi * modes.frequency) ** 2
     moved = (
         np.abs(

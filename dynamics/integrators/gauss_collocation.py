@@ -40,12 +40,7 @@ for _k in range(ORDER + 1):
 """Matrix from Chebyshev coefficients on [0, 1] to powers of x; T_k(2 x - 1) = T_2k(sqrt
 x)."""
 MAX_STEP = 1.0
-MIN_STEP = 1e-12
 STEP_TOLERANCE = 1e-12
-ITERATION_TOLERANCE = 1e-13
-MAX_ITERATIONS = 40
-JACOBIAN_UPDATE_ITERATION = 3
-"""Index of the iteration in which the Jacobian is updated."""
 DIFFERENCE_ANGLE = 1e-7
 """Step [rad] of the difference quotient in Newton's method, whose iteration corrects
 the error."""
@@ -91,10 +86,14 @@ def solve_collocation(flow, p, y, dt, states, rates, guards):
     method solves for the other components, with a correction for the change of
     direction. On return, the rates at V2 are those of the direction itself.
     """
+    iteration_tolerance = 1e-13
+    max_iterations = 40
+    # Index of the iteration in which the Jacobian is updated
+    jacobian_update_iteration = 3
     jacobian_update_change = (
         1e-3  # change of the state above which the Jacobian is updated
     )
-    last = ITERATION_TOLERANCE
+    last = iteration_tolerance
     steer = rates
     solved = np.empty((ORDER, ORDER))
     ahead = np.empty((ORDER, STATE_SIZE))
@@ -102,11 +101,11 @@ def solve_collocation(flow, p, y, dt, states, rates, guards):
     wrong = np.empty(ORDER)
     change = np.empty(ORDER)
     turned = np.empty(ORDER)
-    for attempt in range(MAX_ITERATIONS):
+    for attempt in range(max_iterations):
         for j in range(ORDER):
             flow(states[j], p, rates[j], guards[j])
         if attempt == 0 or (
-            attempt == JACOBIAN_UPDATE_ITERATION and last > jacobian_update_change
+            attempt == jacobian_update_iteration and last > jacobian_update_change
         ):
             steer = direction_jacobian(flow, p, states, rates, guards[ORDER])
             if not np.isfinite(steer).all():  # a state is too far ahead
@@ -131,9 +130,9 @@ def solve_collocation(flow, p, y, dt, states, rates, guards):
                 if not moved <= size * scale:
                     size = moved / scale
                 states[j, a] = new
-        if size * min(1.0, size / last) < ITERATION_TOLERANCE:
+        if size * min(1.0, size / last) < iteration_tolerance:
             return True
-        if not (size < last or attempt < JACOBIAN_UPDATE_ITERATION):
+        if not (size < last or attempt < jacobian_update_iteration):
             return False
         last = size
     return False
@@ -359,6 +358,7 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     steps if the slide is not slow, or if it starts at rest and never exceeds
     STOP_SLIP_SPEED; in the latter case the guard is `grip`.
     """
+    min_step = 1e-12
     # factor on the limits of `is_slow` for a slide in progress
     slow_slide_hysteresis = 1.5
     step_reduction = 0.3  # length factor after a step that does not converge
@@ -381,7 +381,7 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     rests = y[V1] == 0
     slow = rests or is_slow(y[V1], slip_times_acceleration(y, slope), mu * before[load])
     length = first_step_from_rest if rests else first_step_length(flow, p, y, slope)
-    while n < max_steps and t < span and fired < 0 and slow and length >= MIN_STEP:
+    while n < max_steps and t < span and fired < 0 and slow and length >= min_step:
         dt = min(length * y[R], span - t)
         c, error = collocation_step(flow, p, y, slope, dt, states, rates, guards)
         if not error < 1 or (

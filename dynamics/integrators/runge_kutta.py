@@ -19,12 +19,7 @@ STAGE_WEIGHTS[12, :12] = DOP853.B
 STAGE_WEIGHTS[13:] = DOP853.A_EXTRA
 ERROR_WEIGHTS = np.zeros((2, 13))
 ERROR_WEIGHTS[:] = DOP853.E5, DOP853.E3
-GUARD_EVALUATIONS_PER_STEP = 4
 BISECTION_COUNT = 54  # for the location of a guard crossing
-STEP_SAFETY = 0.9
-"""Length of the next step as a fraction of the length allowed by the error."""
-MIN_STEP_RATIO = 0.2
-MAX_STEP_RATIO = 10.0
 MAX_STEPS_PER_CALL = 1000
 MAX_GUARDS = 16
 """Array size that is sufficient for the guards of any branch."""
@@ -144,13 +139,14 @@ def first_guard_crossing(flow, p, c, count, before):
     and is overwritten by their last values. A guard that is not positive at 0 cannot
     fall.
     """
+    guard_evaluations_per_step = 4
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
     now = np.empty(MAX_GUARDS)
     place = 1.0
     fired = -1
-    for look in range(1, GUARD_EVALUATIONS_PER_STEP + 1):
-        evaluate_polynomial(c, look / GUARD_EVALUATIONS_PER_STEP, y)
+    for look in range(1, guard_evaluations_per_step + 1):
+        evaluate_polynomial(c, look / guard_evaluations_per_step, y)
         flow(y, p, rates, now)
         place, fired = guard_crossing_between(
             flow,
@@ -159,8 +155,8 @@ def first_guard_crossing(flow, p, c, count, before):
             count,
             before,
             now,
-            (look - 1) / GUARD_EVALUATIONS_PER_STEP,
-            look / GUARD_EVALUATIONS_PER_STEP,
+            (look - 1) / guard_evaluations_per_step,
+            look / guard_evaluations_per_step,
         )
         copy_into(now, before)
         if fired >= 0:
@@ -190,6 +186,10 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
     (-1 if none). The integration also ends, possibly without a step, if no step is
     short enough.
     """
+    # Length of the next step as a fraction of the length allowed by the error
+    step_safety = 0.9
+    min_step_ratio = 0.2
+    max_step_ratio = 10.0
     times = np.empty(MAX_STEPS_PER_CALL)
     coefficients = np.empty((MAX_STEPS_PER_CALL, 8, len(y)))
     rates = np.empty((16, len(y)))
@@ -208,9 +208,9 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
         error = step_and_error(flow, y, p, h, rates, y_end, guard_values) / tolerance
         if not error < 1:  # NaN if the step leaves the domain of the formulas
             h *= (
-                max(MIN_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8))
+                max(min_step_ratio, step_safety * error ** (-1 / 8))
                 if error >= 1
-                else MIN_STEP_RATIO
+                else min_step_ratio
             )
             continue
         c = h * (DENSE_OUTPUT @ rates)
@@ -226,8 +226,8 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
         if fired >= 0:
             evaluate_polynomial(c, place, y)
         h *= (
-            min(MAX_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8))
+            min(max_step_ratio, step_safety * error ** (-1 / 8))
             if error > 0
-            else MAX_STEP_RATIO
+            else max_step_ratio
         )
     return times[:n].copy(), coefficients[:n].copy(), y, fired

@@ -60,13 +60,14 @@ def eigenvalue_shift(plate, support):
     )
 
 
-def resolving_mesh_size(size, plate, below, max_waves=3.5, min_share=0.2):
+def resolving_mesh_size(size, plate, below):
     """Return a `MeshSize` with blocks narrow enough for bending waves at `below` [Hz].
 
-    Blocks are narrowed if wavenumber times radius exceeds `max_waves`, at most by the
-    factor `min_share`. The rim ring, which contains the boxes around the patch, is
-    narrowed slightly less.
+    Blocks are narrowed, down to a limit, if wavenumber times radius is large. The rim
+    ring, which contains the boxes around the patch, is narrowed slightly less.
     """
+    max_waves = 3.5  # wavenumber times radius that the widest blocks resolve
+    min_share = 0.2  # of the width of the widest blocks
     wave_number = bending_wave_number(
         plate.material, plate.thickness, plate.density, below
     )

@@ -105,16 +105,17 @@ def quadratic_shape_slopes(x):
     return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
 
 
-def locate_in_cells(points, cells, first_candidates=6, tolerance=1e-9):
+def locate_in_cells(points, cells):
     """Return the biquadratic cell (n,) that contains each point (n, 2), and its
     coordinates (n, 2) in it.
 
     The cells (q, 3, 3, 2) are given by their nodes, and the coordinates are those of
-    the unit square. The `first_candidates` nearest cells are searched first; all cells
-    are searched if the point is farther from them than `tolerance` times the cell size.
-    Points outside all cells, beyond an approximated arc, are assigned the nearest
-    coordinates in a cell.
+    the unit square. The nearest cells are searched first; all cells are searched if the
+    point is outside of them. Points outside all cells, beyond an approximated arc, are
+    assigned the nearest coordinates in a cell.
     """
+    first_candidates = 6
+    tolerance = 1e-9  # relative to the size of the cell
     distance = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
     size = np.linalg.norm(cells[:, 2, 2] - cells[:, 0, 0], axis=1)
     order = np.argsort(distance / size, axis=1)
@@ -126,12 +127,13 @@ def locate_in_cells(points, cells, first_candidates=6, tolerance=1e-9):
     return cell, coordinates
 
 
-def nearest_cell(points, cells, candidates, iterations=7):
+def nearest_cell(points, cells, candidates):
     """Return the nearest of the candidate cells (n, c) to each point (n, 2).
 
     The result consists of the cell (n,), the coordinates (n, 2) in it, clipped to the
     unit square, and the distance (n,). Newton's method is applied to all candidates.
     """
+    iterations = 7
     nodes = cells[candidates]
     coordinates = np.full((*candidates.shape, 2), 0.5)
     for _ in range(iterations):

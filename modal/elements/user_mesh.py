@@ -36,7 +36,7 @@ from modal.elements.user_mesh_modes import mesh_modes_record
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import hexahedra
 from modal.mesh.symmetry import admissible_displacements, check_no_rigid_motion
-from modal.modes import Material, Modes, Support
+from modal.modes import DEFAULT_HIGHEST_FREQUENCY, Material, Modes, Support
 
 TETRAHEDRON_PARTS = [
     (0, 4, 6, 7),
@@ -258,7 +258,7 @@ def mesh_modes(
     material: Material,
     density: float,
     support: Support,
-    below: float = 24000.0,
+    below: float = DEFAULT_HIGHEST_FREQUENCY,
     patch: str | None = None,
     refine: bool = True,
 ) -> Modes:

@@ -112,13 +112,14 @@ def prolongation(fine_solid, coarse, part_nodes):
     return sp.kron(scalar, sp.identity(3)).tocsr()
 
 
-def singular_cells(mesh, facets, max_convex_angle_deg=225):
+def singular_cells(mesh, facets):
     """Return the mask (c,) of cells that touch the boundary of the held facets or a
     re-entrant edge.
 
-    An edge is re-entrant if the angle of the body around it exceeds
-    `max_convex_angle_deg`; smaller angles also occur on the facets of a round surface.
+    An edge is re-entrant if the angle of the body around it is well above 180 degrees;
+    smaller angles also occur on the facets of a round surface.
     """
+    max_convex_angle_deg = 225
     outside = mesh.boundary_facets()
     held_edges = mesh.f2e[:, np.intersect1d(outside, facets)]
     other_edges = mesh.f2e[:, np.setdiff1d(outside, facets)]

@@ -152,13 +152,14 @@ def joining_block(line, curve):
     return block
 
 
-def edge_box_depth(half_angle, size, max_aspect=1.1):
+def edge_box_depth(half_angle, size):
     """Return the depth of the box around the end of an arc of a half angle [rad].
 
     It equals the depth of the rim ring if the arc is at least as wide as a block. For a
-    shorter arc it is at most `max_aspect` times the half angle, a limit with a margin
-    for nearly incompressible disks.
+    shorter arc it hardly exceeds the half angle, a limit with a margin for nearly
+    incompressible disks.
     """
+    max_aspect = 1.1  # ratio of depth to half angle
     if half_angle >= size.width:
         return size.depth
     return min(max_aspect * half_angle, size.depth * (half_angle / size.width) ** 0.5)
@@ -183,13 +184,14 @@ def short_arc_blocks(half_angle, size):
     return [polar_block(c) for c in corners]
 
 
-def rim_ring(edge, size, max_squared_width=0.3):
+def rim_ring(edge, size):
     """Return the blocks of the rim ring for an arc of half angle `edge` <= pi/2, and
     the angles of its columns.
 
-    The squared cells are at most `max_squared_width` [rad] wide, because quadratic
+    The width of the squared cells is limited, because quadratic
     cells in the w plane cannot represent a longer arc of the rim.
     """
+    max_squared_width = 0.3  # rad
     width = size.width
     half = min(edge, size.width)
     depth = edge_box_depth(half, size)

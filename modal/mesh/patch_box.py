@@ -45,15 +45,16 @@ def graded_distances(first, last, ratio):
     return first * growth ** (np.arange(count + 1)[:, None] / count)
 
 
-def nested_boxes(angle, height, top, size, max_tube_share=4, max_leg_factor=3):
+def nested_boxes(angle, height, top, size):
     """Return the `NestedBoxes` of a patch with a half angle [rad] and a height below
     `top`.
 
-    If the patch covers the whole circumference, so do the boxes. The tubes at the edges
-    are at most `max_tube_share` times as wide as the free strip above the patch; wider
-    ones would reach the face. A long patch has up to `max_leg_factor` times as many
-    cells along its upper edge as a short one.
+    If the patch covers the whole circumference, so do the boxes. The width of the tubes
+    at the edges is limited by that of the free strip above the patch; wider ones would
+    reach the face. A long patch has more cells along its upper edge than a short one.
     """
+    max_tube_share = 4  # ratio of the width of a tube to that of the strip
+    max_leg_factor = 3
     width = size.width
     rest = top - height
     beyond = min(pi - angle, max(angle, width / 4) + width - angle)

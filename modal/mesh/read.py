@@ -157,14 +157,16 @@ def hexahedra27_from_20(points, cells):
     )
 
 
-def check_mesh(mesh, name, min_size=1e-3, max_size=2.0, min_volume_ratio=1e-13):
+def check_mesh(mesh, name):
     """Raise ValueError if a mesh cannot be used.
 
-    Reasons are an implausible unit of length, degenerate cells, and several bodies. The
-    size of the mesh must be between `min_size` and `max_size` [m]. At the quadrature
-    points, the volume of the smallest cell must be at least `min_volume_ratio` times
-    that of the median cell; this permits cells that shrink towards an edge.
+    Reasons are an implausible unit of length, degenerate cells, and several bodies.
+    The volumes of the cells are compared at the quadrature points; cells may shrink
+    towards an edge.
     """
+    min_size = 1e-3  # m
+    max_size = 2.0  # m
+    min_volume_ratio = 1e-13  # of the smallest to the median cell
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():
         raise ValueError(f"{name}: some points are not finite")

@@ -133,14 +133,15 @@ def low_patch_cells(radius, bottom, top, angle, height, size):
     return np.concatenate(cells)
 
 
-def patch_height(thickness, support, full_height_share=0.985):
+def patch_height(thickness, support):
     """Return the modelled height [m] of the patch of a `Support` (default: the
     thickness).
 
-    A patch over more than the fraction `full_height_share` of the thickness is treated
-    as a patch over the whole thickness. The free strip would change the frequencies by
-    at most 0.4 %, less than the error of the cells around such a thin strip.
+    A patch over almost the whole thickness is treated as a patch over all of it. The
+    free strip would change the frequencies by at most 0.4 %, less than the error of the
+    cells around such a thin strip.
     """
+    full_height_share = 0.985
     height = support.height if support.kind == "patch" and support.height else thickness
     return height if height < full_height_share * thickness else thickness
 

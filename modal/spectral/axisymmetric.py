@@ -114,14 +114,13 @@ def mode_columns(
     }
 
 
-def drawing_mesh_split(
-    highest_order: int, mode_count: int, max_bytes: float = 4e8
-) -> int:
+def drawing_mesh_split(highest_order: int, mode_count: int) -> int:
     """Return the number of parts into which cell edges of the `drawing_mesh` are split.
 
     The cells resolve waves of the highest order, unless the displacements of all modes
-    would exceed `max_bytes`.
+    would require too much memory.
     """
+    max_bytes = 4e8
     bytes_unsplit = 800 * 3 * 8  # 800 nodes with three displacements each
     affordable = (max_bytes / (bytes_unsplit * max(mode_count, 1))) ** (1 / 3)
     return max(1, min(1 + highest_order // 6, int(affordable)))

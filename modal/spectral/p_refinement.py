@@ -121,14 +121,15 @@ def first_basis_size(plate, below):
     return 3 + ceil(wave_number * plate.radius / 2), 2
 
 
-def solve_to_tolerance(plate, p, size, below, tolerance, max_radial_count=27):
+def solve_to_tolerance(plate, p, size, below, tolerance):
     """Return the `Eigenpairs` of a basis large enough for the tolerance.
 
     The basis starts at `size` and is enlarged in the direction of the larger error
     until the sum of both errors is below the tolerance. The number of radial
-    polynomials is limited to `max_radial_count`, because convergence at a clamped,
-    hence singular, edge is slow; the errors are then those of the largest basis.
+    polynomials is limited, because convergence at a clamped, hence singular, edge is
+    slow; the errors are then those of the largest basis.
     """
+    max_radial_count = 27
     while True:
         pairs = solve_problem(plate, p, size, below)
         radial_error, axial_error = pairs.error.max(axis=1, initial=0.0)

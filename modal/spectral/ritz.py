@@ -57,7 +57,7 @@ def gauss_grid(plate, n, size):
     )
 
 
-def graded_gauss(hole, count, digits=16):
+def graded_gauss(hole, count):
     """Return points and weights (k,) for integrals over [hole, 1] of polynomials
     divided by rho.
 
@@ -65,9 +65,10 @@ def graded_gauss(hole, count, digits=16):
     geometrically graded intervals of at most a decade. For an interval with the ratio s
     of its ends, the pole at rho = 0 lies on the ellipse of log-radius e = 2
     atanh(sqrt(s)), and the relative error with n points is exp(-2 n e) (Trefethen,
-    Approximation Theory and Approximation Practice, theorem 19.3), which is 10^-digits
-    for n = digits ln(10)/(2 e).
+    Approximation Theory and Approximation Practice, theorem 19.3), which is 10^-d for n
+    = d ln(10)/(2 e).
     """
+    digits = 16
     intervals = ceil(-log(hole) / log(10))
     share = hole ** (1 / intervals)
     x, weight = leggauss(count + 2 + ceil(digits * log(10) / (4 * atanh(share**0.5))))

@@ -107,15 +107,18 @@ def coupled_modes(values, work, rest, limit):
     return square, modes, tractions @ modes
 
 
-def error_estimates(patch, free, square, tractions, limit, weights=(1.18, 0.7, 1.08)):
+def error_estimates(patch, free, square, tractions, limit):
     """Return estimated relative errors (k,) of the frequencies.
 
     Omitting tractions lowers every frequency. The estimate is a weighted sum of the
     changes due to omitting a third of the circumferential tractions, one traction
-    through the thickness, and the highest polynomials of the basis. With these weights
-    it is 1.2 to 5 times the true error for all types of disks and patches. To first
-    order, an additional flexibility dF lowers w^2 by p^T dF p.
+    through the thickness, and the highest polynomials of the basis. It is 1.2 to 5
+    times the true error for all types of disks and patches. To first order, an
+    additional flexibility dF lowers w^2 by p^T dF p.
     """
+    # of the changes due to circumferential tractions, tractions through the thickness,
+    # and polynomials
+    weights = (1.18, 0.7, 1.08)
     around = patch.richness.circumferential_tractions
     grid = np.arange(len(free.work)).reshape(len(patch.held), around, -1)
     fewer_around = grid[:, : around - (around + 1) // 3].ravel()
@@ -170,15 +173,17 @@ def high_order_flexibility(disk, patch, y, even, through, held_rows):
     return (result + far).reshape(3, size, size)
 
 
-def tail_sum_edges(first, angle, span, max_phase=0.3, max_growth=0.05):
+def tail_sum_edges(first, angle, span):
     """Return the edges of the intervals by which the midpoint rule approximates a sum
     over orders n >= `first`.
 
-    An interval is one order or `max_phase` divided by the half angle [rad], whichever
-    is larger, because J(n a) varies on the scale n a = 1. The first intervals are
-    narrower, at most the fraction `max_growth` of the order. The last intervals cover
+    An interval is one order or a fraction of 1/a, whichever is larger, because J(n a)
+    varies on the scale n a = 1, where a is the half angle [rad]. The first intervals
+    are narrower, a small fraction of the order. The last intervals cover
     `span` orders.
     """
+    max_phase = 0.3  # n a across an interval
+    max_growth = 0.05  # width of an interval relative to its order
     step = max(1.0, max_phase / angle)
     even = max(first, step / max_growth)
     growing = np.geomspace(first, even, 1 + ceil(np.log(even / first) / max_growth))

@@ -61,16 +61,17 @@ def solve_free_order(
     p: RitzProblem,
     size: tuple[int, int],
     cutoff: float,
-    missing_share: float = 2.6,
 ) -> FreeOrder:
     """Return the `FreeOrder` of a `RitzProblem` with modes up to `cutoff` [Hz], or
     without modes if it is 0.
 
     The highest polynomials come last in the factor of the stiffness, so that its last
-    rows yield their contribution. `missing_share` is the ratio of the flexibility of
-    all polynomials beyond the basis to this contribution; the flexibility decreases
-    slowly with the size of the basis, because rim and faces meet at a corner.
+    rows yield their contribution. The flexibility of all polynomials beyond the basis
+    is a multiple of this contribution; it decreases slowly with the size of the basis,
+    because rim and faces meet at a corner.
     """
+    # ratio of the flexibility beyond the basis to that of the highest polynomials
+    missing_share = 2.6
     is_highest = np.zeros((len(p.terms), *size), bool)
     is_highest[:, -1] = True
     is_highest[:, :, -1] = True

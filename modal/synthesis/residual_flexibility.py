@@ -122,17 +122,15 @@ def strip_means(
     )
 
 
-def nonlocal_flexibility(
-    disk: FreeDisk, size: float, missing_factor: float = 2
-) -> tuple[np.ndarray, np.ndarray]:
+def nonlocal_flexibility(disk: FreeDisk, size: float) -> tuple[np.ndarray, np.ndarray]:
     """Return F0 (3, 3) [m/N] of the bottom edge and the uncertainty (3,) of its
     diagonal.
 
     The directions are radial, tangential and axial. F0 = 2 F(2 s) - F(s) with s = size
-    [m]. The contribution of polynomials beyond the basis is at most `missing_factor`
-    times that of its highest polynomials, see
-    tests/modal/test_spring_supported_modes.py.
+    [m]. The contribution of polynomials beyond the basis is bounded by a multiple of
+    that of its highest polynomials, see tests/modal/test_spring_supported_modes.py.
     """
+    missing_factor = 2  # bound on this ratio
     wide, wide_highest = strip_flexibility(disk, 2 * size)
     narrow, narrow_highest = strip_flexibility(disk, size)
     return 2 * wide - narrow, missing_factor * np.diag(

@@ -97,13 +97,13 @@ def undamped_mesh_modes(
     )
 
 
-def top_face_triangles(mesh, name, tolerance=1e-6):
+def top_face_triangles(mesh, name):
     """Return the top face as triangles (k, 3, 2) [m]; raises ValueError if there is
     none.
 
-    The distance of its facets from the greatest height is below `tolerance` times the
-    size of the mesh.
+    Its facets lie at the greatest height, up to round-off.
     """
+    tolerance = 1e-6  # relative to the size of the mesh
     facets = mesh.facets[:, mesh.boundary_facets()]
     height = mesh.p[2]
     is_high = height[facets] > height.max() - tolerance * np.ptp(mesh.p, axis=1).max()
@@ -188,16 +188,18 @@ def facets_between(mesh, points):
     ]
 
 
-def sample_top_face(shape, top, shortest_wave, below, max_order=19, spare_orders=6):
+def sample_top_face(shape, top, shortest_wave, below):
     """Return points, weights, face, knots and coefficients of `SurfaceModes` for a
     triangulated face.
 
     The function shape(x (k,), y (k,)) -> (m, k) returns the mode shapes, and
     `shortest_wave` [m] is their shortest wavelength. The quadrature is exact for
-    polynomials of order `spare_orders` plus the phase [rad] of a sound wave across a
-    triangle, at most `max_order`. The face is evaluated with the splines, which are as
+    polynomials of an order that exceeds the phase [rad] of a sound wave across a
+    triangle, up to a maximum. The face is evaluated with the splines, which are as
     accurate between the nodes as nodal interpolation.
     """
+    max_order = 19
+    spare_orders = 6
     longest_side = np.linalg.norm(top - np.roll(top, 1, axis=1), axis=2).max()
     order = min(
         max_order, spare_orders + ceil(2 * pi * below / SOUND_SPEED * longest_side)

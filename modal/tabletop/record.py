@@ -140,7 +140,6 @@ def fit_splines(
     low: np.ndarray,
     high: np.ndarray,
     shortest_wave: float,
-    samples_per_wave: int = 16,
 ) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
     """Return knots and coefficients of splines that interpolate shape(x (k,), y (k,))
     -> (m, k).
@@ -148,6 +147,7 @@ def fit_splines(
     The corners of the rectangle are `low` and `high` (2,) [m]. With 16 samples per
     shortest wavelength [m], the error of cubic splines is 1e-4 of the amplitude.
     """
+    samples_per_wave = 16
     x, y = (
         np.linspace(
             start, end, 4 + ceil((end - start) * samples_per_wave / shortest_wave)

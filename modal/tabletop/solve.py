@@ -9,9 +9,9 @@ import numpy as np
 from modal.accuracy import ACCURACY_LEVELS, AccuracyLevel
 from modal.blas_threads import one_blas_thread
 from modal.elements.elastic import bending_wave_number, estimated_mode_count
-from modal.modes import UnsolvableError
+from modal.modes import DEFAULT_HIGHEST_FREQUENCY, UnsolvableError
 from modal.radiation import SOUND_SPEED
-from modal.solve import DEFAULT_HIGHEST_FREQUENCY, MAX_MODE_COUNT
+from modal.solve import MAX_MODE_COUNT
 from modal.spectral.axisymmetric import sine_partner_flags
 from modal.spectral.basis import Plate
 from modal.spectral.p_refinement import (
@@ -179,16 +179,16 @@ def sample_round_table(
     radius: float,
     shortest_wave: float,
     below: float,
-    spare_points: int = 16,
 ) -> dict[str, Any]:
     """Return points, weights, face, knots and coefficients of `SurfaceModes` for a
     round table.
 
     The function shape(r (k,), theta (k,)) -> (m, k) returns the mode shapes, and
     `shortest_wave` [m] is their shortest wavelength. The points are Gauss points in the
-    radius and equally spaced angles, `spare_points` more than required by shapes and
+    radius and equally spaced angles, with a few points more than required by shapes and
     sound paths.
     """
+    spare_points = 16
     # of the product of shape and sound path
     waves_around_rim = radius * 2 * pi * (below / SOUND_SPEED + 1 / shortest_wave)
     node, share = np.polynomial.legendre.leggauss(

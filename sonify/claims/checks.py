@@ -124,14 +124,15 @@ def friction_cone(motion: Motion):
     "Phi > 0 while there is contact, section 4",
     needs=("motion",),
 )
-def pushing_contact(motion: Motion, resolution: float = 1e-5):
+def pushing_contact(motion: Motion):
     """The share of the duration in which the normal force is tensile, or zero outside
     the losses of contact.
 
-    The forces of an elastic contact are interpolated means over `resolution` [s]. A
-    force therefore counts as zero only if it is also zero one `resolution` earlier and
-    later, and each loss of contact is extended by two means at both ends. The end is
-    not evaluated: a lift-off is located where the force is zero up to rounding."""
+    The forces of an elastic contact are interpolated means. A force therefore counts as
+    zero only if it is also zero one averaging interval earlier and later, and each loss
+    of contact is extended by two means at both ends. The end is not evaluated: a
+    lift-off is located where the force is zero up to rounding."""
+    resolution = 1e-5  # s; averaging interval of the forces
     t = motion.t[:-1]
     around = [
         motion.force(np.clip(t + shift, 0.0, t[-1]))[:, 2]

@@ -36,21 +36,13 @@ from sonify.sound.sources.contact_vibration import VibratingDisk
 
 VIBRATION_TIME_COUNT = 96
 """Number of instants at which the vibration of a motion is predicted."""
-RESONANCE_CURVE_POINTS = 800
-"""Number of points of the plotted contact resonance, enough for its oscillation with
-the nutation."""
 NOISE_BAND_INTERVAL = 0.5
 """Length of the intervals in which the noise band is measured [s]."""
-PREDICTIONS_PER_INTERVAL = 12
 
-FORCE_SAMPLE_RATE = 96e3
-"""Sample rate of the spectrum of a solved contact force [1/s]."""
 MIN_AIR_BAND_FREQUENCY_RATIO = 1.1
 """Ratio of the frequency of the noise band to that of the contact force above which the
 air determines the band."""
 
-RECORDED_RISING_PEAK = (1840.0, 2280.0)
-"""Range of the rising spectral peak recorded from the toy on granite [Hz]."""
 MIN_OPEN_SHARE = 1e-4
 """Least share of the time without contact that is attributed to vibrations and not to a
 slip."""
@@ -272,15 +264,16 @@ def radiated_bands(
     scene, motion, expected: PredictedVibration, heard: NoiseBand
 ) -> RadiatedBands:
     """Return the measured and predicted centre frequencies of the noise band."""
+    predictions_per_interval = 12
     f = np.arange(500.0, 20e3, 10.0)
     disk = VibratingDisk(scene, listener_of(scene)) if motion.film else None
     shown = np.flatnonzero(np.isfinite(heard.frequency))[
-        :: max(np.isfinite(heard.frequency).sum() // PREDICTIONS_PER_INTERVAL, 1)
+        :: max(np.isfinite(heard.frequency).sum() // predictions_per_interval, 1)
     ]
     found = []
     for i in shown:
         t = heard.time[i] + NOISE_BAND_INTERVAL * (
-            (np.arange(PREDICTIONS_PER_INTERVAL) + 0.5) / PREDICTIONS_PER_INTERVAL - 0.5
+            (np.arange(predictions_per_interval) + 0.5) / predictions_per_interval - 0.5
         )
         inclination, load, *rest = contact_conditions(
             motion, np.minimum(t, expected.t[-1])
@@ -319,12 +312,14 @@ def radiated_bands(
 def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     """Return the power spectral density (f,) [N^2/Hz] of the normal force in a time
     span [s], at frequencies f (f,) [Hz]."""
-    t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / FORCE_SAMPLE_RATE)
+    # Sample rate of the spectrum of a solved contact force [1/s]
+    force_sample_rate = 96e3
+    t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / force_sample_rate)
     welch_segment = 4096  # samples
     return np.interp(
         f,
         *welch(
-            motion.force(t)[:, 2], FORCE_SAMPLE_RATE, nperseg=min(welch_segment, len(t))
+            motion.force(t)[:, 2], force_sample_rate, nperseg=min(welch_segment, len(t))
         ),
     )
 
@@ -375,9 +370,11 @@ def air_moves_carrier(found: RadiatedBands):
 def carrier_passes_recorded_peaks(expected: PredictedVibration):
     """The time [s] during which the contact resonance is within the range of the
     recorded peak."""
+    # Range of the rising spectral peak recorded from the toy on granite [Hz]
+    recorded_rising_peak = (1840.0, 2280.0)
     when = expected.t[
-        (contact_resonance_frequency(expected) > RECORDED_RISING_PEAK[0])
-        & (contact_resonance_frequency(expected) < RECORDED_RISING_PEAK[1])
+        (contact_resonance_frequency(expected) > recorded_rising_peak[0])
+        & (contact_resonance_frequency(expected) < recorded_rising_peak[1])
     ]
     span = {"from": when[0], "to": when[-1]} if len(when) else {}
     return Measured(
@@ -563,12 +560,15 @@ def contact_resonance_line(
 
     Returns None for a rigid contact and for a motion with several simultaneous
     contacts."""
+    # Number of points of the plotted contact resonance, enough for its oscillation
+    # with the nutation
+    resonance_curve_points = 800
     if scene.contact.law == "rigid" or isinstance(motion, RattlingMotion):
         return None
     t = (
         last_single_ellipse_time(motion)
-        * (np.arange(RESONANCE_CURVE_POINTS) + 0.5)
-        / RESONANCE_CURVE_POINTS
+        * (np.arange(resonance_curve_points) + 0.5)
+        / resonance_curve_points
     )
     inclination, load, speed, _ = contact_conditions(motion, t)
     soft = effective_load_factors(scene, motion, t) * load

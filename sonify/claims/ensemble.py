@@ -15,9 +15,6 @@ from sonify.claims.air import final_loss_shares
 from sonify.claims.two_way import losses_above_flat, two_way_part, two_way_start
 from sonify.scene import Scene
 
-RELATIVE_PERTURBATION = 1e-5
-"""Relative standard deviation of the perturbed angular velocities."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
@@ -108,13 +105,15 @@ def repeat_final_part(
     watch : callable
         Called with the completed share.
     """
+    # Relative standard deviation of the perturbed angular velocities
+    relative_perturbation = 1e-5
     random = np.random.default_rng(seed)
     found = two_way_part(motion)
     rattles = isinstance(motion, RattlingMotion)
     table = motion.model.modes if isinstance(motion, RattlingMotion) else None
     repeated: list[Motion] = []
     for i in range(count):
-        factors = 1 + RELATIVE_PERTURBATION * random.standard_normal(3)
+        factors = 1 + relative_perturbation * random.standard_normal(3)
         if found is None or rattles:
             repeated.append(repeat_from_release(scene, factors, table))
         else:

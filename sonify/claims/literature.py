@@ -12,9 +12,6 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-SMOOTHING_SAMPLES = 101
-"""Length of the median filter that removes slow variations [samples]."""
-
 
 def literature_findings(
     scene: Scene, motion: Motion, modes: Modes, sound: Sound
@@ -107,6 +104,8 @@ def energy_lost_by_cause(motion: Motion) -> dict[str, float]:
 def force_peaks_sound(motion: Motion, sound: Sound):
     """The correlation of sound level and normal force after removal of slow
     variations."""
+    # Length of the median filter that removes slow variations [samples]
+    smoothing_samples = 101
     delay = sound.source_end - motion.t[-1]
     window = 0.01  # s
     seen = spectrogram(
@@ -118,14 +117,14 @@ def force_peaks_sound(motion: Motion, sound: Sound):
     level = np.log(power[sounds])
     t = np.clip(seen.time[sounds] - delay, 0.0, motion.t[-1])
     load = motion.steady_load(t)
-    if len(t) < SMOOTHING_SAMPLES:
+    if len(t) < smoothing_samples:
         return Measured(0.0, 1.0, undecided_because="the sound is too short")
-    swings = [row - median_filter(row, SMOOTHING_SAMPLES) for row in (level, load)]
+    swings = [row - median_filter(row, smoothing_samples) for row in (level, load)]
     if min(np.ptp(swing) for swing in swings) == 0:
         return Measured(
             0.0, 1.0, undecided_because="the level or the force does not vary"
         )
-    return Measured(np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / SMOOTHING_SAMPLES))
+    return Measured(np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / smoothing_samples))
 
 
 @finding(

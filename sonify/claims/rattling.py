@@ -25,8 +25,6 @@ FIT_SAMPLES = 400
 """Number of instants in the fit of the precession rate."""
 MODE_BAND_HALF_WIDTH = 0.03
 """Half-width of the band around a mode, relative to its frequency."""
-MIN_HEARD_FREQUENCY = 100.0
-"""Lowest frequency [Hz] of the sound power that is compared with the modes."""
 
 
 def rattling_findings(
@@ -134,11 +132,13 @@ def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
 
     The margin is the change of the share if the bands are half or twice as wide.
     """
+    # Lowest frequency [Hz] of the sound power that is compared with the modes
+    min_heard_frequency = 100.0
     pressure = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
     welch_length = 8192  # samples
     length = min(welch_length, len(pressure))
     frequency, power = welch(pressure, sound.sample_rate, nperseg=length)
-    audible = frequency > MIN_HEARD_FREQUENCY
+    audible = frequency > min_heard_frequency
     shares = []
     for width in (
         MODE_BAND_HALF_WIDTH / 2,
@@ -152,7 +152,7 @@ def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
         key="free_modes_are_heard",
         claim="The sound is that of the modes of the disk",
         value=shares[1],
-        unit=f"of the sound power above {MIN_HEARD_FREQUENCY:g} Hz, within "
+        unit=f"of the sound power above {min_heard_frequency:g} Hz, within "
         f"{MODE_BAND_HALF_WIDTH:.0%} of the frequencies of the modes",
         at_least=0.5,
         margin=max(shares) - min(shares),

@@ -15,7 +15,6 @@ MAX_MATCH_DISTANCE = 50.0
 """Distance [cents] below which a spectral line matches a resonance."""
 MIN_RESONANCE_INCLINATION = 0.003
 """Smallest inclination at which the contact resonance is computed [rad]."""
-RESONANCE_INCLINATION_COUNT = 40
 
 
 class Match(NamedTuple):
@@ -56,17 +55,18 @@ def nearest_resonance(line: Carrier, known: list[tuple[str, float]]) -> Match | 
 
 
 def _contact_resonances(scene):
+    resonance_inclination_count = 40
     disk = scene.disk
     beta = np.geomspace(
         MIN_RESONANCE_INCLINATION,
         max(np.radians(scene.release.inclination_deg), 2 * MIN_RESONANCE_INCLINATION),
-        RESONANCE_INCLINATION_COUNT,
+        resonance_inclination_count,
     )
     speed = np.array([steady_precession_rate(scene, b) for b in beta]) * disk.radius
     return (
         law_table(scene)
         .contact_resonance(
-            beta, np.full(RESONANCE_INCLINATION_COUNT, disk.weight), speed
+            beta, np.full(resonance_inclination_count, disk.weight), speed
         )
         .frequency
     )

@@ -183,12 +183,13 @@ def tone_is_heard(tone, sound: Sound):
     needs=("sound",),
     at_least=0.0,
 )
-def sound_is_audible(sound: Sound, window: float = 0.2):
-    """The greatest third-octave level above the threshold of hearing [dB] in windows of
-    `window` [s].
+def sound_is_audible(sound: Sound):
+    """The greatest third-octave level above the threshold of hearing [dB] in short
+    windows.
 
     The details include the share of the windows with a level above the threshold.
     """
+    window = 0.2  # s
     seen = spectrogram(sound.pressure, window, span=(0.0, sound.source_end))
     loudest = (band_levels(seen) - THRESHOLD_DB[:, None]).max(axis=0)
     details = {"audible_share": float((loudest > 0).mean())}

@@ -127,8 +127,6 @@ NO_ANSWER_REASONS = {
     "what ends the motion": "the motion was interrupted",
 }
 """Reason for a missing answer, by question."""
-MIN_REPORTED_END_CHANGE = 0.05
-"""Least change of the end of the motion by the table [s] that is reported."""
 
 
 def complete_answers(findings: Iterable[Finding]) -> dict[str, str]:
@@ -174,6 +172,8 @@ def short_answers(findings: Iterable[Finding]) -> dict[str, str]:
 def answer_in_air(findings: Iterable[Finding]) -> str:
     """Return a description of the end of a motion with an air film, from its
     findings."""
+    # Least change of the end of the motion by the table [s] that is reported
+    min_reported_end_change = 0.05
     by_key = {finding.key: finding for finding in findings}
     carried = by_key.get("carried_by_air")
     if "disk_rattles" in by_key:
@@ -186,7 +186,7 @@ def answer_in_air(findings: Iterable[Finding]) -> str:
     table = by_key.get("air_carries_earlier")
     if table is None:
         return words
-    if abs(table.value) >= MIN_REPORTED_END_CHANGE:
+    if abs(table.value) >= min_reported_end_change:
         return f"{words}, {table.value:.2f} s earlier than on a rigid table"
     acts = 1e3 * table.details["acts_before_end"]
     when = f"acts for {acts:.2g} ms" if acts else "never acts"

@@ -373,9 +373,10 @@ def loss_at_resonance(scene: Scene, motion: Motion):
     return Measured(x[np.abs(x - 1).argmin()] if len(x) else 0.0, details=details)
 
 
-def times_towards_end(scene, motion, count=4000):
-    """Return equally spaced times (count,) [s] from the onset of two-way coupling to
+def times_towards_end(scene, motion):
+    """Return equally spaced times (k,) [s] from the onset of two-way coupling to
     the end."""
+    count = 4000
     part, begin = two_way_part(motion)
     return np.linspace(begin + two_way_start(scene, part), motion.t[-1], count)
 

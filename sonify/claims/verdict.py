@@ -32,10 +32,6 @@ from sonify.claims.two_way import (
 )
 from sonify.scene import Scene
 
-WAVY_LOSS_RATIO = 1.05
-"""Ratio of the inclination at which waves break a damped contact to (n^2 - 1)
-amplitude/radius."""
-
 
 def simplest_scene(scene: Scene) -> Scene:
     """Return the scene with the simplest model that can judge the claims.
@@ -89,6 +85,9 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
 
     Roughness, waves of the surface and vibration of the table may break the contact;
     the ratio is 0 if none does."""
+    # Ratio of the inclination at which waves break a damped contact to (n^2 - 1)
+    # amplitude/radius
+    wavy_loss_ratio = 1.05
     end = max(float(motion.state[-1, 1]), ALMOST_FLAT_INCLINATION)
     begins = [loss.t for loss in motion.contact_losses]
     vibrates = float(motion.at([max(begins[0], 0.0)])[0, 1]) if begins else 0.0
@@ -102,7 +101,7 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
     wavy = 0.0
     if waves is not None:
         wavy = (
-            WAVY_LOSS_RATIO * (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
+            wavy_loss_ratio * (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
         )
     rough = (
         0.0

@@ -226,8 +226,9 @@ def _nondegenerate_triangles(points, triangles):
     return triangles[area > 0]
 
 
-def marker_mesh(radius: float, bands: int = 12) -> Mesh:
+def marker_mesh(radius: float) -> Mesh:
     """Return a sphere of a radius [m] that marks the contact."""
+    bands = 12
     latitude, longitude = np.meshgrid(
         np.linspace(-pi / 2, pi / 2, bands + 1),
         np.linspace(0, 2 * pi, 2 * bands + 1),

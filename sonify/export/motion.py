@@ -28,8 +28,6 @@ MOTION_SUFFIXES = {"gltf": "glb", "parquet": "parquet", "csv": "csv"}
 """File suffix of each format."""
 FRAME_RATE = 60.0
 """Default number of frames per second of an animated model."""
-MAX_ROWS = 20_000_000
-"""Largest number of rows or frames; a table of this size occupies 2 GB of memory."""
 
 
 @one_blas_thread
@@ -109,12 +107,14 @@ def solved_motion(
 def _row_times(motion: Motion, rate: float | None) -> np.ndarray:
     """Return the times [s] of the rows: at `rate` [1/s] from 0 on, plus the end of the
     motion."""
+    # Largest number of rows or frames; a table of this size occupies 2 GB of memory
+    max_rows = 20_000_000
     if rate is None:
         return motion.t
     end = motion.t[-1]
-    if end * rate > MAX_ROWS:
+    if end * rate > max_rows:
         raise InputError(
-            f"--rate = {rate:g}: would produce more than {MAX_ROWS} rows for a motion of {end:.3g} s"
+            f"--rate = {rate:g}: would produce more than {max_rows} rows for a motion of {end:.3g} s"
         )
     return np.append(np.arange(ceil(end * rate)) / rate, end)
 

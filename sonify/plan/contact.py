@@ -86,14 +86,13 @@ def unevenness_clause(scene: Scene) -> str:
     )
 
 
-def rattling_end_prediction(
-    predicted: Prediction, scene: Scene, duration_scatter: float = 0.02
-) -> Prediction:
+def rattling_end_prediction(predicted: Prediction, scene: Scene) -> Prediction:
     """Return the predicted error of the end of a chaotic rattling motion.
 
-    `duration_scatter` is the relative change of the duration with the time step. The
-    inclination decreases at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a
-    coefficient of restitution e."""
+    The relative error is the change of the duration with the time step. The inclination
+    decreases at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a coefficient of
+    restitution e."""
+    duration_scatter = 0.02  # relative
     if scene.roughness is None:
         return predicted
     rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
@@ -132,12 +131,13 @@ def rough_sound_prediction(predicted: Prediction, kind: str, film: bool) -> Pred
     )
 
 
-def bending_sentence(scene: Scene, late_inclination: float = 0.01) -> str:
+def bending_sentence(scene: Scene) -> str:
     """Return a sentence on the reduction of the contact resonance by bending of the
     disk.
 
-    The reduction is stated at the release and at `late_inclination` [rad].
+    The reduction is stated at the release and at a small inclination.
     """
+    late_inclination = 0.01  # rad
     if scene.elastic_edge is None:
         return sentences.SHELL_BENDING_NEGLECTED
     steep = np.radians(scene.release.inclination_deg)

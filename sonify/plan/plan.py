@@ -26,8 +26,6 @@ from sonify.scene import Scene
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
 from sonify.sound.force import INTERPOLATION_STRIDE
 
-MAX_NAMED_MODES = 6
-"""Maximum number of modes listed with their decay rates."""
 MIN_MODE_ENERGY_SHARE = 0.01
 """Minimum share of the total energy for which an inaudible mode is kept."""
 
@@ -230,10 +228,12 @@ def with_motion_end(
 def decay_decision(ringing: RingDown) -> Decision:
     """Return the decision on the decay of the modes after the motion, with rates and
     causes."""
+    # Maximum number of modes listed with their decay rates
+    max_named_modes = 6
     rows = zip(ringing.frequency, ringing.decay_rate, ringing.decay_time, strict=True)
     named = [f"{f:.0f} Hz: {d:.3g} 1/s (T60 {t:.2g} s)" for f, d, t in rows]
-    if len(named) > MAX_NAMED_MODES:
-        named = [*named[:MAX_NAMED_MODES], f"{len(named) - MAX_NAMED_MODES} more modes"]
+    if len(named) > max_named_modes:
+        named = [*named[:max_named_modes], f"{len(named) - max_named_modes} more modes"]
     own = "by material and radiation"
     if ringing.gap is not None and len(named):
         rates = sorted(

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 FRAME_RATE = 25  # frames per second
-EXPOSURES_PER_FRAME = 12
 FILM_DURATION = 8.0  # s
 TAIL_DURATION = 1.0
 """Duration of the video after the end of the motion [s]."""
@@ -243,10 +242,11 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
 
     The shutter is open for the whole duration of the frame.
     """
+    exposures_per_frame = 12
     disk = clip.result.scene.disk
     last = min(t + 1 / FRAME_RATE, clip.result.sound.source_end)
     state = clip.states(
-        t + (np.arange(EXPOSURES_PER_FRAME) + 0.5) / EXPOSURES_PER_FRAME / FRAME_RATE
+        t + (np.arange(exposures_per_frame) + 0.5) / exposures_per_frame / FRAME_RATE
     )
     image = draw_blurred_disk(
         camera,

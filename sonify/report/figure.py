@@ -79,16 +79,16 @@ def place_legend_above(panel, columns: int = 3, **options):
     )
 
 
-def running_range(
-    y, share: float, columns: int = 1000
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def running_range(y, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the running mean, minimum and maximum (c,) of evenly spaced samples y
     (k,).
 
-    The window contains a `share` of the k samples, and c is about `columns`. Minimum
-    and maximum are those of the deviation from the mean, so that a mere trend does not
-    produce a band; they never exceed the range of y within the window.
+    The window contains a `share` of the k samples, and c is about the width of a figure
+    in pixels. Minimum and maximum are those of the deviation from the mean, so that a
+    mere trend does not produce a band; they never exceed the range of y within the
+    window.
     """
+    columns = 1000
     size = max(round(share * len(y)), 1)
     mean = uniform_filter1d(y, size, mode="nearest")
     below = mean + minimum_filter1d(y - mean, size, mode="nearest")

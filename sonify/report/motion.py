@@ -22,8 +22,6 @@ PAPER_PANELS = (
     ("precession rate dθ/dτ", "Figure 6"),
 )
 """Axis label and panel title of each of the paper's figures."""
-AVERAGING_SHARE = 0.015
-"""Window of running range and mean, as a fraction of the duration."""
 ENERGY_UNITS = {1.0: "J", 1e-3: "mJ", 1e-6: "µJ", 1e-9: "nJ"}
 """Symbol of each energy unit, by its size [J]."""
 
@@ -50,10 +48,12 @@ def _draw_si(
     drawn as a reference for the force. The rows of `rates` and `before_end` (3, q) are
     times [s], precession [Hz] and nutation [Hz].
     """
+    # Window of running range and mean, as a fraction of the duration
+    averaging_share = 0.015
     (tilt, held, load) = axes[:, 0]
     (hertz, end, path) = axes[[1, 2, 0], 1]
     for panel, curve in ((tilt, inclination), (load, force)):
-        mean, least, greatest = running_range(curve, AVERAGING_SHARE)
+        mean, least, greatest = running_range(curve, averaging_share)
         at = np.linspace(time[0], time[-1], len(mean))
         panel.fill_between(
             at, least, greatest, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range"
@@ -63,7 +63,7 @@ def _draw_si(
             mean,
             color="#0072b2",
             lw=1.0,
-            label=f"mean over {AVERAGING_SHARE * np.ptp(time):.2g} s",
+            label=f"mean over {averaging_share * np.ptp(time):.2g} s",
         )
     load.axhline(weight, color="k", lw=1.0, ls="--", label="weight")
     size = next((size for size in ENERGY_UNITS if energy.max() >= size), 1e-9)
@@ -156,8 +156,6 @@ LINE_STYLES = (
     (0, (7, 2, 1, 2, 1, 2)),
     (0, (3, 1)),
 )
-MIN_ENERGY_SHARE = 1e-6
-"""Smallest energy drawn, as a fraction of the greatest."""
 CAUSE_NAMES = {
     "contact": "compression of the contact",
     "creep": "creep of the contact",
@@ -175,6 +173,8 @@ def draw_energy(path, left, held: dict, lost: dict):
 
     `held` are the stored energies and `lost` the cumulative losses, (k,) by name.
     """
+    # Smallest energy drawn, as a fraction of the greatest
+    min_energy_share = 1e-6
     with png_figure(path, 1, 2, (11, 5.6)) as (figure, axes):
         figure.subplots_adjust(top=0.76)
         for panel, curves, title in zip(
@@ -184,7 +184,7 @@ def draw_energy(path, left, held: dict, lost: dict):
             shown = {
                 name: curve
                 for name, curve in curves.items()
-                if curve.max() > MIN_ENERGY_SHARE * most
+                if curve.max() > min_energy_share * most
             }
             for (name, curve), style in zip(shown.items(), LINE_STYLES, strict=False):
                 panel.plot(
@@ -194,7 +194,7 @@ def draw_energy(path, left, held: dict, lost: dict):
                 xscale="log",
                 yscale="log",
                 xlim=(left[0], left[-1]),
-                ylim=(MIN_ENERGY_SHARE * most, 2 * most),
+                ylim=(min_energy_share * most, 2 * most),
             )
             panel.set(
                 xlabel="time before the end of the motion [s]", ylabel="energy [J]"

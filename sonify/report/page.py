@@ -28,9 +28,6 @@ from sonify.runtime.files import atomic_write
 if TYPE_CHECKING:
     from sonify.result import Result
 
-MAX_NOTEBOOK_SOUND = 200_000
-"""Largest sound embedded in the notebook view of a result [characters of base64]."""
-
 
 def write_page(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
     """Write the page of a result with all pictures and sounds embedded.
@@ -118,12 +115,14 @@ def summary_text(result: "Result") -> str:
 def notebook_html(result: "Result") -> str:
     """Return a result as an HTML fragment: a sound player and the verdict on each
     claim."""
+    # Largest sound embedded in the notebook view of a result [characters of base64]
+    max_notebook_sound = 200_000
     template = templates().get_template("notebook.html")
     sound = result.sound
     seconds = sound.duration
     audible = flac_data_url(sound.audible)
-    while len(audible) > MAX_NOTEBOOK_SOUND:
-        seconds *= 0.95 * MAX_NOTEBOOK_SOUND / len(audible)
+    while len(audible) > max_notebook_sound:
+        seconds *= 0.95 * max_notebook_sound / len(audible)
         audible = flac_data_url(sound.audible, sound.duration - seconds)
     return template.render(
         result=result,

@@ -30,9 +30,10 @@ def settling_run_record(run: SettlingRun) -> dict:
     }
 
 
-def joint_region_rows(run: SettlingRun, step: float = 0.05) -> list[dict]:
+def joint_region_rows(run: SettlingRun) -> list[dict]:
     """Return the ranges of end and rate compatible with a run, one row per step of the
     exponent."""
+    step = 0.05
     region = run.region
     places = np.round(region.exponents / step)
     rows = []

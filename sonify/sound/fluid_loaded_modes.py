@@ -14,6 +14,7 @@ from scipy.optimize import brentq
 
 from dynamics.air import PRANDTL_NUMBER
 from modal import Modes
+from sonify.sound.film_radiation import MAX_RIM_ORDER
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import Knots, OscillatorBank
 from sonify.sound.radiation import (
@@ -28,8 +29,6 @@ TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
 applies."""
 MESH_GRADING = 6.0
 """Grading of the film's mesh, the argument `nearest` of FilmMesh."""
-MAX_RIM_FLOW_ORDER = 4
-"""Highest azimuthal harmonic of the flow out of the rim."""
 MIN_MESH_CELLS = 8
 """Smallest number of elements of the film's mesh along the radius."""
 MAX_MESH_CELLS = 36
@@ -162,7 +161,7 @@ def fluid_loaded_modes(
         frequencies.append(rate / (2 * pi))
         film_decay_rate.append(np.maximum(decay - modes.decay_rate, 0.0))
         flows.append([response.rim for response in responses])
-    rim_flows = np.reshape(flows, (len(gaps), len(modes), 2 * MAX_RIM_FLOW_ORDER + 1))
+    rim_flows = np.reshape(flows, (len(gaps), len(modes), 2 * MAX_RIM_ORDER + 1))
     return FluidLoadedModes(
         log_gap=np.log(gaps),
         frequency=np.array(frequencies),
@@ -175,7 +174,7 @@ def fluid_loaded_modes(
 class FilmResponse(NamedTuple):
     """Response of the film to a mode of unit modal mass.
 
-    `drag` is half the impedance of the film [1/s]; `rim` (2 MAX_RIM_FLOW_ORDER + 1,)
+    `drag` is half the impedance of the film [1/s]; `rim` (2 MAX_RIM_ORDER + 1,)
     contains the harmonics of the flow out of the rim."""
 
     drag: complex
@@ -209,12 +208,14 @@ def _phase_resonance(
     return float(np.exp(log_rate)), responses[log_rate]
 
 
-def mesh_cells(wavenumber, cells_per_wave=2.5, max_work: float = 5e4) -> list[int]:
+def mesh_cells(wavenumber) -> list[int]:
     """Return the numbers of radial mesh elements for modes with wavenumbers k R (m,).
 
     The computing time of a mode is proportional to the square of this number. If the
-    sum of the squares exceeds `max_work`, which corresponds to several minutes, the
-    finest meshes are coarsened, but not below MIN_MESH_CELLS."""
+    sum of the squares corresponds to more than several minutes, the finest meshes are
+    coarsened, but not below MIN_MESH_CELLS."""
+    cells_per_wave = 2.5
+    max_work = 5e4  # sum of squares of element numbers
     cells = np.clip(
         np.ceil(cells_per_wave * np.asarray(wavenumber)), MIN_MESH_CELLS, MAX_MESH_CELLS
     ).astype(int)
@@ -246,14 +247,14 @@ def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
     layers = boundary_layer_number(gap, rate, air)
     heat = layers * PRANDTL_NUMBER**0.5
     work = 0j
-    rim = np.zeros(2 * MAX_RIM_FLOW_ORDER + 1, complex)
+    rim = np.zeros(2 * MAX_RIM_ORDER + 1, complex)
     for mesh, shape in parts:
         response = mesh.linear_responses(
             [shape],
             [shape],
             sigma,
             inertia=layers,
-            orders=MAX_RIM_FLOW_ORDER,
+            orders=MAX_RIM_ORDER,
             heat=heat,
         )[0]
         work += response.works[0]
@@ -289,32 +290,30 @@ def bottom_shape(modes: Modes, i: int, points, radius: float) -> np.ndarray:
     nodes = modes.face_radius / radius
     degree = len(modes.face_radius) - 1
     polynomials = np.linalg.solve(
-        legvander(2 * nodes - 1, degree), wave[:, : 2 * MAX_RIM_FLOW_ORDER]
+        legvander(2 * nodes - 1, degree), wave[:, : 2 * MAX_RIM_ORDER]
     )
     along = legvander(2 * np.abs(points).ravel() - 1, degree) @ polynomials
     turn = np.exp(1j * np.outer(np.angle(points) + pi, np.arange(along.shape[1])))
     return (along * turn).real.sum(axis=1).reshape(points.shape)
 
 
-def radiation_gain(
-    modes: Modes, scene, flows, views=16, max_wavenumber=1.5
-) -> np.ndarray:
+def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     """Return the ratio (a, m) of the total pressure to that of the upper face alone.
 
     The total pressure is that of the upper face and the flow out of the rim.
 
-    `flows` (a, m, 2 MAX_RIM_FLOW_ORDER + 1) are harmonics of the rim flow. Pressures
-    are root mean squares over `views` azimuths. Harmonics 0 and 1 are corrected for the
-    height of the disk. Modes with k R above `max_wavenumber` radiate as above a closed
-    film, because the model does not cover their rim flow.
+    `flows` (a, m, 2 MAX_RIM_ORDER + 1) are harmonics of the rim flow. Pressures
+    are root mean squares over the azimuth. Harmonics 0 and 1 are corrected for the
+    height of the disk. Modes with large k R radiate as above a closed film, because the
+    model does not cover their rim flow.
     """
+    views = 16
+    max_wavenumber = 1.5  # k R
     a0, b0, a1, b1 = raised_disk_pressure_ratios(
         scene.disk.thickness, scene.disk.radius
     )
     listener = listener_of(scene)
-    signed_order = np.append(
-        np.arange(MAX_RIM_FLOW_ORDER + 1), np.arange(-MAX_RIM_FLOW_ORDER, 0)
-    )
+    signed_order = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(-MAX_RIM_ORDER, 0))
     order = np.abs(signed_order)
     wave = np.fft.rfft(modes.face_shape, axis=3)
     wave[..., 0] *= a0

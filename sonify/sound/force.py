@@ -17,9 +17,6 @@ INTERPOLATION_STRIDE = 16  # samples
 interpolation."""
 INTERPOLATION_NODES = 6
 """Number of nodes of the interpolating polynomial; half of them precede the sample."""
-FADE_TURNS = 4
-"""Number of revolutions of the contact point over which each channel fades to its mean
-at the end of a settled motion."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,6 +136,9 @@ class ForceSampler:
         calm=0.0,
         fade=0.0,
     ):
+        # Number of revolutions of the contact point over which each channel fades to
+        # its mean at the end of a settled motion
+        fade_turns = 4
         self.motion = motion
         self.channels = channels
         self.sample_rate = sample_rate
@@ -147,10 +147,10 @@ class ForceSampler:
         self.evaluations = 0
         self.end = float(motion.t[-1])
         if motion.outcome.name == "SETTLED":
-            fade = FADE_TURNS * 2 * np.pi / final_contact_rate(motion)
+            fade = fade_turns * 2 * np.pi / final_contact_rate(motion)
         span = np.min(fade, where=np.greater(fade, 0), initial=self.end)
         last = self._evaluate_channels(
-            self.end - span * np.linspace(0, 1, 32 * FADE_TURNS)
+            self.end - span * np.linspace(0, 1, 32 * fade_turns)
         )[1]
         mean = np.where(np.greater(fade, 0), last.mean(axis=0), last[0])
         self.rest = np.where(np.isnan(rest), mean, rest)

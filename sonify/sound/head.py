@@ -42,13 +42,14 @@ class Ear:
 
 
 def ear_pressure_ratio(
-    ear: Ear, frequency, sound_speed: float = SOUND_SPEED, tolerance: float = 1e-12
+    ear: Ear, frequency, sound_speed: float = SOUND_SPEED
 ) -> np.ndarray:
     """Return the ratio (k,) of the pressure at an ear to the free-field pressure.
 
     The frequencies (k,) [Hz] are positive; the phase is that of exp(i w t). With k a =
     x, the total pressure of a unit source on the sphere is -k/x^2 times the sum over m
     of (2 m + 1) P_m(cosine) h_m(k d)/h_m'(x)."""
+    tolerance = 1e-12
     k = 2 * np.pi * np.asarray(frequency, float) / sound_speed
     near = k * ear.head_radius
     far = k * ear.source_distance

@@ -147,9 +147,10 @@ def true_peak(source) -> float:
     return float(peak)
 
 
-def _overlapping_parts(source, filter_reach=32):
+def _overlapping_parts(source):
     """Return parts of a source, extended on both sides by the reach of the resampling
     filter [samples]."""
+    filter_reach = 32
     return pieces(source, BLOCK, 2 * filter_reach)
 
 

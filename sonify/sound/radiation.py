@@ -17,8 +17,6 @@ from modal.radiation import SOUND_SPEED as SOUND_SPEED
 from sonify.scene import ListenerPosition
 from sonify.sound.head import Ear
 
-NEAR_FIELD_DISTANCE_RATIO = 4.0
-"""Ratio of distance to disk radius below which the near field is computed."""
 AZIMUTH_COUNT = 512
 """Number of azimuths at which the radiation of a mode is tabulated for linear
 interpolation."""
@@ -72,7 +70,9 @@ def listeners_of(scene: Any) -> list[Listener]:
 
 def _ears_of(position: ListenerPosition, scene) -> list[Listener]:
     """Return the listener at a position, or the two ears of a head there."""
-    is_in_near_field = position.distance < NEAR_FIELD_DISTANCE_RATIO * scene.disk.radius
+    # Ratio of distance to disk radius below which the near field is computed
+    near_field_distance_ratio = 4.0
+    is_in_near_field = position.distance < near_field_distance_ratio * scene.disk.radius
     listener = Listener(
         distance=position.distance,
         elevation=np.radians(position.elevation_deg),

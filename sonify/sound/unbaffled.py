@@ -17,9 +17,6 @@ from scipy.special import ellipe, eval_jacobi, gammaln, spherical_jn
 
 MAX_UNBAFFLED_KA = 12.0
 """Wavenumber times radius above which the plate radiates as in a baffle."""
-KA_BLEND_RANGE = 2.0
-"""Range of wavenumber times radius below MAX_UNBAFFLED_KA over which both solutions are
-blended."""
 KA_STEP = 0.4
 """Step of wavenumber times radius between solutions of the disk."""
 BASIS_SIZE = 12
@@ -60,6 +57,9 @@ class UnbaffledRatio:
 
     def ratio_at(self, frequency: float) -> np.ndarray:
         """Return the factor (p,) at a frequency [Hz]; 1 above MAX_UNBAFFLED_KA."""
+        # Range of wavenumber times radius below MAX_UNBAFFLED_KA over which both
+        # solutions are blended
+        ka_blend_range = 2.0
         size = frequency * self._size_per_frequency
         if size >= MAX_UNBAFFLED_KA:
             return np.ones(self._factors_per_size.shape[1], complex)
@@ -67,7 +67,7 @@ class UnbaffledRatio:
         share = size / KA_STEP - step
         below, above = self._factors_per_size[step : step + 2]
         factor = size * ((1 - share) * below + share * above)
-        baffled = max(1 - (MAX_UNBAFFLED_KA - size) / KA_BLEND_RANGE, 0.0)
+        baffled = max(1 - (MAX_UNBAFFLED_KA - size) / ka_blend_range, 0.0)
         return factor + baffled * (1 - factor)
 
 

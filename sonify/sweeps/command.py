@@ -289,9 +289,10 @@ def _measure_two_runs(sweep_spec, start, stride):
     return seconds
 
 
-def _valid_runs(sweep_spec, start, stride, tries=1000):
+def _valid_runs(sweep_spec, start, stride):
     """Yield the runs with valid scenes among every `stride`-th run, first from `start`
     on, then before it."""
+    tries = 1000
     runs = chain(
         range(start, sweep_spec.points.count, stride),
         range(start % stride, start, stride),

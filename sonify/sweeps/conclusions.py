@@ -7,10 +7,6 @@ import pyarrow as pa
 
 from dynamics.air import STANDARD_PRESSURE
 
-MAX_VERIFIED_COMPRESSIBILITY = 100.0
-"""Largest compressibility number Lam for which the film law was verified
-numerically."""
-
 
 def friction_conclusion(table: pa.Table) -> list[str]:
     """Return sentences on end time and number of slips, over Coulomb friction and
@@ -50,13 +46,16 @@ def halt_conclusion(table: pa.Table) -> list[str]:
 
     Runs outside the verified range of the film law are reported separately.
     """
+    # Largest compressibility number Lam for which the film law was verified
+    # numerically
+    max_verified_compressibility = 100.0
     pressure, moment, squeezed = numeric_columns(
         table, "air.pressure", "dissipation.contour_moment", "film_squeezed"
     )
     held = [
         p
         for p in np.unique(pressure)
-        if (squeezed[pressure >= p] < MAX_VERIFIED_COMPRESSIBILITY).all()
+        if (squeezed[pressure >= p] < max_verified_compressibility).all()
     ]
     known = pressure >= min(held, default=np.inf)
     airborne = text_mask(table, "outcome", "AIRBORNE")
@@ -65,13 +64,13 @@ def halt_conclusion(table: pa.Table) -> list[str]:
     outside = (
         f"At lower pressures {(~known).sum()} runs are inconclusive. There the compressibility "
         f"number Lam, or 33 times the squeeze number, reaches {squeezed.max():.1g}, while the film "
-        f"law was verified up to {MAX_VERIFIED_COMPRESSIBILITY:g}. By this law the film dissipates "
+        f"law was verified up to {max_verified_compressibility:g}. By this law the film dissipates "
         f"the most energy in {still.sum()} of them, down to "
         f"{pressure[still].min(initial=np.inf) / STANDARD_PRESSURE:.2g} atmospheres."
     )
     inside = (
         f"The final compressibility number Lam is at most {squeezed.max():.2g}. The film law was "
-        f"verified up to {MAX_VERIFIED_COMPRESSIBILITY:g} and is therefore valid in all runs."
+        f"verified up to {max_verified_compressibility:g} and is therefore valid in all runs."
     )
     return [
         f"At {pressure[known].min() / STANDARD_PRESSURE:.2g} atmospheres and above, where the film law was "

@@ -23,9 +23,6 @@ from sonify.sweeps.axes import Points, Samples, points_of
 from sonify.sweeps.required_stages import stages_for
 
 SHIPPED_SWEEPS_FOLDER = Path(__file__).parent / "shipped"
-MAX_RUNS = 1_000_000_000
-"""Largest number of runs of a sweep, limited by the memory for their completion
-flags."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -239,6 +236,9 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
     InputError
         If there is no such sweep, or if a key or value is not allowed.
     """
+    # Largest number of runs of a sweep, limited by the memory for their completion
+    # flags
+    max_runs = 1_000_000_000
     path = (
         Path()
         if isinstance(source, dict)
@@ -250,9 +250,9 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
     except ValidationError as error:
         raise InputError(error_sentence(error, Sweep)) from None
     object.__setattr__(sweep, "folder", path.parent)
-    if sweep.points.count > MAX_RUNS:
+    if sweep.points.count > max_runs:
         raise InputError(
-            f"axes: {sweep.points.count:.3g} runs are more than {MAX_RUNS:.0e}; divide the sweep into "
+            f"axes: {sweep.points.count:.3g} runs are more than {max_runs:.0e}; divide the sweep into "
             f"several sweeps"
         )
     sweep.check()

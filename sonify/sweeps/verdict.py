@@ -21,15 +21,8 @@ CLAIM_TEXTS = {
     "resonance_rises": "The contact resonance rises by at least a fifth",
 }
 """Text of each claim, by table column."""
-MAX_INTERVAL_WIDTH = 0.2
-"""Maximum width of the 95 % confidence interval of a resolved index."""
-MIN_REPORTED_INDEX = 0.05
-"""Smallest index that is reported."""
 BOOTSTRAP_RESAMPLES = 100
 """Number of bootstrap resamples of an index."""
-INDEX_HARMONICS = 4
-"""Number of harmonics in an index; enough for a monotonic dependence, and few enough to
-limit noise."""
 WIDTH_IN_WORDS = {0.5: "halved", 2.0: "doubled"}
 
 
@@ -44,7 +37,9 @@ class SensitivityIndex(NamedTuple):
     @property
     def resolved(self) -> bool:
         """True if the confidence interval is narrow enough."""
-        return 2 * self.error <= MAX_INTERVAL_WIDTH
+        # Maximum width of the 95 % confidence interval of a resolved index
+        max_interval_width = 0.2
+        return 2 * self.error <= max_interval_width
 
 
 def require_index_library() -> None:
@@ -69,6 +64,9 @@ def first_order_indices(
     result : ndarray, shape (n,)
         Result of each draw; must vary.
     """
+    # Number of harmonics in an index; enough for a monotonic dependence, and few
+    # enough to limit noise
+    index_harmonics = 4
     from SALib.analyze import rbd_fast
 
     with np.errstate(invalid="ignore"):  # the result may be constant in a resample
@@ -76,7 +74,7 @@ def first_order_indices(
             salib_problem(names),
             draws,
             result,
-            M=INDEX_HARMONICS,
+            M=index_harmonics,
             num_resamples=BOOTSTRAP_RESAMPLES,
             conf_level=0.95,
             seed=1,
@@ -173,9 +171,11 @@ def value_ranks(table: pa.Table, name: str) -> np.ndarray:
 
 def dependence_clause(indices: list[SensitivityIndex]) -> str:
     """Return a clause on the axes on which a share depends."""
-    named = [index for index in indices if index.value >= MIN_REPORTED_INDEX]
+    # Smallest index that is reported
+    min_reported_index = 0.05
+    named = [index for index in indices if index.value >= min_reported_index]
     if not named:
-        return f"no single quantity has an index above {MIN_REPORTED_INDEX:g}"
+        return f"no single quantity has an index above {min_reported_index:g}"
     words = [
         f"{index.axis} ({index.value:.2f} ± {index.error:.2f})"
         for index in named

@@ -21,7 +21,8 @@ from scipy.interpolate import BarycentricInterpolator
 from dynamics import simulate
 from modal import eigenmodes
 from sonify import load_scene, run
-from sonify.sound.fluid_loaded_modes import MAX_RIM_FLOW_ORDER, bottom_shape
+from sonify.sound.film_radiation import MAX_RIM_ORDER
+from sonify.sound.fluid_loaded_modes import bottom_shape
 from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
@@ -77,8 +78,8 @@ def test_the_shape_that_a_film_feels_is_the_same_bits_every_time(scene, modes):
     opposite = (
         wave[:, :1]
         + 2
-        * wave[:, 1 : 2 * MAX_RIM_FLOW_ORDER]
-        @ (-1.0) ** np.arange(1, 2 * MAX_RIM_FLOW_ORDER)[:, None]
+        * wave[:, 1 : 2 * MAX_RIM_ORDER]
+        @ (-1.0) ** np.arange(1, 2 * MAX_RIM_ORDER)[:, None]
     ).real[:, 0]
     through = BarycentricInterpolator(modes.face_radius / scene.disk.radius, opposite)(
         along

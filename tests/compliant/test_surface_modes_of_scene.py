@@ -14,7 +14,7 @@ from dynamics import MotionScene, OwnLaw, simulate
 from dynamics.compliant.modes_from_scene import MAX_TABLE_FREQUENCY, modes_from_numbers
 from dynamics.compliant.switched_motion import SwitchedMotion
 from modal import surface_modes
-from modal.solve import DEFAULT_HIGHEST_FREQUENCY
+from modal.modes import DEFAULT_HIGHEST_FREQUENCY
 from sonify import load_scene, solve
 
 LIGHT_MODE = "surface={kind='modes', modes=[{order=3, frequency=600.0, damping_ratio=0.005, modal_mass=1.0}]}"

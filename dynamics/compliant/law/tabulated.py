@@ -248,14 +248,13 @@ class LawTable:
         )
 
 
-def positive_interpolants(
-    grid: np.ndarray, columns: np.ndarray, steep: float = 2.0
-) -> PPoly:
+def positive_interpolants(grid: np.ndarray, columns: np.ndarray) -> PPoly:
     """Return interpolants of positive columns (n, k) at the nodes (n,).
 
-    A column that changes by more than the factor `steep` between nodes, where a spline
-    might become negative, has a monotone interpolant.
+    A column that changes steeply between nodes, where a spline might become negative,
+    has a monotone interpolant.
     """
+    steep = 2.0  # ratio of the values at neighbouring nodes
     above = np.maximum(columns[1:], columns[:-1])
     below = np.minimum(columns[1:], columns[:-1])
     leaps = np.any(above > steep * below, axis=0)

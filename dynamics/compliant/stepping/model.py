@@ -30,9 +30,8 @@ from dynamics.compliant.stepping.table_modes import (
 from dynamics.compliant.stepping.time_loop import EndReason, step_motion
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film
+from dynamics.solver_settings import ACCURACY_LEVELS
 
-DEFAULT_STEP_RATE = 400e3
-"""Default number of steps per second; sufficient down to 1e-6 rad."""
 STEPS_PER_CALL = 2**15
 """Number of steps in one call of the time loop, unless a row has more."""
 NODES_PER_RATE_CHECK = 10
@@ -159,7 +158,7 @@ class CompliantModel:
     friction_is_fitted: bool = False
     bowl_curvature: float = 0.0
     bowl_place: tuple[float, float] = (0.0, 0.0)
-    rate: float = DEFAULT_STEP_RATE
+    rate: float = ACCURACY_LEVELS["standard"].contact_rate
 
     @cached_property
     def constants(self) -> ModelConstants:

@@ -45,23 +45,8 @@ FORCE_TOLERANCE = 1e-12
 """Tolerance of the normal force, divided by the sum of force and weight."""
 MAX_ITERATIONS = 40
 """Largest number of iterations for the normal force in one step."""
-FINAL_NEWTON_TOLERANCE = 3e-6
-"""Relative error of force and torque below which one more Newton step is sufficient.
-
-The energy of an impact is then conserved to 1e-12.
-"""
 MAX_STATIONARY_DISPLACEMENT = 1e-10
 """Displacement per step [m] below which the contact is considered stationary."""
-HEIGHT_UPDATE_DISTANCE = 1e-9
-"""Change of the estimated path length [m] above which heights are evaluated again.
-
-It does not affect the energy balance, because the slopes are difference quotients.
-"""
-MAX_HEIGHT_EVALUATIONS = 3
-"""Largest number of evaluations of the heights in one step."""
-MIN_RELATIVE_SINE_CHANGE = 1e-4
-"""Relative change of sin(beta) below which the mean of dK/ds replaces its difference
-quotient."""
 
 
 @kernel
@@ -124,6 +109,18 @@ def midpoint_velocities(
 @kernel
 def step_normal(y, constants, law, table, rim, h):
     """Advance y by the normal part of a step h; return False if there is no solution."""
+    # Relative error of force and torque below which one more Newton step is
+    # sufficient. The energy of an impact is then conserved to 1e-12.
+    final_newton_tolerance = 3e-6
+    # Change of the estimated path length [m] above which heights are evaluated again.
+    # It does not affect the energy balance, because the slopes are difference
+    # quotients.
+    height_update_distance = 1e-9
+    # Largest number of evaluations of the heights in one step
+    max_height_evaluations = 3
+    # Relative change of sin(beta) below which the mean of dK/ds replaces its
+    # difference quotient
+    min_relative_sine_change = 1e-4
     m = constants.mass
     J = constants.diametral_inertia
     R = constants.core_radius
@@ -206,9 +203,9 @@ def step_normal(y, constants, law, table, rim, h):
             return False
         iterations_left -= 1
         if (
-            iterations_left >= MAX_ITERATIONS - MAX_HEIGHT_EVALUATIONS
+            iterations_left >= MAX_ITERATIONS - max_height_evaluations
             and max(abs(dpath - read_path), abs(dedge - read_edge))
-            > HEIGHT_UPDATE_DISTANCE
+            > height_update_distance
         ):
             read_path = dpath
             read_edge = dedge
@@ -278,7 +275,7 @@ def step_normal(y, constants, law, table, rim, h):
         error = max(0.0, elastic_force * (1 - loss * dgap)) - N
         stiffness_slope = (
             (K1 - K0) / ds
-            if abs(ds) > MIN_RELATIVE_SINE_CHANGE * s0
+            if abs(ds) > min_relative_sine_change * s0
             else (dK + dK1) / 2
         )
         previous_g = g
@@ -296,7 +293,7 @@ def step_normal(y, constants, law, table, rim, h):
         torque_error = abs(g - previous_g) + abs(
             N * (mt * lever + mr * rim_lever) - roll
         )
-        converged = max(abs(correction), torque_error / R) <= FINAL_NEWTON_TOLERANCE * (
+        converged = max(abs(correction), torque_error / R) <= final_newton_tolerance * (
             N + weight
         )
         N += correction

@@ -16,8 +16,9 @@ import numpy as np
 
 from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.numba_kernels import kernel
+from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 
-MAX_MOVING_FREQUENCY = 20e3
+MAX_MOVING_FREQUENCY = MAX_AUDIBLE_FREQUENCY
 """Frequency [Hz] below which modes are solved in time.
 
 Modes above it are quasi-static, in series with the springs of the contact.

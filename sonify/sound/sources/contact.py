@@ -206,11 +206,12 @@ class ContactVibration(Source):
         )
 
 
-def _added_force_blocks(added, silent_block=1 << 14):
+def _added_force_blocks(added):
     """Yield times (k + 1,) [s] and additional contact forces (k + 1, 3) [N]
     indefinitely.
 
     The forces are zero after the motion."""
+    silent_block = 1 << 14
     n = added.first
     last = np.zeros((0, 2))
     for block in chain(added.blocks(), repeat(np.zeros((silent_block, 2)))):

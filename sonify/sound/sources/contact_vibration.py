@@ -166,9 +166,9 @@ class VibratingDisk(Source):
             [heave * wave.real, tilt * wave.real, roll * wave.imag[:, 1:], gap]
         )
 
-    def _filter_spectra(self, gap, log_gap_step=0.05):
-        """Return the filter spectra (bins, channels) at a log gap, rounded to
-        `log_gap_step`."""
+    def _filter_spectra(self, gap):
+        """Return the filter spectra (bins, channels) at a log gap, rounded to a grid."""
+        log_gap_step = 0.05
         inside = np.log(MEAN_GAPS[[0, -1]])
         level = round(float(np.clip(gap, *inside)) / log_gap_step)
         if level not in self._filters:

@@ -286,12 +286,13 @@ def delay_output(advance: Advance, samples: int) -> Advance:
     return delayed if samples else advance
 
 
-def windowed_energy_peaks(t, acceleration, modes, sample_rate, window=0.002):
+def windowed_energy_peaks(t, acceleration, modes, sample_rate):
     """Return the times (e,) [s] of windows and the maximum modal energy (e,) [J] in
     each window.
 
     The energy of an oscillator of unit modal mass at a turning point is q''^2/(2 w^2).
-    The `window` [s] is one period of the lowest modes."""
+    The window is one period of the lowest modes."""
+    window = 0.002  # s
     energy = np.square(acceleration) @ ((2 * np.pi * modes.frequency) ** -2.0 / 2)
     starts = np.arange(0, len(energy), max(int(window * sample_rate), 1))
     return t[starts], np.maximum.reduceat(energy, starts)

@@ -13,9 +13,6 @@ from sonify.sound.fluid_loaded_modes import fluid_loaded_modes
 from sonify.sound.response import SolvedModes
 from sonify.sound.sources.protocol import ElasticDisk
 
-MAX_MISTUNING = 0.05
-"""Maximum relative difference between the frequencies of one mode in two solutions."""
-
 
 class RattlingModes(ElasticDisk):
     """Elastic modes of a rattling disk, damped by the air film after the motion."""
@@ -64,6 +61,8 @@ def mode_shares(rim: Any, modes: Modes) -> np.ndarray:
     Modes of unit modal mass match if order, parity and frequency agree; the sign
     follows from their axial displacements at the lower edge.
     """
+    # Maximum relative difference between the frequencies of one mode in two solutions
+    max_mistuning = 0.05
     frequency = np.sqrt(rim.squared) / (2 * np.pi)
     share = np.zeros((len(frequency), len(modes)))
     for i, order in enumerate(modes.order):
@@ -71,7 +70,7 @@ def mode_shares(rim: Any, modes: Modes) -> np.ndarray:
         mistuning = np.abs(frequency / modes.frequency[i] - 1)
         mistuning[(rim.order != order) | (rim.phase != phase)] = np.inf
         nearest = int(np.argmin(mistuning)) if len(mistuning) else -1
-        if nearest < 0 or mistuning[nearest] > MAX_MISTUNING:
+        if nearest < 0 or mistuning[nearest] > max_mistuning:
             continue
         wave = np.cos(order * modes.rim_angle - phase)
         axial = float(wave @ modes.rim_shape[i, :, 2]) * float(rim.axial[nearest])

@@ -130,14 +130,14 @@ def radiation_kernels(
     sample_rate: float,
     latency: int,
     baffle: bool = True,
-    passband: float = 0.84,
 ) -> np.ndarray:
     """Return kernels (j, m) that convert modal accelerations to pressure by
     convolution.
 
     The pressure [Pa] at sample n is the sum of kernels[i] times the accelerations at n
     - i. The kernels are those of `table_radiation` delayed by `latency` samples, exact
-    up to the fraction `passband` of the Nyquist frequency and tapered to zero above."""
+    over most of the frequency range and tapered to zero below the Nyquist frequency."""
+    passband = 0.84  # of the Nyquist frequency
     points = _face_points(modes, listener)
     longest = np.linalg.norm(listener.position - points, axis=1).max()
     if not baffle:  # the edge scatters sound across the table
@@ -156,7 +156,7 @@ def radiation_kernels(
 
 
 def table_radiation(
-    modes: SurfaceModes, listener: Listener, frequency, baffle: bool = True, block=32
+    modes: SurfaceModes, listener: Listener, frequency, baffle: bool = True
 ) -> np.ndarray:
     """Return the pressure (f, m) [Pa] of the table per unit modal acceleration at
     frequencies (f,) [Hz].
@@ -164,8 +164,9 @@ def table_radiation(
     The factor exp(-i k distance) is omitted. In a plane baffle the result is Rayleigh's
     integral over the top face, exact above and below coincidence. Without a baffle both
     faces radiate, and each point is weighted by `UnbaffledRatio`, which is exact for a
-    round table and a distant listener. Matrix products over `block` frequencies reduce
-    memory traffic."""
+    round table and a distant listener. Matrix products over blocks of frequencies
+    reduce memory traffic."""
+    block = 32  # frequencies
     points = _face_points(modes, listener)
     path = np.linalg.norm(listener.position - points, axis=1)
     delay = (path - listener.distance) / listener.air.sound_speed
@@ -190,12 +191,13 @@ def table_radiation(
     return pressure
 
 
-def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
+def convolve_kernels(accelerations, kernels) -> np.ndarray:
     """Return the convolutions of accelerations (j - 1 + k, m) with kernels (j, m),
     summed over modes (k,).
 
-    The first j - 1 accelerations precede the first pressure. Blocks of `block` samples
-    fit into the processor cache."""
+    The first j - 1 accelerations precede the first pressure. The blocks fit into the
+    processor cache."""
+    block = 4096  # samples
     count = len(kernels)
     reversed_kernels = np.ascontiguousarray(kernels[::-1].T)
     out = np.empty(len(accelerations) - count + 1)
