@@ -83,7 +83,7 @@ class Guard(str):
 
 
 def _moment_margin(i: int, where: GuardArguments):
-    """Return (arm^2 Phi^2 - moment^2)/arm^2; (3.3) can hold rotation i while positive."""
+    """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
     arm = where.law[4 + i]
     moment = where.contact[8 + i]
     limit = arm * where.contact.Phi

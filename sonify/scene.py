@@ -66,8 +66,8 @@ class ListenerPosition:
     """Position of one of several listeners, a microphone or a head."""
 
     kind: Literal["point", "head"] = "point"
-    """Kind of listener: a point microphone, or a head, the ears of which are the left
-    and the right channel."""
+    """Kind of listener: a point microphone, or a head with its ears as the left and the
+    right channel."""
     distance: Distance
     """Distance from the centre of the disk [m] to the microphone or to the centre of
     the head; a microphone nearer than the radius must be above the disk and clear of

@@ -2,8 +2,8 @@
 scipy's shift-invert mode.
 
 The mesh of a free disk is scikit-fem's mesh of a circle with a number of refinements. A
-held disk has SECTORS sides, an integer number of which form the patch, so that its
-extent is exact; `refinements` is the number of rows next to the rim."""
+held disk is a polygon with SECTORS sides. The patch consists of whole sides, so that
+its extent is exact; `refinements` is the number of rows next to the rim."""
 
 import numpy as np
 from scipy.sparse.linalg import eigsh

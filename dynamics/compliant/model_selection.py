@@ -234,8 +234,8 @@ def friction_utilisation(scene: "MotionScene") -> float:
 def release_force(scene: "MotionScene") -> np.ndarray:
     """Return the force (3,) [N] along a_1, a_2 and the normal at the release.
 
-    It is that on a rigid disk, or the weight if no contact force satisfies the balance
-    laws.
+    This is the force on a rigid disk, or the weight if no contact force satisfies the
+    balance laws.
     """
     disk = scene.disk
     law = scene_constants(scene)

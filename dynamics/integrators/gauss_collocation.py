@@ -1,4 +1,5 @@
-"""Compiled implicit collocation of high order, up to a guard, for slow_slides.py.
+"""Compiled implicit collocation of high order that stops at a guard, for
+slow_slides.py.
 
 A flow (FLOW_SIGNATURE in codegen.py) computes the rates and the guards of a state. The
 slip is given in polar coordinates: the signed speed divided by r at V1, and the
@@ -42,8 +43,8 @@ x)."""
 MAX_STEP = 1.0
 STEP_TOLERANCE = 1e-12
 DIFFERENCE_ANGLE = 1e-7
-"""Step [rad] of the difference quotient in Newton's method, whose iteration corrects
-the error."""
+"""Step [rad] of the difference quotient in Newton's method; the iteration removes the
+error of the quotient."""
 MAX_STEPS_PER_CALL = 40
 STATE_SIZE = DISSIPATED + 1
 NUTATION_SENSE_INDEX = len(DiskConstants._fields) - 1

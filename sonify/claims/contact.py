@@ -44,7 +44,7 @@ MIN_AIR_BAND_FREQUENCY_RATIO = 1.1
 air determines the band."""
 
 MIN_OPEN_SHARE = 1e-4
-"""Least share of the time without contact that is attributed to vibrations and not to a
+"""Smallest share of the time without contact that is attributed to vibrations and not to a
 slip."""
 
 

@@ -43,7 +43,7 @@ def repeated_slips(motion: Motion):
     at_least=1e-9,
 )
 def contact_kept(motion: Motion):
-    """The least ratio of normal force to weight at the ends and middles of all
+    """The smallest ratio of normal force to weight at the ends and middles of all
     pieces."""
     load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
     least = 0.0 if motion.contact_losses else float(load.min())

@@ -172,7 +172,7 @@ def short_answers(findings: Iterable[Finding]) -> dict[str, str]:
 def answer_in_air(findings: Iterable[Finding]) -> str:
     """Return a description of the end of a motion with an air film, from its
     findings."""
-    # Least change of the end of the motion by the table [s] that is reported
+    # Smallest change of the end of the motion by the table [s] that is reported
     min_reported_end_change = 0.05
     by_key = {finding.key: finding for finding in findings}
     carried = by_key.get("carried_by_air")

@@ -28,7 +28,7 @@ from sonify.claims.finding import Finding, Measured, finding
 from sonify.scene import Scene
 
 ALMOST_FLAT_INCLINATION = 2 * FLAT_INCLINATION
-"""Least inclination [rad] at which losses of contact count; below it they depend on the
+"""Smallest inclination [rad] at which losses of contact count; below it they depend on the
 time step."""
 REMAINING_AT_ONSET_CLAUSE = "that remained at the onset of two-way coupling"
 HALF_STEP = "half_step"

@@ -25,8 +25,8 @@ class Turbulent(OwnLaw):
     drag: float
 
     def __call__(self, beta, omega, slip, law, flow) -> Loads:
-        """Return the loads at inclination beta and angular velocity omega, with
-        functions of `flow`."""
+        """Return the loads at inclination beta and angular velocity omega; `flow` provides
+        the elementary functions."""
         cos_a = flow.sin(beta)
         rate = omega[2] / cos_a
         return Loads(M3=-self.drag * rate * flow.power(rate * rate, 0.5) / cos_a)

@@ -28,8 +28,8 @@ FOOT_SQUARE_SIZES = 1.4, 1.0, 0.6
 them are narrow at the sides of the foot."""
 CELL_CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
 Corner = tuple[int, int, float]
-"""Indices of a node along length and width, and the relative size of its square around
-a foot."""
+"""Indices of a node along length and width, and the relative size of the square around
+    a foot to which it belongs."""
 
 
 def write_table_mesh(path: Path) -> Path:

@@ -152,7 +152,7 @@ def picture_explanation(slanted: bool, support: Support | None) -> str:
         else ""
     )
     held = (
-        "; green: the patch that holds the disk, the pivot of swings"
+        "; green: the patch that holds the disk, about which it swings"
         if _on_patch(support)
         else ""
     )

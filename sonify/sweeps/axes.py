@@ -38,8 +38,8 @@ class Samples:
     seed: Annotated[int, Ge(0)] = 0
     """Seed of the random number generator; equal seeds give equal points."""
     widths: tuple[Annotated[float, Gt(0), Le(10)], ...] = ()
-    """Factors on the widths of all ranges; the first quarter of the points is repeated
-    for each factor."""
+    """Factors by which the widths of all ranges are multiplied; the first quarter of the
+    points is repeated for each factor."""
     total: Annotated[int, Ge(0), Le(2**20)] = 0
     """Number N of base points of a second design of N (axes + 2) points for total
     sensitivity indices; a power of two, or 0 for none."""

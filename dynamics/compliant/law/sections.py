@@ -134,7 +134,7 @@ class Roughness:
     exponent: Annotated[float, Ge(0), Le(MAX_SPECTRUM_EXPONENT)] = 0.0
     """Exponent p of the power spectrum k^-p over the wavenumber k."""
     loss: Literal["own", "fitted"] = "own"
-    """Energy loss by roughness: "own" adds it to the friction of the scene; "fitted"
+    """Energy loss due to roughness: "own" adds it to the friction of the scene; "fitted"
     assumes that the friction was measured on such a surface and includes it."""
     seed: Annotated[int, Ge(0), Le(10**9)] = 0
     """Seed of the random heights; equal seeds give equal heights."""

@@ -236,7 +236,7 @@ def _contact_force_without_jumps(t, channels):
 
 
 class SolvedContactVibration(Source):
-    """Disk in a motion that already includes the vibration on the contact.
+    """Sound of a disk whose motion already includes the contact vibration.
 
     The part of each stem above `crossover` [Hz] is moved to the contact stem. If
     `vibrating` differs from `rigid`, it replaces `rigid` in that stem."""
