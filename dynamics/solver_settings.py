@@ -54,9 +54,39 @@ class AccuracyLevel(NamedTuple):
 
 
 ACCURACY_LEVELS = {
-    "draft": AccuracyLevel(1e-16, 1e-12, 1.0, 0.8, 40.0, 0.35, 0.35, 0.065, 1e5),
-    "standard": AccuracyLevel(1e-16, 1e-15, 10.0, 0.2, 60.0, 0.35, 0.55, 0.75, 4e5),
-    "reference": AccuracyLevel(1e-16, 1e-15, inf, 0.0, inf, 0.0, 0.0, 0.0, 1.6e6),
+    "draft": AccuracyLevel(
+        taylor_tolerance=1e-16,
+        dop853_tolerance=1e-12,
+        final_rate_factor=1.0,
+        max_contact_turn=0.8,
+        range_db=40.0,
+        held_error_share=0.35,
+        free_error_share=0.35,
+        sprung_error_share=0.065,
+        contact_rate=1e5,
+    ),
+    "standard": AccuracyLevel(
+        taylor_tolerance=1e-16,
+        dop853_tolerance=1e-15,
+        final_rate_factor=10.0,
+        max_contact_turn=0.2,
+        range_db=60.0,
+        held_error_share=0.35,
+        free_error_share=0.55,
+        sprung_error_share=0.75,
+        contact_rate=4e5,
+    ),
+    "reference": AccuracyLevel(
+        taylor_tolerance=1e-16,
+        dop853_tolerance=1e-15,
+        final_rate_factor=inf,
+        max_contact_turn=0.0,
+        range_db=inf,
+        held_error_share=0.0,
+        free_error_share=0.0,
+        sprung_error_share=0.0,
+        contact_rate=1.6e6,
+    ),
 }
 """Settings of each accuracy level. The error shares are measured
 (tests/plan/test_plan.py), except those of the reference, for which no more accurate

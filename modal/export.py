@@ -180,7 +180,7 @@ def uff_mode_dataset(
     return kind | place | size | text | {"r1": u[:, 0], "r2": u[:, 1], "r3": u[:, 2]}
 
 
-STRIKE_PEAK = 0.9
+UNIT_STRIKE_PEAK = 0.9
 """Peak output of a Faust program after a unit strike, a single sample of value 1."""
 OPPOSITE_ANGLE = pi
 """Angle [rad] of the rim point opposite the contact, where the disk can move with every
@@ -233,8 +233,8 @@ def as_faust_library(
     bottom edge along its axis, and the output is the axial velocity of the struck
     point. A sample of value x represents an impulse x. The response of each mode is
     exactly g exp(-d t) (cos v t - d/v sin v t) with v^2 = w^2 - d^2, where g is its
-    contribution to the first sample. The sum of the contributions is STRIKE_PEAK, which
-    no later sample exceeds. The file states the corresponding velocity in m/s.
+    contribution to the first sample. The sum of the contributions is UNIT_STRIKE_PEAK,
+    which no later sample exceeds. The file states the corresponding velocity in m/s.
 
     Parameters
     ----------
@@ -278,15 +278,15 @@ def as_faust_library(
         )
     share, velocity = strike_velocity_shares(modes, angle)
     turn = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
-    rows = zip(turn, modes.decay_rate, STRIKE_PEAK * share, strict=True)
+    rows = zip(turn, modes.decay_rate, UNIT_STRIKE_PEAK * share, strict=True)
     bank = ",\n    ".join(f"mode({w:.15g}, {d:.15g}, {g:.15g})" for w, d, g in rows)
     return FAUST_LIBRARY.format(
         name=name,
         count=len(modes),
         bank=bank,
         strike=degrees(angle),
-        peak=STRIKE_PEAK,
-        velocity=velocity / STRIKE_PEAK,
+        peak=UNIT_STRIKE_PEAK,
+        velocity=velocity / UNIT_STRIKE_PEAK,
     )
 
 

@@ -8,14 +8,14 @@ divided by the factor by which wall slip increases the mobility. All fits are fi
 the solutions of reynolds.py; tests/film/test_film_constants.py measures their errors.
 """
 
-SQUEEZE_NUMBER = 0.2
+COMPRESSION_ONSET_NUMBER = 0.2
 """Compressibility number Lam above which the air is compressed rather than displaced."""
-SLIP_FACTOR = 12.3
+SLIP_MOBILITY_PER_KNUDSEN = 12.3
 """Relative increase of the mobility of a rotating film by wall slip, divided by Kn.
 
 For a falling film the increase is half as large.
 """
-BOUNDARY_LAYER_RATIO = 6.3
+INERTIA_ONSET_LAYER_RATIO = 6.3
 """Ratio S of film to boundary-layer thickness above which inertia affects a rotating
 film."""
 
@@ -41,13 +41,13 @@ def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip,
     turning, falling : float
         12 mu R^3 times I and I_n.
     inertia : float
-        (S/BOUNDARY_LAYER_RATIO)^4 divided by (rate s^2)^2.
+        (S/INERTIA_ONSET_LAYER_RATIO)^4 divided by (rate s^2)^2.
     number : float
-        Lam/SQUEEZE_NUMBER without wall slip, divided by rate/s^2.
+        Lam/COMPRESSION_ONSET_NUMBER without wall slip, divided by rate/s^2.
     ambient : float
         p pi R^3.
     slip : float
-        SLIP_FACTOR times the mean free path divided by R.
+        SLIP_MOBILITY_PER_KNUDSEN times the mean free path divided by R.
     bowl : float
         Gap added in the middle by a concave table, divided by R; 0 on a plane.
 
@@ -65,7 +65,7 @@ def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip,
     lift : float
         Lift of this air, times R.
     """
-    # added to (S/BOUNDARY_LAYER_RATIO)^4, because a fractional power has no series at zero
+    # added to (S/INERTIA_ONSET_LAYER_RATIO)^4, because a fractional power has no series at zero
     series_offset = 1e-12
     square = s * s
     x = 0.0

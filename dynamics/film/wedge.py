@@ -16,9 +16,9 @@ from dynamics.air import Air
 from dynamics.disk import Disk
 from dynamics.equations import DiskConstants, Loads
 from dynamics.film.forces import (
-    BOUNDARY_LAYER_RATIO,
-    SLIP_FACTOR,
-    SQUEEZE_NUMBER,
+    COMPRESSION_ONSET_NUMBER,
+    INERTIA_ONSET_LAYER_RATIO,
+    SLIP_MOBILITY_PER_KNUDSEN,
     film_forces,
 )
 from dynamics.kinematics import contact_arms, precession_rate
@@ -116,14 +116,16 @@ def film_under(disk: Disk, air: Air, curvature: float = 0.0) -> Film:
     chi = disk.time_unit
     unit = disk.mass * R**2 / chi**2
     moment = 12 * air.viscosity * R**3 / (unit * chi)
-    layers = R**2 * air.density / (2 * air.viscosity * chi) / BOUNDARY_LAYER_RATIO**2
+    layers = (
+        R**2 * air.density / (2 * air.viscosity * chi) / INERTIA_ONSET_LAYER_RATIO**2
+    )
     return Film(
         turning=ROTATION_POWER_COEFFICIENT * moment,
         falling=FALL_POWER_COEFFICIENT * moment,
         inertia=layers**2,
-        number=12 * air.viscosity / (air.pressure * chi * SQUEEZE_NUMBER),
+        number=12 * air.viscosity / (air.pressure * chi * COMPRESSION_ONSET_NUMBER),
         ambient=air.pressure * np.pi * R**3 / unit,
-        slip=SLIP_FACTOR * air.mean_free_path / R,
+        slip=SLIP_MOBILITY_PER_KNUDSEN * air.mean_free_path / R,
         bowl=curvature * R / 2,
     )
 
@@ -167,7 +169,7 @@ def squeeze_number(beta: Any, nutation: ArrayLike, radius: float, air: Air) -> A
     `film_forces` by 12 % where the number is 1, and by 27 % where it is 3.
     """
     s = np.sin(beta)
-    out = s * s * (s + SLIP_FACTOR / 2 * air.mean_free_path / radius)
+    out = s * s * (s + SLIP_MOBILITY_PER_KNUDSEN / 2 * air.mean_free_path / radius)
     return 12 * air.viscosity * np.maximum(nutation, 0.0) / (air.pressure * out)
 
 

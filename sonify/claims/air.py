@@ -31,7 +31,7 @@ RECORDED_EXPONENT = 0.31
 """Recorded exponent of the precession rate as a power of the remaining time (granite,
 2026)."""
 LOST_TO_AIR_CLAIM = "The contact is lost to the air"
-LAST_ENERGY_SHARE = 0.1
+FINAL_ENERGY_SHARE = 0.1
 """Final share of the energy loss for which the cause of the end is determined."""
 CAUSE_IN_WORDS = {
     "contact": "impacts and compression of the contact",
@@ -149,7 +149,7 @@ def air_negligible(motion: Motion, film: Film) -> Measured:
 def final_loss_shares(motion: Motion) -> dict[str, float]:
     """Return the share of each cause in the final tenth of the energy loss."""
     energy = motion.energy(motion.t)
-    last = energy - energy[-1] <= LAST_ENERGY_SHARE * (energy[0] - energy[-1])
+    last = energy - energy[-1] <= FINAL_ENERGY_SHARE * (energy[0] - energy[-1])
     lost = motion.energy_lost(np.array([motion.t[last][0], motion.t[-1]]))
     taken = {cause: float(until - since) for cause, (since, until) in lost.items()}
     whole = sum(taken.values()) or 1.0
@@ -165,7 +165,7 @@ def what_ends(motion: Motion) -> Finding:
         key="what_ends",
         claim=f"What ends the motion is {CAUSE_IN_WORDS[cause]}",
         value=float(shares[cause]),
-        unit=f"of the last {LAST_ENERGY_SHARE:.0%} of the energy",
+        unit=f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy",
         at_least=0.5,
         details={name: share for name, share in shares.items() if share},
         cause=cause,

@@ -20,7 +20,7 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track
 
-LAST_SECONDS = 1.0
+FINAL_INTERVAL_DURATION = 1.0
 """Length of the final interval [s] in which the paper claims a sharp rise of the
 pitch."""
 
@@ -79,9 +79,9 @@ def tone_rate_findings(tone, motion: Motion, sound: Sound) -> list[Finding]:
     nutates = nutation_frequency(motion)[0]
     if not len(nutates):
         return []
-    last = tone.time > sound.source_end - LAST_SECONDS
+    last = tone.time > sound.source_end - FINAL_INTERVAL_DURATION
     delay = sound.source_end - motion.t[-1]
-    early = (tone.time < sound.source_end - 4 * LAST_SECONDS) & (
+    early = (tone.time < sound.source_end - 4 * FINAL_INTERVAL_DURATION) & (
         tone.time - delay <= nutates[-1]
     )
     found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
@@ -303,7 +303,7 @@ def weighted_power(sound: Sound, stem: Track) -> float:
     motion."""
     rate = sound.sample_rate
     end = int(sound.source_end * rate)
-    begin = max(end - int(LAST_SECONDS * rate), 0)
+    begin = max(end - int(FINAL_INTERVAL_DURATION * rate), 0)
     settled = max(begin - rate // 2, 0)  # leaves time for the filter transient to decay
     weighted = sosfilt(a_weighting(rate), stem.read(settled, end).astype(float))
     return float(np.mean(weighted[begin - settled :] ** 2))

@@ -6,7 +6,7 @@ from dynamics import Motion
 from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims import two_way
 from sonify.claims.finding import Finding, Measured, finding
-from sonify.claims.sound import LAST_SECONDS, time_of_energy_share
+from sonify.claims.sound import FINAL_INTERVAL_DURATION, time_of_energy_share
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.spectrogram import spectrogram
@@ -165,7 +165,10 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
         seen = spectrogram(
             stem,
             LEVEL_WINDOW,
-            span=(max(sound.source_end - LAST_SECONDS, 0.0), sound.source_end),
+            span=(
+                max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0),
+                sound.source_end,
+            ),
         )
         pitch = tone.at(np.minimum(seen.time, tone.end - LEVEL_WINDOW / 2))
         third_octave_edge = 2 ** (1 / 6)  # over the centre

@@ -23,7 +23,7 @@ from dynamics.compliant.two_way_onset import may_be_two_way, table_reaction
 from dynamics.observables import precession_rate
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.surface import MIN_TWO_WAY_SHARE
-from sonify.claims.air import LAST_ENERGY_SHARE
+from sonify.claims.air import FINAL_ENERGY_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.scene import Scene
 
@@ -259,7 +259,7 @@ def last_time_above(least: float, t: np.ndarray, inclination: np.ndarray) -> flo
 
 @finding(
     "The waves of the table dissipate the final energy",
-    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {REMAINING_AT_ONSET_CLAUSE}",
+    f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy {REMAINING_AT_ONSET_CLAUSE}",
     "section 8: loss of contact and the following impact end the motion",
     needs=("scene", "motion"),
     at_least=0.5,
@@ -296,7 +296,7 @@ def table_rings_at_the_halt(scene: Scene, motion: Motion):
 
 @finding(
     "The vibrations of the disk contribute to the halt",
-    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {REMAINING_AT_ONSET_CLAUSE} (greatest energy of "
+    f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy {REMAINING_AT_ONSET_CLAUSE} (greatest energy of "
     "its elastic modes)",
     "abstract: the vibrations of disk and surface",
     needs=("scene", "motion"),
@@ -382,10 +382,10 @@ def times_towards_end(scene, motion):
 
 
 def final_energy_budget(scene, motion) -> EnergyBudget:
-    """Return the budget of the last LAST_ENERGY_SHARE of the energy at the onset of
+    """Return the budget of the last FINAL_ENERGY_SHARE of the energy at the onset of
     two-way coupling."""
     budget = energy_budget(motion, times_towards_end(scene, motion))
     whole = budget.disk + budget.table
     return energy_budget(
-        motion, budget.t[np.argmax(whole < LAST_ENERGY_SHARE * whole[0]) :]
+        motion, budget.t[np.argmax(whole < FINAL_ENERGY_SHARE * whole[0]) :]
     )

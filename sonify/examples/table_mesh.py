@@ -14,13 +14,13 @@ from pathlib import Path
 import meshio
 import numpy as np
 
-LENGTH = 0.6  # m
-WIDTH = 0.4  # m
+TABLE_LENGTH = 0.6  # m
+TABLE_WIDTH = 0.4  # m
 TOP_LAYER_HEIGHTS = (-0.02, 0.0)
 """Heights of the cell boundaries in the top [m]."""
 FOOT_LAYER_HEIGHTS = (-0.04, -0.035, -0.025, -0.02)
 """Heights of the cell boundaries in the feet [m], with thin layers at both ends."""
-CELLS = 15, 10
+CELL_COUNTS = 15, 10
 """Numbers of cells along length and width; one foot is under the cell diagonally next
 to each corner cell."""
 FOOT_SQUARE_SIZES = 1.4, 1.0, 0.6
@@ -37,9 +37,9 @@ def write_table_mesh(path: Path) -> Path:
     its path."""
     x, y = (
         np.linspace(-size / 2, size / 2, n + 1)
-        for size, n in zip((LENGTH, WIDTH), CELLS, strict=True)
+        for size, n in zip((TABLE_LENGTH, TABLE_WIDTH), CELL_COUNTS, strict=True)
     )
-    feet = [(i, j) for i in (1, CELLS[0] - 2) for j in (1, CELLS[1] - 2)]
+    feet = [(i, j) for i in (1, CELL_COUNTS[0] - 2) for j in (1, CELL_COUNTS[1] - 2)]
     foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in CELL_CORNERS}
     numbers: dict[tuple[int, int, float, float], int] = {}
 
@@ -73,8 +73,8 @@ def write_table_mesh(path: Path) -> Path:
 
     rest = [
         square(i, j, FOOT_SQUARE_SIZES[0])
-        for i in range(CELLS[0])
-        for j in range(CELLS[1])
+        for i in range(CELL_COUNTS[0])
+        for j in range(CELL_COUNTS[1])
         if (i, j) not in feet
     ]
     around: list[list[Corner]] = []

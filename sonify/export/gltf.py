@@ -23,10 +23,10 @@ COLOURS = {
     "table": (0.86, 0.84, 0.8, 0.0),
 }
 """Red, green, blue and metallic factor of each material."""
-FLOAT = 5126
-UNSIGNED_INT = 5125
-ARRAY_BUFFER = 34962
-ELEMENT_ARRAY_BUFFER = 34963
+GL_FLOAT = 5126
+GL_UNSIGNED_INT = 5125
+GL_ARRAY_BUFFER = 34962
+GL_ELEMENT_ARRAY_BUFFER = 34963
 
 
 @dataclass
@@ -63,7 +63,7 @@ class Buffer:
         width = array.shape[1] if array.ndim == 2 else 1
         accessor = {
             "bufferView": len(self.views),
-            "componentType": UNSIGNED_INT if is_index else FLOAT,
+            "componentType": GL_UNSIGNED_INT if is_index else GL_FLOAT,
             "count": len(array),
             "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[width],
         }
@@ -285,13 +285,13 @@ def table_mesh(scene: Scene, contact: np.ndarray) -> Mesh:
 
 def _mesh_record(name, mesh, buffer, materials):
     attributes = {
-        "POSITION": buffer.add(mesh.points, ARRAY_BUFFER, bounds=True),
-        "NORMAL": buffer.add(mesh.normals, ARRAY_BUFFER),
+        "POSITION": buffer.add(mesh.points, GL_ARRAY_BUFFER, bounds=True),
+        "NORMAL": buffer.add(mesh.normals, GL_ARRAY_BUFFER),
     }
     primitives = [
         {
             "attributes": attributes,
-            "indices": buffer.add(triangles.ravel(), ELEMENT_ARRAY_BUFFER),
+            "indices": buffer.add(triangles.ravel(), GL_ELEMENT_ARRAY_BUFFER),
             "material": materials.index(material),
         }
         for material, triangles in mesh.triangles.items()

@@ -37,14 +37,14 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 FRAME_RATE = 25  # frames per second
-FILM_DURATION = 8.0  # s
-TAIL_DURATION = 1.0
+VIDEO_DURATION = 8.0  # s
+VIDEO_TAIL_DURATION = 1.0
 """Duration of the video after the end of the motion [s]."""
 MIN_DRAWN_INCLINATION = np.radians(15.0)
 """Lower bound of the maximum inclination drawn in the video [rad]."""
 MAX_TRACE_TURNS = 4
 """Maximum number of turns over which the path of the contact point is drawn."""
-FILM_SIZE = (1280, 720)  # px
+VIDEO_SIZE = (1280, 720)  # px
 DISK_VIEW_SIZE = (800, 432)
 """Size of the view of the disk at the upper left of the video [px]."""
 
@@ -130,11 +130,11 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
 
 
 def final_clip(result: "Result") -> Clip:
-    """Return the clip of the last FILM_DURATION seconds, which ends TAIL_DURATION
+    """Return the clip of the last VIDEO_DURATION seconds, which ends VIDEO_TAIL_DURATION
     seconds after the motion."""
     sound = result.sound
-    end = min(sound.source_end + TAIL_DURATION, sound.duration)
-    start = max(end - FILM_DURATION, 0.0)
+    end = min(sound.source_end + VIDEO_TAIL_DURATION, sound.duration)
+    start = max(end - VIDEO_DURATION, 0.0)
     seen = Clip(
         result=result,
         start=start,
@@ -169,7 +169,7 @@ def encode_film(path, sound, frames: int, images, watch):
 
     writer = write_frames(
         path,
-        FILM_SIZE,
+        VIDEO_SIZE,
         fps=FRAME_RATE,
         codec="libx264",
         quality=7,
@@ -214,7 +214,7 @@ def film_frames(clip):
         )
         for width, color in ((3, "white"), (1, "black")):
             pen.line(
-                [across(t), DISK_VIEW_SIZE[1] + 14, across(t), FILM_SIZE[1] - 60],
+                [across(t), DISK_VIEW_SIZE[1] + 14, across(t), VIDEO_SIZE[1] - 60],
                 color,
                 width,
             )
@@ -286,19 +286,19 @@ def spectrogram_background(clip):
     image column [px].
     """
     figure = Figure(
-        figsize=(FILM_SIZE[0] / 100, FILM_SIZE[1] / 100), dpi=100, facecolor="w"
+        figsize=(VIDEO_SIZE[0] / 100, VIDEO_SIZE[1] / 100), dpi=100, facecolor="w"
     )
-    below = (FILM_SIZE[1] - DISK_VIEW_SIZE[1] - 74) / FILM_SIZE[1]
-    axes = figure.add_axes((0.066, 60 / FILM_SIZE[1], 0.84, below), facecolor="k")
+    below = (VIDEO_SIZE[1] - DISK_VIEW_SIZE[1] - 74) / VIDEO_SIZE[1]
+    axes = figure.add_axes((0.066, 60 / VIDEO_SIZE[1], 0.84, below), facecolor="k")
     band = (20.0, 10e3)  # Hz
     seen = spectrogram(clip.result.sound.pressure, 0.05, span=clip.span).band(*band)
     set_log_frequency_axis(axes, band)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
     image = draw_level_image(axes, seen, 1.0, loudest_db(seen) - COLOUR_RANGE_DB)
-    bar = figure.add_axes((0.92, 60 / FILM_SIZE[1], 0.015, below))
+    bar = figure.add_axes((0.92, 60 / VIDEO_SIZE[1], 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
-    picture.paste(TABLE_COLOUR, (0, 0, FILM_SIZE[0], DISK_VIEW_SIZE[1]))
+    picture.paste(TABLE_COLOUR, (0, 0, VIDEO_SIZE[0], DISK_VIEW_SIZE[1]))
     return picture, lambda t: axes.transData.transform((t, 100.0))[0]

@@ -26,16 +26,16 @@ from sonify.sound.pressure import Sound
 if TYPE_CHECKING:
     from sonify.result import Result
 
-MAX_INSTANTS = 22_000
+MAX_STORED_MOTION_TIMES = 22_000
 """Maximum number of times at which the page stores the motion.
 
 Half of them are evenly spaced in time and half in the angle of the contact.
 """
-MAX_SHAPES = 24
+MAX_STORED_MODE_SHAPES = 24
 """Maximum number of modes in the page; the lowest modes are kept."""
-MAX_SOUND_SECONDS = 30.0
+MAX_PAGE_SOUND_DURATION = 30.0
 """Maximum duration of the final part of a sound in the page [s]."""
-MAX_SOUND_BYTES = 2_800_000
+MAX_PAGE_SOUND_SIZE = 2_800_000
 """Maximum size of all sounds in the page [base64 characters]; longer sounds are
 shortened."""
 
@@ -85,14 +85,14 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
     """Return the stems, the A-weighting filter of the page, and the names of inaudible
     stems.
 
-    If a sound is longer than MAX_SOUND_SECONDS or larger than MAX_SOUND_BYTES, only its
-    end is returned, which begins at `start` [s].
+    If a sound is longer than MAX_PAGE_SOUND_DURATION or larger than
+    MAX_PAGE_SOUND_SIZE, only its end is returned, which begins at `start` [s].
     """
-    seconds = min(sound.duration, MAX_SOUND_SECONDS)
+    seconds = min(sound.duration, MAX_PAGE_SOUND_DURATION)
     tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
     size = sum(map(len, tracks.values()))
-    if size > MAX_SOUND_BYTES:
-        seconds *= 0.95 * MAX_SOUND_BYTES / size
+    if size > MAX_PAGE_SOUND_SIZE:
+        seconds *= 0.95 * MAX_PAGE_SOUND_SIZE / size
         tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
     content = {
         "full_scale": sound.full_scale,
@@ -145,7 +145,7 @@ def encoded_motion(motion: Motion) -> dict[str, Any]:
     The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
     [J].
     """
-    t = sample_times(motion, max(motion.t_end - MAX_SOUND_SECONDS, 0.0))
+    t = sample_times(motion, max(motion.t_end - MAX_PAGE_SOUND_DURATION, 0.0))
     state, force = motion.at_and_force(t)
     columns = dict(
         zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True)
@@ -157,7 +157,7 @@ def encoded_motion(motion: Motion) -> dict[str, Any]:
 
 
 def sample_times(motion: Motion, begin: float) -> np.ndarray:
-    """Return about MAX_INSTANTS times [s] from `begin` to the end of the motion.
+    """Return about MAX_STORED_MOTION_TIMES times [s] from `begin` to the end.
 
     They are spaced more closely where the contact revolves faster.
     """
@@ -167,7 +167,7 @@ def sample_times(motion: Motion, begin: float) -> np.ndarray:
     precession = motion.state[some, 0]
     turned = np.abs(np.diff(precession, prepend=precession[0])).cumsum()
     progress = turned / (turned[-1] or 1.0) + (t - t[0]) / (t[-1] - t[0])
-    even = np.interp(np.linspace(0, progress[-1], MAX_INSTANTS), progress, t)
+    even = np.interp(np.linspace(0, progress[-1], MAX_STORED_MOTION_TIMES), progress, t)
     return np.unique(np.concatenate([t[:1], even, motion.t[-1:]]))
 
 
@@ -182,7 +182,7 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
     triangles = np.concatenate(
         [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
     )
-    few = range(min(len(modes), MAX_SHAPES))
+    few = range(min(len(modes), MAX_STORED_MODE_SHAPES))
     captions = [
         mode_caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few
     ]
@@ -197,7 +197,7 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
 def encoded_table_shapes(table: SurfaceModes) -> dict[str, Any]:
     """Return the top face of a table [m] and the shapes of its lowest modes, normalised
     as in `encoded_mode_shapes`."""
-    few = range(min(len(table), MAX_SHAPES))
+    few = range(min(len(table), MAX_STORED_MODE_SHAPES))
     flat = np.zeros(len(table.points))
     moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
     captions = [table_caption(table, i) for i in few]

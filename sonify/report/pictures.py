@@ -22,7 +22,7 @@ from sonify.claims.rigid_motion import (
     PAPER_FORCING_FREQUENCY,
     PAPER_FORCING_FREQUENCY_TIME,
 )
-from sonify.claims.sound import LAST_SECONDS
+from sonify.claims.sound import FINAL_INTERVAL_DURATION
 from sonify.claims.table import radiated_power
 from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import audibility
@@ -148,8 +148,8 @@ def spectrogram_data(found):
     low = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES)
     high = spectrogram(sound.pressure, WINDOW_MODES)
     end = (
-        max(sound.source_end - LAST_SECONDS, 0.0),
-        min(sound.source_end + LAST_SECONDS / 4, sound.duration),
+        max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0),
+        min(sound.source_end + FINAL_INTERVAL_DURATION / 4, sound.duration),
     )
     time, precession, nutation = plotted_rates(motion)
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}

@@ -32,11 +32,11 @@ WAVENUMBERS = np.concatenate(
 outside the range the nearest value applies."""
 RIM_ORDERS = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(1, MAX_RIM_ORDER + 1))
 """Azimuthal orders of the cosine waves, followed by those of the sine waves."""
-FACE_WAVES = (0, 1, MAX_RIM_ORDER + 1)
+FACE_WAVE_INDICES = (0, 1, MAX_RIM_ORDER + 1)
 """Indices of the waves excited by heave, tilt about y and tilt about x."""
-FACE_VELOCITIES = (0, 1, 2)
+FACE_VELOCITY_COLUMNS = (0, 1, 2)
 """Columns of the corresponding face velocities."""
-FACE_SOLUTIONS = (0, 1, 1)
+FACE_SOLUTION_COLUMNS = (0, 1, 1)
 """Columns of the corresponding exterior solutions."""
 EXTERIOR_WAVENUMBERS = np.linspace(WAVENUMBERS[0], WAVENUMBERS[-1], 16)
 """Values of k R at which the exterior field is solved; they may be sparse because it
@@ -44,12 +44,12 @@ has no resonances."""
 MEAN_GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
 """Ratios of mean gap to radius at which the radiation is tabulated, densest above 0.1,
 where the resonance frequencies vary; outside the range the nearest value applies."""
-EXTERIOR_GAPS = (0.02, 0.2)
+EXTERIOR_MEAN_GAPS = (0.02, 0.2)
 """Ratios of mean gap to radius at which the exterior field is solved. It is linear in
 the gap up to the larger ratio and constant above."""
-MESH_CELLS = 8
+FILM_MESH_CELLS = 8
 """Number of elements of the film's mesh along the radius."""
-MESH_GRADING = 5.0
+FILM_MESH_GRADING = 5.0
 """Grading of the film's mesh, the argument `nearest` of FilmMesh."""
 
 
@@ -100,7 +100,9 @@ class RadiatedMultipoles:
 
         face, rim = rayleigh_waves(listener, disk, WAVENUMBERS, MAX_RIM_ORDER + 1)
         pressure = self.rim_flow * np.hstack([rim, rim[:, 1:]])[:, :, None]
-        pressure[:, :, [*FACE_WAVES], [*FACE_VELOCITIES]] += face[:, [0, 1, 1]]
+        pressure[:, :, [*FACE_WAVE_INDICES], [*FACE_VELOCITY_COLUMNS]] += face[
+            :, [0, 1, 1]
+        ]
         return pressure
 
 
@@ -110,14 +112,14 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
     from dynamics.film.reynolds import FilmMesh
 
     thickness = disk.thickness / disk.radius
-    mesh = FilmMesh(MESH_CELLS, nearest=MESH_GRADING)
-    far = 1.5 * np.hypot(1.0, thickness + EXTERIOR_GAPS[-1])
-    low, high = (_exterior_at_gap(thickness, gap, far) for gap in EXTERIOR_GAPS)
+    mesh = FilmMesh(FILM_MESH_CELLS, nearest=FILM_MESH_GRADING)
+    far = 1.5 * np.hypot(1.0, thickness + EXTERIOR_MEAN_GAPS[-1])
+    low, high = (_exterior_at_gap(thickness, gap, far) for gap in EXTERIOR_MEAN_GAPS)
     multipoles = []
     flows = []
     for gap in MEAN_GAPS:
-        part = (min(gap, EXTERIOR_GAPS[1]) - EXTERIOR_GAPS[0]) / (
-            EXTERIOR_GAPS[1] - EXTERIOR_GAPS[0]
+        part = (min(gap, EXTERIOR_MEAN_GAPS[1]) - EXTERIOR_MEAN_GAPS[0]) / (
+            EXTERIOR_MEAN_GAPS[1] - EXTERIOR_MEAN_GAPS[0]
         )
         rim, exterior = (a + part * (b - a) for a, b in zip(low, high, strict=True))
         films = [film_rim_matrices(mesh, gap, k, disk.radius, air) for k in WAVENUMBERS]
@@ -183,8 +185,8 @@ def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.nda
     """
     order = RIM_ORDERS
     out = np.zeros((len(order), exterior.shape[1], 3), complex)
-    out[FACE_WAVES, :, FACE_VELOCITIES] = exterior[
-        order[[*FACE_WAVES]], :, FACE_SOLUTIONS
+    out[FACE_WAVE_INDICES, :, FACE_VELOCITY_COLUMNS] = exterior[
+        order[[*FACE_WAVE_INDICES]], :, FACE_SOLUTION_COLUMNS
     ]
     flow = flow_at_rim(gap, film, rim, wedge)
     return out + exterior[order, :, 2][:, :, None] * flow[:, None]
@@ -196,7 +198,9 @@ def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
     order = RIM_ORDERS
     norm = pi * np.where(order == 0, 2.0, 1.0)
     blocked = np.zeros((len(order), 3), complex)
-    blocked[FACE_WAVES, FACE_VELOCITIES] = rim[order[[*FACE_WAVES]], FACE_SOLUTIONS]
+    blocked[FACE_WAVE_INDICES, FACE_VELOCITY_COLUMNS] = rim[
+        order[[*FACE_WAVE_INDICES]], FACE_SOLUTION_COLUMNS
+    ]
     impedance = (
         np.diag(rim[order, 2] - 2 / pi * log(gap))
         - 2 / pi * wedge * WEDGE_COUPLING / norm[:, None]

@@ -27,11 +27,11 @@ from sonify.sound.radiation import (
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
 """Mean gaps at which the film equation is solved; outside the range the nearest value
 applies."""
-MESH_GRADING = 6.0
+FILM_MESH_GRADING = 6.0
 """Grading of the film's mesh, the argument `nearest` of FilmMesh."""
-MIN_MESH_CELLS = 8
+MIN_FILM_MESH_CELLS = 8
 """Smallest number of elements of the film's mesh along the radius."""
-MAX_MESH_CELLS = 36
+MAX_FILM_MESH_CELLS = 36
 """Largest number of elements of the film's mesh along the radius."""
 LOG_DECAY_OFFSET = 1e-3  # 1/s
 """Offset that keeps the logarithm of the decay rate due to the film finite."""
@@ -120,7 +120,8 @@ def fluid_loaded_modes(
     cells = mesh_cells(natural * radius / air.sound_speed)
     half_meshes = {
         count: [
-            FilmMesh(count, nearest=MESH_GRADING, parity=parity) for parity in (1, -1)
+            FilmMesh(count, nearest=FILM_MESH_GRADING, parity=parity)
+            for parity in (1, -1)
         ]
         for count in set(cells)
     }
@@ -213,14 +214,16 @@ def mesh_cells(wavenumber) -> list[int]:
 
     The computing time of a mode is proportional to the square of this number. If the
     sum of the squares corresponds to more than several minutes, the finest meshes are
-    coarsened, but not below MIN_MESH_CELLS."""
+    coarsened, but not below MIN_FILM_MESH_CELLS."""
     cells_per_wave = 2.5
     max_work = 5e4  # sum of squares of element numbers
     cells = np.clip(
-        np.ceil(cells_per_wave * np.asarray(wavenumber)), MIN_MESH_CELLS, MAX_MESH_CELLS
+        np.ceil(cells_per_wave * np.asarray(wavenumber)),
+        MIN_FILM_MESH_CELLS,
+        MAX_FILM_MESH_CELLS,
     ).astype(int)
-    finest = MAX_MESH_CELLS
-    while (cells**2).sum() > max_work and finest > MIN_MESH_CELLS:
+    finest = MAX_FILM_MESH_CELLS
+    while (cells**2).sum() > max_work and finest > MIN_FILM_MESH_CELLS:
         finest -= 1
         cells = np.minimum(cells, finest)
     return cells.tolist()

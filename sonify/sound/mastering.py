@@ -13,9 +13,9 @@ from scipy.signal import resample_poly
 from sonify.hearing.audio_source import BLOCK, Excerpt, pieces
 from sonify.hearing.loudness import loudness_lufs
 from sonify.sound.playback import (
-    LOUDNESS_LUFS,
-    MAX_OVERSHOOT,
-    TRUE_PEAK_DB,
+    AUDIBLE_COPY_LOUDNESS_LUFS,
+    AUDIBLE_COPY_PEAK_DBTP,
+    MAX_TRUE_PEAK_RATIO,
     TRUE_PEAK_OVERSAMPLING,
     CachedTrack,
     ScaledTrack,
@@ -160,7 +160,7 @@ class MasteredTrack(ProcessedTrack):
         around = limiter_reach_samples(self.sample_rate, self.settings)
         loud = samples * self.gain
         limit = 10 ** (self.settings.limit_dbtp / 20)
-        if np.abs(loud).max() * MAX_OVERSHOOT <= limit:
+        if np.abs(loud).max() * MAX_TRUE_PEAK_RATIO <= limit:
             return loud * self.trim
         between = np.abs(resample_poly(loud, TRUE_PEAK_OVERSAMPLING, 1, axis=0))
         peak = between.reshape(len(loud), -1).max(axis=1)
@@ -306,7 +306,10 @@ def mastering_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
             | gains
         )
     gain_db = float(-20 * np.log10(track.full_scale))
-    targets = {"loudness_lufs": LOUDNESS_LUFS, "limit_dbtp": TRUE_PEAK_DB}
+    targets = {
+        "loudness_lufs": AUDIBLE_COPY_LOUDNESS_LUFS,
+        "limit_dbtp": AUDIBLE_COPY_PEAK_DBTP,
+    }
     return {"dynamics": "natural", "weighting": "A"} | targets | {"gain_db": gain_db}
 
 

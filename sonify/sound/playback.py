@@ -13,14 +13,14 @@ from sonify.hearing.audio_source import BLOCK, pieces
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
 from sonify.hearing.spectrogram import spectrogram
 
-LOUDNESS_LUFS = -23.0
+AUDIBLE_COPY_LOUDNESS_LUFS = -23.0
 """Loudness of audible.wav with natural dynamics, EBU R 128."""
-TRUE_PEAK_DB = -1.0
+AUDIBLE_COPY_PEAK_DBTP = -1.0
 """Highest true peak [dBTP] of audible.wav with natural dynamics; it takes precedence
 over the loudness."""
 TRUE_PEAK_OVERSAMPLING = 4
 """Oversampling in the search for the true peak, BS.1770-4, annex 2."""
-MAX_OVERSHOOT = 2.5
+MAX_TRUE_PEAK_RATIO = 2.5
 """Upper bound for the ratio of true peak to sample peak; it exceeds the sum of the
 absolute weights of the resampling filter."""
 
@@ -106,15 +106,19 @@ class ScaledTrack(DerivedTrack):
 
 
 def audible_copy(track) -> ScaledTrack:
-    """Return an A-weighted copy of a track [Pa] at LOUDNESS_LUFS, or quieter if its
-    true peak would exceed TRUE_PEAK_DB."""
+    """Return an A-weighted copy of a track [Pa] at AUDIBLE_COPY_LOUDNESS_LUFS.
+
+    The copy is quieter if its true peak would exceed AUDIBLE_COPY_PEAK_DBTP.
+    """
     weighted = WeightedTrack(track=track)
-    full_scale_at_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
+    full_scale_at_peak = (
+        true_peak(weighted) / 10 ** (AUDIBLE_COPY_PEAK_DBTP / 20) or 1.0
+    )
     at_peak = ScaledTrack(
         track=weighted, full_scale=full_scale_at_peak
     )  # scaled first, because the loudness gate is at -70 LUFS
     try:
-        attenuation = 10 ** ((at_peak.loudness - LOUDNESS_LUFS) / 20)
+        attenuation = 10 ** ((at_peak.loudness - AUDIBLE_COPY_LOUDNESS_LUFS) / 20)
     except ValueError:  # too short for a loudness
         attenuation = 1.0
     return (
@@ -139,7 +143,7 @@ def true_peak(source) -> float:
     loudest = max(tops)
     peak = 0.0
     for part, top in zip(_overlapping_parts(source), tops, strict=True):
-        if top * MAX_OVERSHOOT >= loudest:
+        if top * MAX_TRUE_PEAK_RATIO >= loudest:
             peak = max(
                 peak,
                 np.abs(resample_poly(part, TRUE_PEAK_OVERSAMPLING, 1, axis=0)).max(),

@@ -18,8 +18,8 @@ from benchmarks.methods.rotating_film import (
 from dynamics import Air, Disk, Surface
 from dynamics.air import PRANDTL_NUMBER, STANDARD_AIR
 from dynamics.film.forces import (
-    SLIP_FACTOR,
-    SQUEEZE_NUMBER,
+    COMPRESSION_ONSET_NUMBER,
+    SLIP_MOBILITY_PER_KNUDSEN,
     film_forces,
     film_moment_parts,
     squeezed_air_energy,
@@ -234,9 +234,9 @@ def by_law(Lam=0.0, falling=0.0, slip=0.0, bowl=0.0):
             ROTATION_POWER_COEFFICIENT / np.pi,
             FALL_POWER_COEFFICIENT / np.pi,
             0.0,
-            1 / SQUEEZE_NUMBER,
+            1 / COMPRESSION_ONSET_NUMBER,
             1.0,
-            SLIP_FACTOR * slip,
+            SLIP_MOBILITY_PER_KNUDSEN * slip,
             bowl,
         )
     )
@@ -281,7 +281,7 @@ def compare(mesh, numbers):
         assert by_law(Lam) == pytest.approx(still, rel=0.08)
         assert by_law(Lam)[0] == pytest.approx(still[0], rel=0.03)
         assert squeezed_air_energy(
-            1.0, Lam, 1 / SQUEEZE_NUMBER, 1.0, 0.0, 0.0
+            1.0, Lam, 1 / COMPRESSION_ONSET_NUMBER, 1.0, 0.0, 0.0
         ) == pytest.approx(held(mesh, P), rel=0.05)
         assert by_law(Lam)[2] == pytest.approx(still[2], rel=0.05)
         assert (by_law(Lam, 0.01) - by_law(Lam))[1:] / 0.01 == pytest.approx(

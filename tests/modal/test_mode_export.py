@@ -23,7 +23,7 @@ from modal import (
     plate_modes,
     write_uff,
 )
-from modal.export import STRIKE_PEAK
+from modal.export import UNIT_STRIKE_PEAK
 from sonify.__main__ import main
 from sonify.export.modes import export_modes
 from sonify.plan.preflight import plan_with_modes
@@ -166,7 +166,7 @@ def test_the_program_is_heard_wherever_the_disk_is_held(exported):
     rate, decay, gain = written(program)
     peak = np.abs(response(rate, decay, gain)).max()
     assert 0.1 < peak < 1
-    assert peak == pytest.approx(STRIKE_PEAK, rel=1e-9)
+    assert peak == pytest.approx(UNIT_STRIKE_PEAK, rel=1e-9)
     assert len(gain) == len(modes)
     assert np.count_nonzero(gain > 0.01) >= 2
     assert f'declare peak "{peak:g} after a unit strike' in program
@@ -178,10 +178,10 @@ def test_the_file_states_the_velocity_that_its_numbers_stand_for(exported):
     program, modes = exported
     mobility = np.square(modes.at_rim(np.pi)[:, 0, 2])
     assert written(program)[2] == pytest.approx(
-        STRIKE_PEAK * mobility / mobility.sum(), abs=1e-12
+        UNIT_STRIKE_PEAK * mobility / mobility.sum(), abs=1e-12
     )
     stated = float(re.search(r'declare scale "1.0 = (\S+) m/s', program)[1])
-    assert stated * STRIKE_PEAK == pytest.approx(mobility.sum(), rel=1e-5)
+    assert stated * UNIT_STRIKE_PEAK == pytest.approx(mobility.sum(), rel=1e-5)
 
 
 @needs_faust
@@ -259,7 +259,7 @@ def test_a_strike_near_the_patch_and_anywhere_on_a_free_disk_is_taken(tmp_path):
         ).read_text("utf-8")
         assert f"{angle:g} degrees from the contact" in program
         assert np.abs(response(*written(program))).max() == pytest.approx(
-            STRIKE_PEAK, rel=1e-9
+            UNIT_STRIKE_PEAK, rel=1e-9
         )
 
 

@@ -25,10 +25,10 @@ from sonify.__main__ import main
 from sonify.report import animation
 from sonify.report.animation import (
     DISK_VIEW_SIZE,
-    FILM_SIZE,
     FRAME_RATE,
     MIN_DRAWN_INCLINATION,
-    TAIL_DURATION,
+    VIDEO_SIZE,
+    VIDEO_TAIL_DURATION,
     animate,
     clip_camera,
     final_clip,
@@ -160,13 +160,15 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
         stdout=subprocess.PIPE,
     )
     frames = np.frombuffer(raw.stdout, np.uint8).reshape(
-        -1, FILM_SIZE[1], FILM_SIZE[0], 3
+        -1, VIDEO_SIZE[1], VIDEO_SIZE[0], 3
     )
     assert about["codec"] == "h264"
     assert about["pix_fmt"].startswith("yuv420p")
     assert about["audio_codec"] == "aac"
     assert about["fps"] == FRAME_RATE
-    assert len(frames) == int((result.sound.source_end + TAIL_DURATION) * FRAME_RATE)
+    assert len(frames) == int(
+        (result.sound.source_end + VIDEO_TAIL_DURATION) * FRAME_RATE
+    )
     changed = np.abs(frames[-1].astype(float) - frames[0]).mean(axis=2) > 20
     assert (
         changed[: DISK_VIEW_SIZE[1], : DISK_VIEW_SIZE[0]].mean() > 0.02

@@ -345,7 +345,8 @@ def test_pictures_say_what_is_seen(result):
 
 
 @pytest.mark.parametrize(
-    ("limit", "value"), [("MAX_SOUND_SECONDS", 2.0), ("MAX_SOUND_BYTES", 200_000)]
+    ("limit", "value"),
+    [("MAX_PAGE_SOUND_DURATION", 2.0), ("MAX_PAGE_SOUND_SIZE", 200_000)],
 )
 def test_the_page_holds_the_end_of_a_long_sound(
     result, tmp_path, monkeypatch, limit, value
@@ -359,7 +360,7 @@ def test_the_page_holds_the_end_of_a_long_sound(
         samples, _ = soundfile.read(BytesIO(b64decode(url.partition(",")[2])))
         expected = result.sound.stems[name].read(start) / result.sound.full_scale
         assert np.abs(samples - expected.clip(-1, 1)).max() < 2**-15
-    if limit == "MAX_SOUND_SECONDS":
+    if limit == "MAX_PAGE_SOUND_DURATION":
         assert data["start"] == pytest.approx(result.sound.duration - value)
     else:
         assert sum(map(len, data["sounds"]["tracks"].values())) < value
@@ -396,7 +397,7 @@ def test_the_page_shows_the_motion(result):
         for name in ("t", "precession")
     )
     assert t[[0, -1]].tolist() == result.motion.t[[0, -1]].tolist()
-    assert len(t) <= page_data.MAX_INSTANTS + 2
+    assert len(t) <= page_data.MAX_STORED_MOTION_TIMES + 2
     heard = t[:-1] < result.motion.t[-1] - 0.01
     assert np.abs(np.diff(precession))[heard].max() < 2 * np.pi / 5
 

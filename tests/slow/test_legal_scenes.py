@@ -29,8 +29,8 @@ from modal.spectral.axisymmetric import drawing_mesh_split
 from sonify import SceneError
 from sonify.scene import from_document
 from sonify.sound.fluid_loaded_modes import (
-    MAX_MESH_CELLS,
-    MIN_MESH_CELLS,
+    MAX_FILM_MESH_CELLS,
+    MIN_FILM_MESH_CELLS,
     fluid_loaded_modes,
     mesh_cells,
 )
@@ -140,11 +140,13 @@ def test_hundreds_of_modes_take_no_longer_over_the_film():
     assert (
         few
         == np.clip(
-            np.ceil(2.5 * np.linspace(0.5, 20, 30)), MIN_MESH_CELLS, MAX_MESH_CELLS
+            np.ceil(2.5 * np.linspace(0.5, 20, 30)),
+            MIN_FILM_MESH_CELLS,
+            MAX_FILM_MESH_CELLS,
         ).tolist()
     )
     assert sum(c**2 for c in many) <= 5e4
-    assert min(many) >= MIN_MESH_CELLS
+    assert min(many) >= MIN_FILM_MESH_CELLS
 
 
 def test_many_mode_shapes_fit_into_memory():

@@ -20,8 +20,8 @@ from dynamics import Outcome
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.playback import (
-    LOUDNESS_LUFS,
-    MAX_OVERSHOOT,
+    AUDIBLE_COPY_LOUDNESS_LUFS,
+    MAX_TRUE_PEAK_RATIO,
     TRUE_PEAK_OVERSAMPLING,
     a_weighting,
     audible_copy,
@@ -71,7 +71,7 @@ def test_any_sound_comes_out_as_loud():
     for size in (1e-6, 1.0, 1e3):
         assert loudness_lufs(
             audible_copy(track(sine(440.0, size=size)))
-        ) == pytest.approx(LOUDNESS_LUFS, abs=0.01)
+        ) == pytest.approx(AUDIBLE_COPY_LOUDNESS_LUFS, abs=0.01)
 
 
 def test_a_click_is_held_below_the_true_peak_by_its_gain():
@@ -79,7 +79,7 @@ def test_a_click_is_held_below_the_true_peak_by_its_gain():
     click[RATE] = 1.0
     heard = audible_copy(track(click))
     assert 20 * np.log10(true_peak(heard)) == pytest.approx(-1.0, abs=1e-6)
-    assert loudness_lufs(heard) < LOUDNESS_LUFS
+    assert loudness_lufs(heard) < AUDIBLE_COPY_LOUDNESS_LUFS
 
 
 def test_a_true_peak_lies_between_the_samples():
@@ -98,7 +98,7 @@ def test_a_true_peak_is_found_in_whichever_part_it_is_and_no_quiet_part_can_hold
         .reshape(-1, TRUE_PEAK_OVERSAMPLING)
         .sum(axis=0)
     )
-    assert weights.max() < MAX_OVERSHOOT
+    assert weights.max() < MAX_TRUE_PEAK_RATIO
     quiet = sine(RATE / 4, 4.0, 0.5)
     crest = sine(RATE / 4, 0.1, phase=np.pi / 4)
     for n in (0, 70_000, 150_000):

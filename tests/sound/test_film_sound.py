@@ -27,7 +27,7 @@ from sonify import load_scene
 from sonify.plan.preflight import plan_with_modes, solve_motion
 from sonify.sound.film_radiation import MEAN_GAPS, WAVENUMBERS, radiated_multipoles
 from sonify.sound.fluid_loaded_modes import (
-    MESH_GRADING,
+    FILM_MESH_GRADING,
     FluidLoadedModes,
     GapTunedOscillators,
     _film_response,
@@ -324,7 +324,9 @@ def test_the_film_on_the_mode_of_1080_hz(scene):
     ]
     assert decay[:3] - modes.decay_rate == pytest.approx([0.73, 28.6, 384], rel=0.06)
     assert decay[3] == pytest.approx(601, rel=0.1)
-    meshes = [FilmMesh(24, nearest=MESH_GRADING, parity=parity) for parity in (1, -1)]
+    meshes = [
+        FilmMesh(24, nearest=FILM_MESH_GRADING, parity=parity) for parity in (1, -1)
+    ]
     parts = _parity_parts(modes, 0, meshes, scene.disk.radius)
     unshifted = 2 * np.pi * 1084
     response = _film_response(parts, 10e-6, unshifted, scene.disk.radius, scene.air)
@@ -340,7 +342,7 @@ def test_inertia_and_heat_of_the_film_change_a_fast_heave(scene):
     radius = scene.disk.radius
     rate = 2 * np.pi * 800
     gap = 150e-6
-    mesh = FilmMesh(16, nearest=MESH_GRADING)
+    mesh = FilmMesh(16, nearest=FILM_MESH_GRADING)
     layers = boundary_layer_number(gap, rate, scene.air)
     sigma = 12 * scene.air.viscosity * rate * radius**2 / scene.air.pressure / gap**2
     (response,) = mesh.linear_responses(
@@ -414,8 +416,8 @@ def test_an_even_film_damps_a_mode_as_finite_differences_say(
 def test_the_mesh_of_a_mode_is_fine_enough_for_its_waves(scene, flexural, monkeypatch):
     """Twice the elements and a mesh closer to the contact change the damping by below 5 %."""
     table = fluid_loaded_modes(flexural, scene)
-    monkeypatch.setattr("sonify.sound.fluid_loaded_modes.MIN_MESH_CELLS", 36)
-    monkeypatch.setattr("sonify.sound.fluid_loaded_modes.MESH_GRADING", 7.0)
+    monkeypatch.setattr("sonify.sound.fluid_loaded_modes.MIN_FILM_MESH_CELLS", 36)
+    monkeypatch.setattr("sonify.sound.fluid_loaded_modes.FILM_MESH_GRADING", 7.0)
     fine = fluid_loaded_modes(flexural, scene)
     near = np.exp(table.log_gap) < 1.5e-3
     assert table.film_decay_rate[near] == pytest.approx(

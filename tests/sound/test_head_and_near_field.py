@@ -18,7 +18,7 @@ from modal.radiation import SOUND_SPEED
 from sonify import SceneError, load_scene, solve, write
 from sonify.sound import exterior_field
 from sonify.sound.exterior_field import ExteriorField, outgoing_hankel
-from sonify.sound.film_radiation import EXTERIOR_GAPS
+from sonify.sound.film_radiation import EXTERIOR_MEAN_GAPS
 from sonify.sound.head import EAR_LATENCY, Ear, ear_pressure_ratio, ear_taps
 from sonify.sound.near_field import (
     near_face_kernels,
@@ -187,8 +187,8 @@ def test_finite_elements_around_the_disk_differ_by_what_the_plan_says(height, er
     scene = load_scene("granite")
     thickness = height * scene.disk.radius
     scene = scene.replace(f"disk.thickness={thickness}", "contact.fillet=1e-4")
-    gap = EXTERIOR_GAPS[0]
-    far = 1.5 * np.hypot(1.0, height + EXTERIOR_GAPS[1])
+    gap = EXTERIOR_MEAN_GAPS[0]
+    far = 1.5 * np.hypot(1.0, height + EXTERIOR_MEAN_GAPS[1])
     field = ExteriorField(height, gap, far)
     for radii, elevation in ((0.8, np.radians(70)), (1.2, np.radians(45))):
         near = Listener(

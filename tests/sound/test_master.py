@@ -27,7 +27,7 @@ from sonify.sound.mastering import (
     true_peak_dbtp,
 )
 from sonify.sound.playback import (
-    LOUDNESS_LUFS,
+    AUDIBLE_COPY_LOUDNESS_LUFS,
     ScaledTrack,
     WeightedTrack,
     audible_copy,
@@ -262,7 +262,7 @@ def test_the_record_states_the_chain(tmp_path):
             assert np.array_equal(whole(copy), whole(result.sound.audible))
             assert 20 * np.log10(copy.gain) == pytest.approx(chain["gain_db"])
         else:
-            assert chain["loudness_lufs"] == LOUDNESS_LUFS
+            assert chain["loudness_lufs"] == AUDIBLE_COPY_LOUDNESS_LUFS
             copy = audible_copy(result.sound._audible_source)
             assert isinstance(copy, ScaledTrack)
             assert np.abs(whole(copy) - samples).max() < 2**-23

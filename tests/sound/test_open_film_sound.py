@@ -27,10 +27,10 @@ from sonify.plan.contact import (
 from sonify.sound import exterior_field
 from sonify.sound.exterior_field import ExteriorField, listener_pressure
 from sonify.sound.film_radiation import (
+    FILM_MESH_CELLS,
+    FILM_MESH_GRADING,
     MAX_RIM_ORDER,
     MEAN_GAPS,
-    MESH_CELLS,
-    MESH_GRADING,
     WAVENUMBERS,
     couple_at_rim,
     film_rim_matrices,
@@ -182,7 +182,11 @@ def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share
     k = 2 * np.pi * hertz * RADIUS / Air().sound_speed
     air = Air()
     film = film_rim_matrices(
-        FilmMesh(MESH_CELLS, nearest=MESH_GRADING), gap / RADIUS, k, RADIUS, air
+        FilmMesh(FILM_MESH_CELLS, nearest=FILM_MESH_GRADING),
+        gap / RADIUS,
+        k,
+        RADIUS,
+        air,
     )
     found = couple_at_rim(gap / RADIUS, film, *rim_and_beyond(0.005, k))[0, :, 0]
     assert listener_pressure(0, [k], FAR, DISTANCE, ELEVATION)[0] @ found / flush(

@@ -17,7 +17,7 @@ from dynamics.compliant.law.profile_files import profile_columns
 from dynamics.compliant.law.sections import Imperfection, Roughness
 from dynamics.disk import Disk
 
-LOWEST_ORDER = 2
+LOWEST_WAVINESS_ORDER = 2
 """Lowest order of the waves around the rim; order 1 would be a tilt of the table."""
 
 
@@ -29,7 +29,7 @@ def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:
     profile is shorter than one turn.
     """
     if roughness is None:
-        return np.zeros(LOWEST_ORDER, complex)
+        return np.zeros(LOWEST_WAVINESS_ORDER, complex)
     measured = roughness.profile is not None
     rms = 0.0 if measured or roughness.grain else roughness.rms or 0.0
     parts = [spectral_amplitudes(roughness, np.hypot(rms, roughness.edge_rms), radius)]
@@ -42,7 +42,7 @@ def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:
     total = np.zeros(max(map(len, parts)), complex)
     for part in parts:
         total[: len(part)] += part
-    total[:LOWEST_ORDER] = 0.0
+    total[:LOWEST_WAVINESS_ORDER] = 0.0
     return total
 
 
@@ -53,9 +53,9 @@ def spectral_amplitudes(roughness: Roughness, rms: float, radius: float) -> np.n
     are random, and the root mean square is exact.
     """
     if rms == 0.0:
-        return np.zeros(LOWEST_ORDER, complex)
+        return np.zeros(LOWEST_WAVINESS_ORDER, complex)
     rim = 2 * pi * radius
-    first = max(int(np.ceil(rim / roughness.longest)), LOWEST_ORDER)
+    first = max(int(np.ceil(rim / roughness.longest)), LOWEST_WAVINESS_ORDER)
     highest_order = int(rim / roughness.shortest)
     if highest_order < first:
         raise ValueError(
