@@ -15,7 +15,6 @@ from dynamics import Motion
 from dynamics.observables import plotted_rates
 from modal import Modes, Support
 from modal.tabletop.record import SurfaceModes
-from sonify.hearing.loudness import audibility
 from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
@@ -103,8 +102,8 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
         },
         "inaudible": [
             name
-            for name, stem in sound.stems.items()
-            if audibility(stem).above_threshold.max() <= 0
+            for name, heard in sound.stem_audibility.items()
+            if heard.above_threshold.max() <= 0
         ],
     }
     return {"start": sound.duration - seconds, "content": content}

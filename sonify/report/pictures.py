@@ -25,7 +25,6 @@ from sonify.claims.rigid_motion import (
 from sonify.claims.sound import FINAL_INTERVAL_DURATION
 from sonify.claims.table import radiated_power
 from sonify.claims.two_way import energy_budget, two_way_part
-from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.plan.supports import modes_over_run
 from sonify.report.mode_names import table_caption
@@ -162,10 +161,9 @@ def spectrogram_data(found):
 
 def stem_level_data(found):
     sound = found.sound
-    heard = {name: audibility(stem) for name, stem in sound.stems.items()}
     stems = {
         name: (one.time, one.a_weighted, one.above_threshold)
-        for name, one in heard.items()
+        for name, one in sound.stem_audibility.items()
     }
     return {"stems": stems, "end": sound.source_end, "duration": sound.duration}
 

@@ -289,7 +289,7 @@ def with_gain(track, gain_db):
 
 def true_peak_dbtp(track) -> float | str:
     """Return the true peak [dBTP] of a track, or "silence"."""
-    peak = true_peak(track)
+    peak = track.true_peak
     return float(20 * np.log10(peak)) if peak else "silence"
 
 
@@ -315,5 +315,5 @@ def mastering_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
 
 def trimmed_below_limit(track: MasteredTrack, settings: Mastering) -> MasteredTrack:
     """Return the track with a trim that limits its true peak to -1.1 dBTP."""
-    excess = true_peak(track) / 10 ** (-1.1 / 20)
+    excess = track.true_peak / 10 ** (-1.1 / 20)
     return track if excess <= 1 else replace(track, trim=track.trim / excess)

@@ -47,6 +47,11 @@ class DerivedTrack:
         """Number of listeners."""
         return self.track.channels
 
+    @cached_property
+    def true_peak(self) -> float:
+        """Largest magnitude, including values between the samples."""
+        return true_peak(self)
+
 
 @dataclass(frozen=True, kw_only=True)
 class CachedTrack(DerivedTrack):

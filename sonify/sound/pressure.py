@@ -12,6 +12,7 @@ import numpy as np
 
 from dynamics import Outcome
 from sonify.hearing.audio_source import BLOCK
+from sonify.hearing.loudness import Audibility, audibility
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import MasteredTrack, master_copy
 from sonify.sound.playback import ScaledTrack, audible_copy, energy_below, loudness
@@ -217,6 +218,11 @@ class Sound:
     def playback_copy(self) -> ScaledTrack:
         """Content of sound.wav: the pressure divided by `full_scale`."""
         return ScaledTrack(track=self.pressure, full_scale=self.full_scale)
+
+    @cached_property
+    def stem_audibility(self) -> dict[str, Audibility]:
+        """Audibility of each stem over time, by name."""
+        return {name: audibility(stem) for name, stem in self.stems.items()}
 
     @cached_property
     def audible_uncompressed(self) -> ScaledTrack:
