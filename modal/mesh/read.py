@@ -205,8 +205,8 @@ def check_mesh(mesh, name):
 
 
 def patch_facets(mesh, support, name=None):
-    """Return the facets of a named boundary of the mesh, or those within angle and
-    height of the patch."""
+    """Return the facets of a named boundary of the mesh; without a name, those within
+    the arc and the height of the patch."""
     if name is not None:
         if name not in (mesh.boundaries or {}):
             raise ValueError(

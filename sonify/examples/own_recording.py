@@ -2,7 +2,7 @@
 Your own recording
 ==================
 
-Detect a rising tone and fit its end and its power law in the time to that end.
+Detect a rising tone, and fit its end and the power law of its frequency.
 
 Without a file, the example generates a tone with the known frequency 60 Hz s / (4 s -
 t)."""

@@ -12,14 +12,14 @@ if TYPE_CHECKING:
     from sonify.sound.pressure import Sound
 
 
-def plot_sound(
-    sound: "Sound", window: float = 0.02, range_db: float = 65.0, columns: int = 2000
-) -> "Figure":
+def plot_sound(sound: "Sound") -> "Figure":
     """Plot the range of the pressure in each time interval, and the spectrogram.
 
-    The spectrogram uses Hann windows of length `window` [s] and shows levels down to
-    `range_db` below its maximum.
+    The spectrogram uses Hann windows. The colour scale ends well below its maximum.
     """
+    window = 0.02  # s
+    range_db = 65.0
+    columns = 2000
     from matplotlib.figure import Figure  # slow to import
 
     pressure = sound.pressure.read()

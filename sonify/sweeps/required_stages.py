@@ -34,7 +34,7 @@ STAGE_MODULES = {
     "modes": (checks, rigid_motion),
     "verdict": (verdict,),
 }
-"""Modules of claims that each stage judges without sound."""
+"""Modules whose claims can be judged after each stage, without sound."""
 STAGE_OF_OUTPUT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 """Stage required for each kind of output file."""
 

@@ -16,9 +16,8 @@ REFERENCE = json.loads((REFERENCES / "elastic_contact.json").read_text("utf-8"))
 def granite(fillet=1.6e-3, thickness=0.0128, **changes):
     """Return the law of the toy, of weight 4.30365 N, on granite."""
     disk = Disk(radius=0.03755, thickness=thickness, mass=4.30365 / GRAVITY)
-    return ContactLaw(
-        **{"disk": disk, "fillet": fillet, "body": STEEL, "table": GRANITE} | changes
-    )
+    given = {"disk": disk, "fillet": fillet, "body": STEEL, "table": GRANITE}
+    return ContactLaw(**given | {"loss_factor": 0.02} | changes)
 
 
 def steady_precession_rate(law, beta):

@@ -79,7 +79,7 @@ class ContactLaw:
     fillet: float
     body: ElasticConstants
     table: ElasticConstants
-    loss_factor: float = 0.02
+    loss_factor: float
     rolls_sharply: bool = False
 
     def __post_init__(self) -> None:
