@@ -23,7 +23,7 @@ CHART_NAMES = (
 )
 """Chart names on the command line, in the order of `chart all`."""
 
-INSTALLATION = Path(__file__).parents[1]
+CHECKOUT_FOLDER = Path(__file__).parents[1]
 """Folder that contains the package; the root of the checkout in an editable
 installation."""
 
@@ -34,8 +34,8 @@ def load_chart_files() -> ModuleType:
 
     Raises InputError if the package is not part of a checkout, e.g. if it was installed
     from a wheel."""
-    is_checkout = (INSTALLATION / "pyproject.toml").is_file() and (
-        INSTALLATION / "benchmarks" / "charts"
+    is_checkout = (CHECKOUT_FOLDER / "pyproject.toml").is_file() and (
+        CHECKOUT_FOLDER / "benchmarks" / "charts"
     ).is_dir()
     if not is_checkout:
         raise InputError(
@@ -43,6 +43,6 @@ def load_chart_files() -> ModuleType:
             "installed package; to run them, install a checkout with "
             "`python -m pip install -e .`"
         )
-    if str(INSTALLATION) not in sys.path:
-        sys.path.insert(0, str(INSTALLATION))
+    if str(CHECKOUT_FOLDER) not in sys.path:
+        sys.path.insert(0, str(CHECKOUT_FOLDER))
     return import_module("benchmarks.charts.chart_files")

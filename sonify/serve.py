@@ -37,7 +37,7 @@ CONTENT_SECURITY_POLICY = {
 }
 """Content that a page may load; the page of a run embeds its scripts, styles and
 pictures."""
-HEADERS = {
+SECURITY_HEADERS = {
     "Content-Security-Policy": "; ".join(
         map(" ".join, CONTENT_SECURITY_POLICY.items())
     ),
@@ -64,7 +64,7 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
         )
     with listening_socket(host, port) as listening:
         note(address(host, listening))
-        run_application(application(folder, host), HEADERS, listening)
+        run_application(application(folder, host), SECURITY_HEADERS, listening)
 
 
 def listening_socket(host: str, port: int) -> socket.socket:

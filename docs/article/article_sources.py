@@ -552,7 +552,7 @@ LIMITS = {
         "FLAT_INCLINATION",
         "rad",
     ),
-    "film_knudsen": ("dynamics.film.activation", "MAX_KNUDSEN", ""),
+    "film_knudsen": ("dynamics.film.activation", "MAX_KNUDSEN_NUMBER", ""),
     "film_share": ("dynamics.film.activation", "MIN_FILM_SHARE", ""),
     "rolling_curvature": (
         "dynamics.compliant.model_selection",

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 MIN_FILM_SHARE = 0.01
 """Fraction of the dissipated power above which the film is included in the motion."""
-MAX_KNUDSEN = 100.0
+MAX_KNUDSEN_NUMBER = 100.0
 """Knudsen number (mean free path divided by mean gap) at which a motion with a film
 ends.
 
 It is the upper limit of the tables of the kinetic theory of Fukui & Kaneko (1990).
 There, a model with wall slip alone underestimates the air flow by a factor of 3.4.
 """
-INCLINATION_COUNT = 200
+ONSET_INCLINATION_COUNT = 200
 """Number of inclinations at which quasi-steady motion is evaluated."""
 
 
@@ -120,12 +120,12 @@ def final_inclination(scene: "MotionScene") -> float:
     """Return the inclination [rad] at which the motion of a scene counts as settled.
 
     It is determined by the numerics of the scene. With an air film, it is at least the
-    inclination at which the Knudsen number equals MAX_KNUDSEN.
+    inclination at which the Knudsen number equals MAX_KNUDSEN_NUMBER.
     """
     settled = scene.numerics.stopping_inclination(scene.disk)
     if decide_film(scene).film is None:
         return settled
-    return max(settled, rarefied_inclination(scene.disk, scene.air, MAX_KNUDSEN))
+    return max(settled, rarefied_inclination(scene.disk, scene.air, MAX_KNUDSEN_NUMBER))
 
 
 def rarefied_inclination(disk: Disk, air: Air, knudsen: float) -> float:
@@ -212,7 +212,7 @@ def airborne_inclination(scene: "MotionScene") -> float:
 def _quasi_steady_descent(
     law: DiskConstants, disk: Disk, air: Air, dissipation: Dissipation, end: float
 ) -> tuple[Any, ...]:
-    """Return quasi-steady motion at decreasing inclinations (INCLINATION_COUNT,).
+    """Return quasi-steady motion at decreasing inclinations (ONSET_INCLINATION_COUNT,).
 
     The results are the film, the inclinations [rad], and the dimensionless omega_3,
     energy, power dissipated by the film, and total power.
@@ -220,7 +220,7 @@ def _quasi_steady_descent(
     film = film_under(disk, air, law.bowl / disk.radius)
     others = resistance_of(dissipation, disk)
     steepest = 0.9 * max_steady_inclination(law.h, law.K, law.fillet)
-    beta = np.geomspace(steepest, min(end, steepest / 2), INCLINATION_COUNT)
+    beta = np.geomspace(steepest, min(end, steepest / 2), ONSET_INCLINATION_COUNT)
     omega = np.array([steady_omega(b, law) for b in beta]).T
     energies = energy(beta, omega, (0.0, 0.0), law)
     film_power = film.rotation_and_fall_powers(beta, omega)[0]

@@ -11,7 +11,7 @@ import numpy as np
 from dynamics import Disk, Motion
 from dynamics.rattling.rattling_motion import RattlingMotion
 from modal import Modes
-from sonify.claims.finding import JUDGES, Judge, Need
+from sonify.claims.finding import JUDGE_BY_KEY, Judge, Need
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
@@ -60,7 +60,7 @@ def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
                 key=function.__name__, value=value, name=name, source=source, **ends
             )
 
-        JUDGES[function.__name__] = Judge(judge, needs)
+        JUDGE_BY_KEY[function.__name__] = Judge(judge, needs)
         return judge
 
     return decorator

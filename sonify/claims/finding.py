@@ -145,7 +145,7 @@ class Judge(NamedTuple):
     needs: tuple[Need, ...]
 
 
-JUDGES: dict[str, Judge] = {}
+JUDGE_BY_KEY: dict[str, Judge] = {}
 """Judging functions by the key of their finding; each module registers its own on
 import."""
 
@@ -205,7 +205,7 @@ def register_judge(needs: tuple[Need, ...]):
     function."""
 
     def decorator(function: Callable[..., Finding]) -> Callable[..., Finding]:
-        JUDGES[function.__name__] = Judge(function, needs)
+        JUDGE_BY_KEY[function.__name__] = Judge(function, needs)
         return function
 
     return decorator

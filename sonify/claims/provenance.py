@@ -5,7 +5,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from sonify import claims
-from sonify.claims.finding import JUDGES, Judge
+from sonify.claims.finding import JUDGE_BY_KEY, Judge
 
 NEED_IN_WORDS = {
     "tone": "the rising tone, tracked in the sound alone",
@@ -19,7 +19,7 @@ def registered_judges() -> dict[str, Judge]:
     """Return the function and the inputs of every finding, sorted by key."""
     for module in iter_modules(claims.__path__):
         import_module(f"{claims.__name__}.{module.name}")
-    return dict(sorted(JUDGES.items()))
+    return dict(sorted(JUDGE_BY_KEY.items()))
 
 
 def depends_on(key: str) -> str:

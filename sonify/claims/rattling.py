@@ -21,7 +21,7 @@ from sonify.claims.literature import energy_lost_by_cause
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-FIT_SAMPLES = 400
+FITTED_INSTANT_COUNT = 400
 """Number of instants in the fit of the precession rate."""
 MODE_BAND_HALF_WIDTH = 0.03
 """Half-width of the band around a mode, relative to its frequency."""
@@ -189,9 +189,9 @@ def rate_follows_unevenness(
     The expected value follows from the spectrum of the unevenness. The margin is the
     change of n if the first or the last third of the motion is excluded."""
     expected = precession_rate_exponent(spectrum_exponent)
-    t = np.linspace(0.0, motion.t[-1], FIT_SAMPLES + 1)[:-1]
+    t = np.linspace(0.0, motion.t[-1], FITTED_INSTANT_COUNT + 1)[:-1]
     inclination = motion.inclination(t)
-    third = FIT_SAMPLES // 3
+    third = FITTED_INSTANT_COUNT // 3
     value = fitted_exponent(t, inclination)
     others = [
         fitted_exponent(t[part], inclination[part])
@@ -217,7 +217,7 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
 
     The latter, f = (g/s)^(1/4)/(pi sqrt(k (t_end - t))), is independent of radius and
     mass of the disk. The value is the median over the last second."""
-    left = np.linspace(0.05, 1.0, FIT_SAMPLES)
+    left = np.linspace(0.05, 1.0, FITTED_INSTANT_COUNT)
     left = left[left < motion.t[-1]]
     inclination = motion.inclination(motion.t[-1] - left)
     disk = scene.disk

@@ -14,7 +14,7 @@ from dynamics import Loads, Motion, OwnLaw, simulate
 from dynamics.disk import GRAVITY
 from sonify import load_scene
 
-DRAG = 1e-9
+DRAG_COEFFICIENT = 1e-9
 """Drag coefficient c [W s^3]."""
 
 
@@ -39,7 +39,7 @@ def main() -> Motion:
     inertia = (
         scene.disk.weight / GRAVITY * scene.disk.radius**2
     )  # unit of c [kg m^2], in which the units of time cancel
-    slowed = simulate(scene, loads=Turbulent(DRAG / inertia))
+    slowed = simulate(scene, loads=Turbulent(DRAG_COEFFICIENT / inertia))
     print(f"{simulate(scene).t[-1]:.3f} s without, {slowed.t[-1]:.3f} s with the drag")
     return slowed
 

@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 
 from dynamics import Disk, Motion
-from dynamics.film.activation import MAX_KNUDSEN, final_inclination
+from dynamics.film.activation import MAX_KNUDSEN_NUMBER, final_inclination
 from dynamics.solver_settings import (
     ACCURACY_LEVELS,
     MAX_AUDIBLE_FREQUENCY,
@@ -305,7 +305,7 @@ def end_condition_reason(scene: Scene, final: float) -> str:
         gap = scene.disk.radius * np.sin(final)
         return (
             f"{turns}; the mean free path of the air, {scene.air.mean_free_path:.2g} m, is "
-            f"{MAX_KNUDSEN:g} times the mean gap there, {gap:.2g} m, and no film law is known for "
+            f"{MAX_KNUDSEN_NUMBER:g} times the mean gap there, {gap:.2g} m, and no film law is known for "
             "smaller gaps"
         )
     return f"{turns}; the highest audible rate is {MAX_AUDIBLE_FREQUENCY:g} Hz"

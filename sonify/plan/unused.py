@@ -61,7 +61,7 @@ ROUGHNESS_KEYS = (
 )
 
 
-RULES: tuple[tuple[str, Callable[[Scene], bool]], ...] = (
+UNUSED_KEY_RULES: tuple[tuple[str, Callable[[Scene], bool]], ...] = (
     (
         "friction.mu_dynamic",
         lambda scene: scene.friction.mu_static == inf and not is_rattling(scene),
@@ -154,7 +154,10 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
     return tuple(
         key
         for key in set_keys(scene)
-        if any(key in keys.split() and is_unread(scene) for keys, is_unread in RULES)
+        if any(
+            key in keys.split() and is_unread(scene)
+            for keys, is_unread in UNUSED_KEY_RULES
+        )
     )
 
 

@@ -48,7 +48,7 @@ VIDEO_SIZE = (1280, 720)  # px
 DISK_VIEW_SIZE = (800, 432)
 """Size of the view of the disk at the upper left of the video [px]."""
 
-EXPLANATION = (
+VIDEO_EXPLANATION = (
     "real time",
     f"inclination exaggerated: at least {np.degrees(MIN_DRAWN_INCLINATION):g}°",
     "at first; drawn as its square root",
@@ -278,7 +278,7 @@ def frame_caption(clip, t: float) -> str:
             f"inclination {np.degrees(state[0, 1]):.3g}°",
             f"the contact revolves at {turns:.3g} Hz",
         ]
-    return "\n".join([f"{t:.2f} s", *lines, "", *EXPLANATION])
+    return "\n".join([f"{t:.2f} s", *lines, "", *VIDEO_EXPLANATION])
 
 
 def spectrogram_background(clip):

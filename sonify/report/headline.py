@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from sonify.claims.finding import Finding
 
-CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
+HEADLINE_CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
     "sound": {
         "table_is_louder": (
             "you hear the table more than the disk",
@@ -76,7 +76,7 @@ def headline(findings: Iterable[Finding]) -> str:
         by_key.pop(
             "contact_kept", None
         )  # the air lifts the disk, so the contact is not lost to vibrations
-    for words in CLAUSES.values():
+    for words in HEADLINE_CLAUSES.values():
         key = next((key for key in words if key in by_key), None)
         if key is not None and by_key[key].holds is not None:
             yes, no = words[key]

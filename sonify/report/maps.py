@@ -15,8 +15,16 @@ from matplotlib.tri import Triangulation
 
 from sonify.report.figure import png_figure
 
-MARKS = "osD^vP*Xhp<>d8H"
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7", "#56b4e9", "#e69f00")
+MARKER_SYMBOLS = "osD^vP*Xhp<>d8H"
+MARKER_COLOURS = (
+    "#0072b2",
+    "#d55e00",
+    "#009e73",
+    "#000000",
+    "#cc79a7",
+    "#56b4e9",
+    "#e69f00",
+)
 """Colours that colour-blind readers can distinguish; the markers differ in greyscale
 print."""
 
@@ -180,7 +188,9 @@ def _contour_levels(values):
 
 def _draw_categories(panel, places, words):
     names = sorted(set(words))
-    for name, mark, colour in zip(names, cycle(MARKS), cycle(COLOURS), strict=False):
+    for name, mark, colour in zip(
+        names, cycle(MARKER_SYMBOLS), cycle(MARKER_COLOURS), strict=False
+    ):
         here = places[np.array(words) == name]
         label = fill(name.replace("_", " "), width=16)
         panel.plot(

@@ -35,8 +35,8 @@ from sonify.sound.pressure import Sound
 if TYPE_CHECKING:
     from sonify.result import Result
 
-NAME = "eulers-disk-sonify"
-LIBRARIES = (
+DISTRIBUTION_NAME = "eulers-disk-sonify"
+RECORDED_LIBRARIES = (
     "numpy",
     "scipy",
     "numba",
@@ -328,7 +328,9 @@ def versions() -> dict[str, str]:
     The entry `commit` identifies the checkout, if there is one.
     """
     found = {"python": python_version(), "platform": platform(), "commit": run_git()}
-    return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
+    return found | {
+        name: version_of(name) for name in (DISTRIBUTION_NAME, *RECORDED_LIBRARIES)
+    }
 
 
 @lru_cache

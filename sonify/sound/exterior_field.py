@@ -13,9 +13,9 @@ from scipy.sparse.linalg import splu
 from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
 from skfem import Basis, BilinearForm, ElementQuad2, FacetBasis, LinearForm, MeshQuad
 
-FACE_CELLS = 14
+FACE_ELEMENT_COUNT = 14
 """Number of elements along the face of the disk."""
-RADIAL_CELLS = 6
+RADIAL_ELEMENT_COUNT = 6
 """Number of elements between the disk and the hemisphere."""
 MULTIPOLE_COUNT = 8
 """Number of multipoles of each azimuthal order."""
@@ -35,8 +35,8 @@ class ExteriorField:
         thickness: float,
         gap: float,
         far: float,
-        face_cells: int = FACE_CELLS,
-        radial_cells: int = RADIAL_CELLS,
+        face_cells: int = FACE_ELEMENT_COUNT,
+        radial_cells: int = RADIAL_ELEMENT_COUNT,
     ):
         self.gap = gap
         self.far = far

@@ -19,7 +19,7 @@ from dynamics.air import HEAT_CAPACITY_RATIO, PRANDTL_NUMBER
 
 MAX_RIM_ORDER = 4
 """Highest azimuthal harmonic of the flow out of the rim."""
-WAVENUMBERS = np.concatenate(
+TABULATED_WAVENUMBERS = np.concatenate(
     [
         [0.1],
         np.arange(0.5, 1.6, 0.25),
@@ -38,10 +38,14 @@ FACE_VELOCITY_COLUMNS = (0, 1, 2)
 """Columns of the corresponding face velocities."""
 FACE_SOLUTION_COLUMNS = (0, 1, 1)
 """Columns of the corresponding exterior solutions."""
-EXTERIOR_WAVENUMBERS = np.linspace(WAVENUMBERS[0], WAVENUMBERS[-1], 16)
+EXTERIOR_WAVENUMBERS = np.linspace(
+    TABULATED_WAVENUMBERS[0], TABULATED_WAVENUMBERS[-1], 16
+)
 """Values of k R at which the exterior field is solved; they may be sparse because it
 has no resonances."""
-MEAN_GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
+TABULATED_MEAN_GAPS = np.append(
+    np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6]
+)
 """Ratios of mean gap to radius at which the radiation is tabulated, densest above 0.1,
 where the resonance frequencies vary; outside the range the nearest value applies."""
 EXTERIOR_MEAN_GAPS = (0.02, 0.2)
@@ -62,8 +66,8 @@ class RadiatedMultipoles:
     far : float
         Radius of the hemisphere, divided by that of the disk.
     multipoles : ndarray, shape (a, k, 2 MAX_RIM_ORDER + 1, m, 3)
-        Amplitudes on a hemisphere, divided by density and radius, at MEAN_GAPS (a,) and
-        WAVENUMBERS (k,). The cosine waves precede the sine waves; the contact is at x =
+        Amplitudes on a hemisphere, divided by density and radius, at TABULATED_MEAN_GAPS (a,) and
+        TABULATED_WAVENUMBERS (k,). The cosine waves precede the sine waves; the contact is at x =
         -1. The last axis contains the responses to the face accelerations 1, x and y.
     rim_flow : ndarray, shape (a, k, 2 MAX_RIM_ORDER + 1, 3)
         Harmonics of the outflow per length of the rim, divided by the radius.
@@ -84,7 +88,7 @@ class RadiatedMultipoles:
         )  # scikit-fem loads slowly
 
         orders = [
-            listener_pressure(n, WAVENUMBERS, self.far, distance, elevation)
+            listener_pressure(n, TABULATED_WAVENUMBERS, self.far, distance, elevation)
             for n in range(MAX_RIM_ORDER + 1)
         ]
         return np.einsum(
@@ -98,7 +102,9 @@ class RadiatedMultipoles:
         Scattering by the disk is neglected; see near_field.py."""
         from sonify.sound.near_field import rayleigh_waves
 
-        face, rim = rayleigh_waves(listener, disk, WAVENUMBERS, MAX_RIM_ORDER + 1)
+        face, rim = rayleigh_waves(
+            listener, disk, TABULATED_WAVENUMBERS, MAX_RIM_ORDER + 1
+        )
         pressure = self.rim_flow * np.hstack([rim, rim[:, 1:]])[:, :, None]
         pressure[:, :, [*FACE_WAVE_INDICES], [*FACE_VELOCITY_COLUMNS]] += face[
             :, [0, 1, 1]
@@ -117,12 +123,15 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
     low, high = (_exterior_at_gap(thickness, gap, far) for gap in EXTERIOR_MEAN_GAPS)
     multipoles = []
     flows = []
-    for gap in MEAN_GAPS:
+    for gap in TABULATED_MEAN_GAPS:
         part = (min(gap, EXTERIOR_MEAN_GAPS[1]) - EXTERIOR_MEAN_GAPS[0]) / (
             EXTERIOR_MEAN_GAPS[1] - EXTERIOR_MEAN_GAPS[0]
         )
         rim, exterior = (a + part * (b - a) for a, b in zip(low, high, strict=True))
-        films = [film_rim_matrices(mesh, gap, k, disk.radius, air) for k in WAVENUMBERS]
+        films = [
+            film_rim_matrices(mesh, gap, k, disk.radius, air)
+            for k in TABULATED_WAVENUMBERS
+        ]
         multipoles.append(
             [
                 couple_at_rim(gap, *fields)
@@ -235,7 +244,7 @@ the rim."""
 
 
 def _exterior_at_gap(thickness, gap, far):
-    """Return the exterior field for one gap at WAVENUMBERS (k,).
+    """Return the exterior field for one gap at TABULATED_WAVENUMBERS (k,).
 
     The result contains pressures at the rim (k, MAX_RIM_ORDER + 1, 3) and multipoles
     (k, MAX_RIM_ORDER + 1, m, 3).
@@ -247,5 +256,6 @@ def _exterior_at_gap(thickness, gap, far):
     rim, exterior = (np.stack(part, axis=1) for part in zip(*solutions, strict=True))
     rim[..., 2] += 2 / pi * log(gap)
     return [
-        CubicSpline(EXTERIOR_WAVENUMBERS, part)(WAVENUMBERS) for part in (rim, exterior)
+        CubicSpline(EXTERIOR_WAVENUMBERS, part)(TABULATED_WAVENUMBERS)
+        for part in (rim, exterior)
     ]

@@ -36,8 +36,8 @@ from sonify.scene import load_scene, shipped_scenes
 from sonify.scene_errors import InputError
 from sonify.serve import (
     CONTENT_SECURITY_POLICY,
-    HEADERS,
     LOOPBACK,
+    SECURITY_HEADERS,
     address,
     file_response,
     listening_socket,
@@ -56,7 +56,7 @@ STUDIO_POLICY = CONTENT_SECURITY_POLICY | {
     "frame-src": "'self'",  # for the page of a run
     "frame-ancestors": "'self'",
 }
-STUDIO_HEADERS = HEADERS | {
+STUDIO_HEADERS = SECURITY_HEADERS | {
     "Content-Security-Policy": "; ".join(map(" ".join, STUDIO_POLICY.items()))
 }
 

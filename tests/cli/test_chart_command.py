@@ -30,7 +30,7 @@ def test_without_a_checkout_one_line_says_where_the_charts_are(
 ):
     for file in files:
         (tmp_path / file).touch()
-    monkeypatch.setattr(chart_command, "INSTALLATION", tmp_path)
+    monkeypatch.setattr(chart_command, "CHECKOUT_FOLDER", tmp_path)
     asked = CliRunner().invoke(main, ["chart", name, "--out", str(tmp_path / "charts")])
     assert asked.exit_code == 2
     assert asked.stdout == ""

@@ -17,7 +17,7 @@ from modal import eigenmodes
 from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
-from sonify.plan.unused import RULES, unused_keys
+from sonify.plan.unused import UNUSED_KEY_RULES, unused_keys
 from sonify.runtime.progress import Stages
 from sonify.scene_keys import keys
 from sonify.sound.render import Renderer
@@ -263,7 +263,7 @@ def test_every_key_is_walked_over():
     known = {key.name for key in keys()}
     assert set(VALUES) | ANOTHER_SCENE == known
     assert not set(VALUES) & ANOTHER_SCENE
-    assert {key for keys, _ in RULES for key in keys.split()} <= known
+    assert {key for keys, _ in UNUSED_KEY_RULES for key in keys.split()} <= known
 
 
 @pytest.mark.slow

@@ -7,12 +7,12 @@ import pytest
 from made_findings import found
 
 from sonify.claims.provenance import registered_judges
-from sonify.report.headline import CLAUSES, headline
+from sonify.report.headline import HEADLINE_CLAUSES, headline
 
 
 def test_every_key_is_a_finding():
     assert {
-        key for words in CLAUSES.values() for key in words
+        key for words in HEADLINE_CLAUSES.values() for key in words
     } <= registered_judges().keys()
 
 

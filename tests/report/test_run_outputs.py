@@ -28,7 +28,7 @@ from sonify import load_scene, run, solve, summary, write
 from sonify.claims.air import motion_findings as air_claims
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.details import details_in_words
-from sonify.claims.finding import JUDGES, Finding, Measured
+from sonify.claims.finding import JUDGE_BY_KEY, Finding, Measured
 from sonify.claims.finding import finding as claim
 from sonify.claims.literature import motion_findings as literature_claims
 from sonify.claims.paper_figures import is_paper_scene, paper_rows
@@ -271,7 +271,7 @@ def test_every_verdict_says_its_number_its_error_and_what_it_depends_on(result):
     verdicts = re.findall(
         r"<details class=.*?</details>", page.partition('class="claims"')[2], re.DOTALL
     )[: len(result.findings)]
-    assert PAPER_SENTENCES.keys() <= JUDGES.keys()
+    assert PAPER_SENTENCES.keys() <= JUDGE_BY_KEY.keys()
     assert len(verdicts) == len(result.findings)
     for finding, told in zip(result.findings, verdicts, strict=True):
         parts = (
@@ -700,4 +700,4 @@ def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(found, ma
         float,
         float,
     ]
-    assert JUDGES.pop("grows").needs == ("motion",)
+    assert JUDGE_BY_KEY.pop("grows").needs == ("motion",)

@@ -8,8 +8,8 @@ from scipy.interpolate import CubicSpline
 
 from sonify.sound.film_radiation import (
     MAX_RIM_ORDER,
-    MEAN_GAPS,
-    WAVENUMBERS,
+    TABULATED_MEAN_GAPS,
+    TABULATED_WAVENUMBERS,
     radiated_multipoles,
 )
 from sonify.sound.modal_forcing import (
@@ -67,18 +67,20 @@ class VibratingDisk(Source):
             )
         )
         self._time_unit = disk.radius / air.sound_speed
-        self._pressure = CubicSpline(np.log(MEAN_GAPS), pressure)
+        self._pressure = CubicSpline(np.log(TABULATED_MEAN_GAPS), pressure)
         heaved = pressure[:, :, COSINE_ORDERS, 0]
         tilted = pressure[:, :, COSINE_ORDERS, 1]
         rolled = pressure[:, :, MAX_RIM_ORDER + SINE_ORDERS, 2]
         turn = 2 * pi * np.arange(self._size // 2 + 1) / self._size
-        inside = np.clip(turn * rate * self._time_unit, *WAVENUMBERS[[0, -1]])
+        inside = np.clip(turn * rate * self._time_unit, *TABULATED_WAVENUMBERS[[0, -1]])
         by_wavenumber = CubicSpline(
-            WAVENUMBERS, np.concatenate([heaved, tilted, rolled], axis=2), axis=1
+            TABULATED_WAVENUMBERS,
+            np.concatenate([heaved, tilted, rolled], axis=2),
+            axis=1,
         )
         delay = np.exp(-1j * turn * self._pre_arrival)[:, None]
         self._spectrum_by_gap = CubicSpline(
-            np.log(MEAN_GAPS), by_wavenumber(inside) * delay
+            np.log(TABULATED_MEAN_GAPS), by_wavenumber(inside) * delay
         )
         self._filters: dict[int, np.ndarray] = {}
 
@@ -113,17 +115,21 @@ class VibratingDisk(Source):
         frequencies (k,) [Hz].
 
         The result is averaged over the azimuth of the listener."""
-        gap = np.log(np.clip(np.sin(inclination), *MEAN_GAPS[[0, -1]]))
+        gap = np.log(np.clip(np.sin(inclination), *TABULATED_MEAN_GAPS[[0, -1]]))
         normal_force = np.array([[0.0, 0.0, 1.0]])
         waves = (
             self._pressure(gap)
             @ self._accelerations(normal_force, np.array([inclination]))[0]
         )
         inside = np.clip(
-            2 * pi * np.asarray(frequency) * self._time_unit, *WAVENUMBERS[[0, -1]]
+            2 * pi * np.asarray(frequency) * self._time_unit,
+            *TABULATED_WAVENUMBERS[[0, -1]],
         )
         mean_of_wave = np.where(np.arange(2 * MAX_RIM_ORDER + 1) == 0, 1.0, 0.5)
-        return np.abs(CubicSpline(WAVENUMBERS, waves)(inside)) ** 2 @ mean_of_wave
+        return (
+            np.abs(CubicSpline(TABULATED_WAVENUMBERS, waves)(inside)) ** 2
+            @ mean_of_wave
+        )
 
     def make_block_renderer(self, first, note):
         """Return a function that computes the pressure (k, 1) [Pa] of successive
@@ -169,7 +175,7 @@ class VibratingDisk(Source):
     def _filter_spectra(self, gap):
         """Return the filter spectra (bins, channels) at a log gap, rounded to a grid."""
         log_gap_step = 0.05
-        inside = np.log(MEAN_GAPS[[0, -1]])
+        inside = np.log(TABULATED_MEAN_GAPS[[0, -1]])
         level = round(float(np.clip(gap, *inside)) / log_gap_step)
         if level not in self._filters:
             length = self._response_length
