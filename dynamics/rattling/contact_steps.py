@@ -13,25 +13,24 @@ into one.
 A table with modes rises under the rim by W(x, y) = sum q_m w_m(x, y). The contact force is
 the gradient of the elastic energy with respect to all coordinates of the gap: a force N
 drives the modes by -N w_m and pushes the rim by (-N dW/dx, -N dW/dy, N). Between contacts
-the modes vibrate freely and are advanced exactly, like those of the disk. W is evaluated at
-nodes around the rim and interpolated linearly. Waves above the highest mode are neglected.
+the modes vibrate freely and are advanced exactly, like those of the disk, but in one flight
+from one evaluation of the table to the next. W is evaluated at nodes around the rim and
+interpolated linearly. Waves above the highest mode are neglected.
 """
 
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from dynamics.compliant.stepping.table_modes import (
     store_table_shapes,
     store_table_slopes,
 )
-from dynamics.numba_kernels import outermost
+from dynamics.numba_kernels import kernel, outermost
 from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT, friction_limited_arm
 from dynamics.rattling import film_force
 from dynamics.rattling.film_force import AirFilm, film_capacity, film_pressure
 
-kernel = njit(error_model="numpy")
 limited_arm_kernel = kernel(friction_limited_arm)
 
 CENTRE = 0
@@ -182,6 +181,14 @@ class MovingTable(NamedTuple):
         Force [N] of springs and dashpots on the nodes.
     displacement : ndarray, shape (t,)
         Mean displacements of the modes at both ends of the step.
+    work : ndarray, shape (t,)
+        Work array.
+    evaluated : ndarray, shape (2, k)
+        Times [s] at which deflection, and slopes and speed, of a node were last evaluated.
+    node : ndarray of int, shape (p,)
+        Last node before each point of the rim.
+    share : ndarray, shape (p,)
+        Distance of each point from that node, divided by the distance of two nodes.
     """
 
     coefficients: np.ndarray
@@ -198,6 +205,10 @@ class MovingTable(NamedTuple):
     incline: np.ndarray
     force: np.ndarray
     displacement: np.ndarray
+    work: np.ndarray
+    evaluated: np.ndarray
+    node: np.ndarray
+    share: np.ndarray
 
 
 DEFLECTION, SPEED, CHANGE = range(3)
@@ -255,7 +266,10 @@ def rotate(state, place, x, y, z, angle):
 
 @kernel
 def fly(disk, gravity, edge, motion, propagator, h):
-    """Advance the disk and its modes exactly by a time h without contact."""
+    """Advance the disk and its modes exactly by a time h without contact.
+
+    `propagator` (4, m) is that of all modes; those of the table are not advanced.
+    """
     state = motion.disk
     ring = motion.modes
     for i in range(3):
@@ -293,7 +307,7 @@ def fly(disk, gravity, edge, motion, propagator, h):
         rotate(state, RIM_REFERENCE_VECTOR, x, y, z, turn)
         rotate(state, AXIS, x, y, z, turn)
     lost = motion.mode_loss
-    for j in range(ring.shape[1]):
+    for j in range(edge.axial.shape[0]):
         place = ring[0, j]
         speed = ring[1, j]
         later = propagator[0, j] * place + propagator[1, j] * speed
@@ -305,12 +319,55 @@ def fly(disk, gravity, edge, motion, propagator, h):
 
 
 @kernel
-def record_mode_losses(edge, motion):
-    """Move the energies lost by the modes since the last sample to the record."""
+def record_mode_losses(motion):
+    """Move the energies lost by the modes of the disk since the last sample to the record."""
     for j in range(motion.mode_loss.size):
-        sink = BODY_LOSS if j < edge.axial.shape[0] else TABLE_LOSS
-        motion.record[sink] += motion.mode_loss[j]
+        motion.record[BODY_LOSS] += motion.mode_loss[j]
         motion.mode_loss[j] = 0.0
+
+
+@kernel
+def fly_table(table, own, motion, propagator):
+    """Advance the modes of the table exactly without contact.
+
+    `propagator` (4, m) is that of all modes; the first `own` are those of the disk.
+    """
+    place = motion.modes[0, own:]
+    speed = motion.modes[1, own:]
+    by_place, by_speed = propagator[0, own:], propagator[1, own:]
+    later = table.work
+    for j in range(later.size):
+        later[j] = by_place[j] * place[j] + by_speed[j] * speed[j]
+    by_place, by_speed = propagator[2, own:], propagator[3, own:]
+    for j in range(later.size):
+        speed[j] = by_place[j] * place[j] + by_speed[j] * speed[j]
+    for j in range(later.size):
+        place[j] = later[j]
+
+
+@kernel
+def table_energy(edge, table, own, motion):
+    """Return the energy [J] of the modes of the table."""
+    frequency = edge.frequency[own:]
+    place = motion.modes[0, own:]
+    speed = motion.modes[1, own:]
+    rate = table.work
+    for j in range(rate.size):
+        rate[j] = frequency[j] * place[j]
+    return (scalar_product(rate, rate) + scalar_product(speed, speed)) / 2
+
+
+@kernel
+def table_swing(edge, table, own, motion):
+    """Return a bound [m] of the deflection of the table until the next contact."""
+    frequency = edge.frequency[own:]
+    place = motion.modes[0, own:]
+    speed = motion.modes[1, own:]
+    swing = table.work
+    for j in range(swing.size):
+        swing[j] = speed[j] / frequency[j]
+    squares = scalar_product(place, place) + scalar_product(swing, swing)
+    return edge.highest[1 + own] * np.sqrt(squares)
 
 
 @kernel
@@ -371,8 +428,8 @@ class MotionState(NamedTuple):
         Displacements [kg^1/2 m] and velocities of the modes.
     record : ndarray, shape (15,)
         Sums since the start.
-    mode_loss : ndarray, shape (m,)
-        Energy lost by the damping of each mode since the last sample [J].
+    mode_loss : ndarray, shape (d,)
+        Energy lost by the damping of each mode of the disk since the last sample [J].
     """
 
     disk: np.ndarray
@@ -417,14 +474,22 @@ class Contacts(NamedTuple):
         Force and torque by cause.
     pull : ndarray, shape (2, m)
         Force of springs and dashpots on each mode.
-    depth, speed : ndarray, shape (p,)
-        Mean depth [m] and approach speed [m/s] of the points that were examined.
+    depth, speed, change : ndarray, shape (p,)
+        Mean depth [m], approach speed [m/s] and its change in the step of the points that were
+        examined.
+    rise, radius, below : ndarray, shape (BLOCK_SIZE,)
+        Height of the points of a block above the middle plane divided by their distance from
+        the axis, that distance [m], and their distance below the middle plane [m].
     """
 
     load: np.ndarray
     pull: np.ndarray
     depth: np.ndarray
     speed: np.ndarray
+    change: np.ndarray
+    rise: np.ndarray
+    radius: np.ndarray
+    below: np.ndarray
 
 
 @kernel
@@ -476,15 +541,16 @@ def horizontal_offset(state, rim, cosine, sine, below):
 
 
 @kernel
-def table_at_point(table, row, i, points):
-    """Return `MovingTable.motion` in a row at point i of the rim, linear between the nodes."""
-    nodes = table.known_since.size
-    place = i * nodes / points
-    node = int(place)
-    share = place - node
-    return (1 - share) * table.motion[row, node] + share * table.motion[
-        row, (node + 1) % nodes
-    ]
+def add_table(table, row, first, size, out):
+    """Add a row of `MovingTable.motion` at `size` points from `first` on to `out` (p,).
+
+    The row is interpolated linearly between the nodes.
+    """
+    motion = table.motion[row]
+    for i in range(first, first + size):
+        node = table.node[i]
+        after = node + 1 if node + 1 < motion.size else 0
+        out[i] += (1 - table.share[i]) * motion[node] + table.share[i] * motion[after]
 
 
 @kernel
@@ -497,10 +563,9 @@ def push_nodes(table, depth, left, points, spring, damping):
     nodes = table.known_since.size
     for m in range(left, left + points):
         i = m % depth.size
-        place = i * nodes / depth.size
-        node = int(place)
+        node = table.node[i]
         after = (node + 1) % nodes
-        share = place - node
+        share = table.share[i]
         force[ELASTIC, node] += (1 - share) * spring * depth[i]
         force[ELASTIC, after] += share * spring * depth[i]
         force[DASHPOT, node] += (1 - share) * damping * depth[i]
@@ -563,37 +628,72 @@ def move_shapes(table, node, x, y, now, basis_x, basis_y):
 
 
 @kernel
-def move_nodes(
-    disk, table, own, place_factor, motion, rim, velocity, change, now, begin, count
-):
-    """Evaluate height, slopes and speed of the table at `count` nodes from `begin` on, and clear
-    their forces. `own` is the number of modes of the disk, which come first.
+def move_nodes(disk, edge, table, motion, rim, now, begin, count):
+    """Evaluate the deflection of the table at `count` nodes from `begin` on, and clear their
+    forces; return the greatest deflection [m].
     """
-    modes = table.mean_factor.size
-    for m in range(modes):
-        table.displacement[m] = place_factor[own + m] * motion.modes[0, own + m]
+    own = edge.axial.shape[0]
+    factor = edge.place_factor[own:]
+    place = motion.modes[0, own:]
+    for m in range(place.size):
+        table.displacement[m] = factor[m] * place[m]
     basis_x = np.empty((3, 4))
     basis_y = np.empty((3, 4))
-    for place in range(begin, begin + count):
-        node = place % table.known_since.size
-        x, y, z = node_arm(disk, table, motion, rim, node)
-        centre_x = table.is_fixed * motion.disk[CENTRE]
-        centre_y = table.is_fixed * motion.disk[CENTRE + 1]
-        move_shapes(table, node, x + centre_x, y + centre_y, now, basis_x, basis_y)
-        shapes = table.shapes[node]
-        incline = table.incline[node]
-        for i in range(2):
-            incline[i] = scalar_product(table.slopes[node, i], table.displacement)
-        table.motion[DEFLECTION, node] = scalar_product(shapes, table.displacement)
-        for row, rate in ((SPEED, velocity), (CHANGE, change)):
-            moved_x, moved_y = horizontal_velocity(rate, table.is_fixed, x, y, z)
-            table.motion[row, node] = (
-                scalar_product(shapes, rate[LOAD_SIZE + own :])
-                + incline[0] * moved_x
-                + incline[1] * moved_y
-            )
+    highest = -np.inf
+    for n in range(begin, begin + count):
+        node = n % table.known_since.size
         table.force[ELASTIC, node] = 0.0
         table.force[DASHPOT, node] = 0.0
+        if table.evaluated[0, node] != now:
+            table.evaluated[0, node] = now
+            x, y, _ = node_arm(disk, table, motion, rim, node)
+            x += table.is_fixed * motion.disk[CENTRE]
+            y += table.is_fixed * motion.disk[CENTRE + 1]
+            move_shapes(table, node, x, y, now, basis_x, basis_y)
+            table.motion[DEFLECTION, node] = scalar_product(
+                table.shapes[node], table.displacement
+            )
+        highest = max(highest, table.motion[DEFLECTION, node])
+    return highest
+
+
+@kernel
+def write_node_speeds(
+    disk, table, own, motion, rim, velocity, change, is_changed, now, begin, count
+):
+    """Evaluate slopes and speed of the table at `count` nodes from `begin` on.
+
+    `own` is the number of modes of the disk, which come first. A speed that was evaluated
+    before the change is corrected by half of it.
+    """
+    for n in range(begin, begin + count):
+        node = n % table.known_since.size
+        incline = table.incline[node]
+        is_known = is_changed and table.evaluated[1, node] == now
+        if not is_known:
+            table.evaluated[1, node] = now
+            for i in range(2):
+                incline[i] = scalar_product(table.slopes[node, i], table.displacement)
+            table.motion[SPEED, node] = node_speed(
+                disk, table, own, motion, rim, velocity, node
+            )
+        if is_changed:
+            gain = node_speed(disk, table, own, motion, rim, change, node)
+            table.motion[CHANGE, node] = gain
+            if is_known:
+                table.motion[SPEED, node] += gain / 2
+
+
+@kernel
+def node_speed(disk, table, own, motion, rim, velocity, node):
+    """Return the speed [m/s] at which the table rises under a node of the moving rim."""
+    x, y, z = node_arm(disk, table, motion, rim, node)
+    moved_x, moved_y = horizontal_velocity(velocity, table.is_fixed, x, y, z)
+    return (
+        scalar_product(table.shapes[node], velocity[LOAD_SIZE + own :])
+        + table.incline[node, 0] * moved_x
+        + table.incline[node, 1] * moved_y
+    )
 
 
 @kernel
@@ -607,8 +707,10 @@ def push_table(disk, table, motion, rim, own, begin, count, contacts):
             force = table.force[origin, node]
             if force == 0:
                 continue
-            for m in range(table.mean_factor.size):
-                contacts.pull[origin, own + m] -= force * table.shapes[node, m]
+            pull = contacts.pull[origin, own:]
+            shapes = table.shapes[node]
+            for m in range(shapes.size):
+                pull[m] -= force * shapes[m]
             x, y, z = node_arm(disk, table, motion, rim, node)
             push_x = -force * table.incline[node, 0]
             push_y = -force * table.incline[node, 1]
@@ -620,45 +722,69 @@ def push_table(disk, table, motion, rim, own, begin, count, contacts):
 
 
 @kernel
-def point_depth(disk, edge, motion, rim, i):
-    """Return the depth [m] of point i of the rim below a table at rest; negative above
-    it."""
-    rise = (
-        edge.angles[0, i] * motion.disk[RIM_REFERENCE_VECTOR + 2]
-        + edge.angles[1, i] * rim.quarter_turn_vector[2]
-    )
-    depth = edge.heights[i] - rim.height - (disk.radius - disk.fillet) * rise
+def write_depths(disk, edge, motion, rim, first, size, contacts):
+    """Write the depths [m] of `size` points of a block, from `first` on, below a table at rest.
+
+    They are negative above it.
+    """
+    points = slice(first, first + size)
+    heights = edge.heights[points]
+    cosine = edge.angles[0, points]
+    sine = edge.angles[1, points]
+    depth = contacts.depth[points]
+    rise = contacts.rise
+    x = motion.disk[RIM_REFERENCE_VECTOR + 2]
+    y = rim.quarter_turn_vector[2]
+    radius = disk.radius - disk.fillet
+    for i in range(size):
+        rise[i] = cosine[i] * x + sine[i] * y
+    for i in range(size):
+        depth[i] = heights[i] - rim.height - radius * rise[i]
     for j in range(edge.axial.shape[0]):
-        shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
-        depth -= motion.modes[0, j] * edge.place_factor[j] * shape
-    return depth
+        axial = edge.axial[j, points]
+        radial = edge.radial[j, points]
+        place = motion.modes[0, j] * edge.place_factor[j]
+        for i in range(size):
+            depth[i] -= place * (axial[i] * rim.upright + radial[i] * rise[i])
 
 
 @kernel
-def point_speed(disk, edge, motion, rim, velocity, i):
-    """Return the speed [m/s] at which point i of the rim approaches a table at rest."""
+def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
+    """Write the speeds [m/s] at which points approach a table at rest to `out` (p,).
+
+    The points are those of the last call of `write_depths`.
+    """
+    points = slice(first, first + size)
     state = motion.disk
-    c = edge.angles[0, i]
-    s = edge.angles[1, i]
-    rise = c * state[RIM_REFERENCE_VECTOR + 2] + s * rim.quarter_turn_vector[2]
-    radius = disk.radius - disk.fillet
-    below = disk.half_thickness - disk.fillet
-    speed = -velocity[2]
+    speed = out[points]
+    rise = contacts.rise
+    radius = contacts.radius
+    below = contacts.below
+    for i in range(size):
+        speed[i] = -velocity[2]
+        radius[i] = disk.radius - disk.fillet
+        below[i] = disk.half_thickness - disk.fillet
     for j in range(edge.axial.shape[0]):
-        shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
-        speed -= velocity[LOAD_SIZE + j] * shape
+        axial = edge.axial[j, points]
+        radial = edge.radial[j, points]
         place = motion.modes[0, j] * edge.place_factor[j]
-        radius += place * edge.radial[j, i]
-        below -= place * edge.axial[j, i]
-    arm_x = (
-        radius * (c * state[RIM_REFERENCE_VECTOR] + s * rim.quarter_turn_vector[0])
-        - below * state[AXIS]
-    )
-    arm_y = (
-        radius * (c * state[RIM_REFERENCE_VECTOR + 1] + s * rim.quarter_turn_vector[1])
-        - below * state[AXIS + 1]
-    )
-    return speed - velocity[TORQUE] * arm_y + velocity[TORQUE + 1] * arm_x
+        rate = velocity[LOAD_SIZE + j]
+        for i in range(size):
+            speed[i] -= rate * (axial[i] * rim.upright + radial[i] * rise[i])
+        for i in range(size):
+            radius[i] += place * radial[i]
+        for i in range(size):
+            below[i] -= place * axial[i]
+    cosine = edge.angles[0, points]
+    sine = edge.angles[1, points]
+    x0, y0 = state[RIM_REFERENCE_VECTOR], state[RIM_REFERENCE_VECTOR + 1]
+    x1, y1 = rim.quarter_turn_vector[0], rim.quarter_turn_vector[1]
+    axis_x, axis_y = state[AXIS], state[AXIS + 1]
+    turn_x, turn_y = velocity[TORQUE], velocity[TORQUE + 1]
+    for i in range(size):
+        arm_x = radius[i] * (cosine[i] * x0 + sine[i] * x1) - below[i] * axis_x
+        arm_y = radius[i] * (cosine[i] * y0 + sine[i] * y1) - below[i] * axis_y
+        speed[i] = speed[i] - turn_x * arm_y + turn_y * arm_x
 
 
 @kernel
@@ -801,17 +927,21 @@ def press_patch(
 
 
 @kernel
-def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, contacts):
+def press_rim(
+    disk, edge, table, motion, rim, velocity, change, is_changed, now, step, contacts
+):
     """Write the forces of all patches and return their elastic energy [J].
 
     `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) its
-    change, by which the depths at both ends deviate from uniform motion.
+    change, by which the depths at both ends deviate from uniform motion; it is zero
+    unless `is_changed`.
     """
     travel = abs(velocity[2])
     travel += (abs(velocity[3]) + abs(velocity[4])) * (
         disk.radius + disk.half_thickness
     )
     reach = 0.0
+    table_reach = 0.0
     disk_modes = edge.axial.shape[0]
     for j in range(disk_modes):
         travel += edge.highest[1 + j] * abs(velocity[LOAD_SIZE + j])
@@ -820,9 +950,11 @@ def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, conta
         speeds = velocity[LOAD_SIZE + disk_modes :]
         places = motion.modes[0, disk_modes:]
         travel += edge.highest[1 + disk_modes] * np.sqrt(scalar_product(speeds, speeds))
-        reach += edge.highest[1 + disk_modes] * np.sqrt(scalar_product(places, places))
+        table_reach = edge.highest[1 + disk_modes] * np.sqrt(
+            scalar_product(places, places)
+        )
     travel *= step
-    room = edge.highest[0] + reach + travel - rim.height + rim.tilt
+    room = edge.highest[0] + reach + table_reach + travel - rim.height + rim.tilt
     if room <= 0:
         return 0.0
     count = edge.heights.size
@@ -831,7 +963,7 @@ def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, conta
     stiffness = disk.modulus * (curvature_radius * disk.fillet) ** 0.25
     stiffness *= cell * disk.radius / np.sqrt(2 * curvature_radius)
     _, first, number = arc_below(edge, motion, rim, room)
-    least = -travel - reach
+    least = -travel - reach - table_reach
     last = first
     nearest = -1
     place = first
@@ -849,65 +981,104 @@ def press_rim(disk, edge, table, motion, rim, velocity, change, now, step, conta
     number = last - first
     begin = 0
     nodes = 0
+    has_node_speeds = False
     if table is not None:
         begin, nodes = nodes_of_arc(table, first, number, count)
-        move_nodes(
-            disk,
-            table,
-            disk_modes,
-            edge.place_factor,
-            motion,
-            rim,
-            velocity,
-            change,
-            now,
-            begin,
-            nodes,
-        )
+        highest = move_nodes(disk, edge, table, motion, rim, now, begin, nodes)
+        least = -travel - reach - highest
     points = 0
     left = first
     squares = 0.0
-    is_near = True
-    for m in range(number + 1):
-        i = (first + m) % count
-        depth = 0.0
-        if m == 0 or i % BLOCK_SIZE == 0:
-            own = block_depth(disk, edge, motion, rim, i // BLOCK_SIZE)
-            is_near = own > least
-        if is_near and m < number:
-            own = point_depth(disk, edge, motion, rim, i)
+    place = first
+    while place < last:
+        begin_of_block = place % count
+        size = min(BLOCK_SIZE - begin_of_block % BLOCK_SIZE, count - begin_of_block)
+        size = min(size, last - place)
+        block = begin_of_block // BLOCK_SIZE
+        is_near = block_depth(disk, edge, motion, rim, block) > least
+        if is_near:
+            write_depths(disk, edge, motion, rim, begin_of_block, size, contacts)
             if table is not None:
-                own += table_at_point(table, DEFLECTION, i, count)
-            squares += max(own, 0.0) ** 2
-            if own > -travel:
-                speed = point_speed(disk, edge, motion, rim, velocity, i)
-                gain = point_speed(disk, edge, motion, rim, change, i)
-                if table is not None:
-                    speed += table_at_point(table, SPEED, i, count)
-                    gain += table_at_point(table, CHANGE, i, count)
-                own += step / 4 * gain
-                depth = mean_depth(own, speed * step)
-                contacts.depth[i] = depth
-                contacts.speed[i] = speed
-        if depth > 0:
-            if points == 0:
-                left = first + m
-            points += 1
-        elif points > 0:
-            press_patch(
+                add_table(table, DEFLECTION, begin_of_block, size, contacts.depth)
+            deepest = -np.inf
+            for i in range(begin_of_block, begin_of_block + size):
+                deepest = max(deepest, contacts.depth[i])
+            is_near = deepest > -travel
+        if is_near:
+            write_speeds(
                 disk,
                 edge,
-                table,
                 motion,
                 rim,
                 velocity,
-                stiffness,
-                step,
-                left,
-                points,
+                begin_of_block,
+                size,
                 contacts,
+                contacts.speed,
             )
-            points = 0
+            if is_changed:
+                write_speeds(
+                    disk,
+                    edge,
+                    motion,
+                    rim,
+                    change,
+                    begin_of_block,
+                    size,
+                    contacts,
+                    contacts.change,
+                )
+            if table is not None:
+                if not has_node_speeds:
+                    has_node_speeds = True
+                    write_node_speeds(
+                        disk,
+                        table,
+                        disk_modes,
+                        motion,
+                        rim,
+                        velocity,
+                        change,
+                        is_changed,
+                        now,
+                        begin,
+                        nodes,
+                    )
+                add_table(table, SPEED, begin_of_block, size, contacts.speed)
+                if is_changed:
+                    add_table(table, CHANGE, begin_of_block, size, contacts.change)
+        ends = 1 if place + size == last else 0
+        for m in range(size + ends):
+            depth = 0.0
+            if is_near and m < size:
+                i = begin_of_block + m
+                own = contacts.depth[i]
+                squares += max(own, 0.0) ** 2
+                if own > -travel:
+                    if is_changed:
+                        own += step / 4 * contacts.change[i]
+                    depth = mean_depth(own, contacts.speed[i] * step)
+                    contacts.depth[i] = depth
+            if depth > 0:
+                if points == 0:
+                    left = place + m
+                points += 1
+            elif points > 0:
+                press_patch(
+                    disk,
+                    edge,
+                    table,
+                    motion,
+                    rim,
+                    velocity,
+                    stiffness,
+                    step,
+                    left,
+                    points,
+                    contacts,
+                )
+                points = 0
+        place += size
     if table is not None:
         push_table(disk, table, motion, rim, disk_modes, begin, nodes, contacts)
     return stiffness * squares / 2
@@ -926,12 +1097,12 @@ def clear(contacts):
 
 @kernel
 def add_sample(motion, share, row):
-    """Add a share of state, record and modes to a row of the samples."""
+    """Add a share of state, record and modes of the disk to a row of the samples."""
     for i in range(STATE_SIZE):
         row[i] += share * motion.disk[i]
     for i in range(RECORD_SIZE):
         row[STATE_SIZE + i] += share * motion.record[i]
-    for j in range(motion.modes.shape[1]):
+    for j in range(motion.mode_loss.size):
         row[STATE_SIZE + RECORD_SIZE + 2 * j] += share * motion.modes[0, j]
         row[STATE_SIZE + RECORD_SIZE + 2 * j + 1] += share * motion.modes[1, j]
 
@@ -1083,10 +1254,11 @@ def floats(record, now, weight):
 
 
 @kernel
-def stays_clear(disk, edge, table, gravity, motion, rim, contacts, duration):
+def stays_clear(disk, edge, swing, gravity, motion, rim, contacts, duration):
     """Return True if no point of the rim can touch the table within `duration` [s].
 
-    The amplitudes of the modes bound their displacements. The lowest point of the rim
+    The amplitudes of the modes bound their displacements; those of the table deflect it
+    by `swing` [m] at most. The lowest point of the rim
     falls at its present rate, accelerated by gravity, the rotation and the air film.
     """
     state = motion.disk
@@ -1101,16 +1273,10 @@ def stays_clear(disk, edge, table, gravity, motion, rim, contacts, duration):
     fastest = gravity + 2 * (radius + below) * turning / rim.sine
     fastest += 10 * abs(contacts.load[FILM, 2]) / disk.mass
     reach = duration**2 / 2 * fastest - min(duration * rate, 0.0)
-    disk_modes = edge.axial.shape[0]
-    for j in range(disk_modes):
+    for j in range(edge.axial.shape[0]):
         speed = motion.modes[1, j] / edge.frequency[j]
         reach += edge.highest[1 + j] * np.hypot(motion.modes[0, j], speed)
-    if table is not None:
-        squares = 0.0
-        for j in range(disk_modes, edge.frequency.size):
-            squares += motion.modes[0, j] ** 2
-            squares += (motion.modes[1, j] / edge.frequency[j]) ** 2
-        reach += edge.highest[1 + disk_modes] * np.sqrt(squares)
+    reach += swing
     room = edge.highest[0] + reach - rim.height + rim.tilt
     if room <= 0:
         return True
@@ -1164,8 +1330,8 @@ def step_rattling_disk(
         place.
     begin : float
         Time [s] of the first step.
-    samples : ndarray, shape (n, 30 + 2 m)
-        Receives state, record and modes.
+    samples : ndarray, shape (n, 31 + 2 d)
+        Receives state, record, modes of the disk and energy of those of the table.
     flights : ndarray, shape (f, 3)
         Output: start [s], duration [s] and height [m] of each loss of contact that
         ended; f is at least half the number of steps.
@@ -1176,8 +1342,8 @@ def step_rattling_disk(
         Number of samples and of flights written, and the reason for the end.
     """
     mode_count = edge.frequency.size
-    propagators = np.empty((per_sample, 4, mode_count))
-    for i in range(per_sample):
+    propagators = np.empty((2 * per_sample, 4, mode_count))
+    for i in range(2 * per_sample):
         write_propagator(edge, (i + 1) * step / 2, propagators[i])
     count = edge.heights.size
     contacts = Contacts(
@@ -1185,6 +1351,10 @@ def step_rattling_disk(
         np.zeros((2, mode_count)),
         np.zeros(count),
         np.zeros(count),
+        np.zeros(count),
+        np.zeros(BLOCK_SIZE),
+        np.zeros(BLOCK_SIZE),
+        np.zeros(BLOCK_SIZE),
     )
     quarter_turn_vector = np.empty(3)
     before = np.empty(LOAD_SIZE + mode_count)
@@ -1195,6 +1365,13 @@ def step_rattling_disk(
     weight = disk.mass * gravity
     pressure = np.zeros((3, 3))
     has_film = disk.film.turning > 0
+    disk_modes = edge.axial.shape[0]
+    stored = 0.0
+    if table is not None:
+        stored = table_energy(edge, table, disk_modes, motion)
+    received = 0.0
+    swing = -1.0
+    waiting = 0
     losses = 0
     for sample in range(samples.shape[0]):
         done = 0
@@ -1203,14 +1380,22 @@ def step_rattling_disk(
             left = per_sample - 1 - done
             if record[OPEN_SINCE] >= 0 and left > 1:
                 rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
+                if swing < 0:
+                    swing = 0.0
+                    if table is not None:
+                        swing = table_swing(edge, table, disk_modes, motion)
                 if stays_clear(
-                    disk, edge, table, gravity, motion, rim, contacts, left * step
+                    disk, edge, swing, gravity, motion, rim, contacts, left * step
                 ):
                     merged = left
             done += merged
             lasts = merged * step
             propagator = propagators[merged - 1]
             fly(disk, gravity, edge, motion, propagator, lasts / 2)
+            waiting += merged
+            if table is not None and merged == 1:
+                fly_table(table, disk_modes, motion, propagators[waiting - 1])
+                waiting = 0
             now = begin + (sample * per_sample + done) * step
             rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
             write_velocity(disk, motion, before)
@@ -1220,21 +1405,42 @@ def step_rattling_disk(
             clear(contacts)
             record[STORED] = 0.0
             if merged == 1:
-                record[STORED] = press_rim(
-                    disk, edge, table, motion, rim, mean, change, now, step, contacts
-                )
-            if contacts.load[ELASTIC, 2] > 0:
-                # Forces at the mean velocity and mean depth of the step conserve energy.
-                write_change(disk, motion, contacts, step, change)
-                for i in range(before.size):
-                    mean[i] = before[i] + change[i] / 2
-                clear(contacts)
-                press_rim(
-                    disk, edge, table, motion, rim, mean, change, now, step, contacts
-                )
-                add_resistance(
-                    disk, weight, motion, rim, mean, record[STORED], step, contacts.load
-                )
+                for is_changed in (False, True):
+                    if is_changed:
+                        # Forces at the mean velocity and mean depth of the step
+                        # conserve energy.
+                        write_change(disk, motion, contacts, step, change)
+                        for i in range(before.size):
+                            mean[i] = before[i] + change[i] / 2
+                        clear(contacts)
+                    energy = press_rim(
+                        disk,
+                        edge,
+                        table,
+                        motion,
+                        rim,
+                        mean,
+                        change,
+                        is_changed,
+                        now,
+                        step,
+                        contacts,
+                    )
+                    if is_changed:
+                        add_resistance(
+                            disk,
+                            weight,
+                            motion,
+                            rim,
+                            mean,
+                            record[STORED],
+                            step,
+                            contacts.load,
+                        )
+                    else:
+                        record[STORED] = energy
+                    if contacts.load[ELASTIC, 2] <= 0:
+                        break
             touches = contacts.load[ELASTIC, 2] > 0
             if has_film:
                 work = add_film(
@@ -1265,16 +1471,32 @@ def step_rattling_disk(
                 record[FLIGHT_LIFT] += lasts * contacts.load[FILM, 2]
                 record[GREATEST_GAP] = max(record[GREATEST_GAP], rim.height - rim.tilt)
             if done == per_sample:
-                record_mode_losses(edge, motion)
+                record_mode_losses(motion)
                 for i in range(samples.shape[1]):
                     samples[sample, i] = 0.0
+                if table is not None:
+                    energy = table_energy(edge, table, disk_modes, motion)
+                    record[TABLE_LOSS] += stored + received - energy
+                    samples[sample, -1] = energy
+                    stored = energy
+                    received = 0.0
                 add_sample(motion, 0.5, samples[sample])
             if touches or has_film:
                 write_change(disk, motion, contacts, lasts, change)
                 kick(disk, motion, contacts, before, change, lasts)
+            if table is not None and touches:
+                swing = -1.0
+                old = before[LOAD_SIZE + disk_modes :]
+                gain = change[LOAD_SIZE + disk_modes :]
+                by_old = scalar_product(old, gain)
+                by_gain = scalar_product(gain, gain)
+                received += by_old + by_gain / 2
+                if done == per_sample:  # the energy at the mean velocity
+                    samples[sample, -1] += by_old / 2 + by_gain / 8
             if done == per_sample:
                 add_sample(motion, 0.5, samples[sample])
             fly(disk, gravity, edge, motion, propagator, lasts / 2)
+            waiting += merged
             if rim.tilt < last_tilt:
                 return sample, losses, LIES_FLAT
             if rim.upright < UPRIGHT_COSINE_LIMIT:
@@ -1285,4 +1507,8 @@ def step_rattling_disk(
                 return sample, losses, JUMPS
             if floats(record, now, weight):
                 return sample, losses, FLOATS
+    if table is not None:
+        fly_table(table, disk_modes, motion, propagators[waiting - 1])
+        energy = table_energy(edge, table, disk_modes, motion)
+        record[TABLE_LOSS] += stored + received - energy
     return samples.shape[0], losses, CONTINUES

@@ -157,6 +157,7 @@ class RattlingModel(NamedTuple):
         spacing = min(np.diff(part).max() for part in (knots_x, knots_y))
         around = 2 * pi * self.constants.radius / spacing
         count = max(MIN_TABLE_NODES, ceil(NODES_PER_KNOT * around))
+        place = np.arange(len(self.heights)) * count / len(self.heights)
         return MovingTable(
             np.array(modes.coefficients, order="C"),
             knots_x,
@@ -172,6 +173,10 @@ class RattlingModel(NamedTuple):
             incline=np.zeros((count, 2)),
             force=np.zeros((2, count)),
             displacement=np.zeros(len(frequency)),
+            work=np.zeros(len(frequency)),
+            evaluated=np.full((2, count), -1.0),
+            node=place.astype(int),
+            share=place % 1,
         )
 
 
@@ -468,15 +473,16 @@ def simulate_rattling(
     """
     edge = model.edge()
     table = model.table()
+    disk_modes = len(model.rim.order)
     ring = np.zeros((2, len(edge.frequency)))
     if model.modes is not None:
-        bend, ring[0, len(model.rim.order) :] = static_deflection(model, state, gravity)
+        bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
         state[layout.CENTRE + 2] += bend
     record = np.zeros(layout.RECORD_SIZE)
     record[layout.OPEN_SINCE] = -1.0
     per_sample = round(model.rate / FORCE_RATE)
     chunk = round(CHUNK * FORCE_RATE)
-    width = layout.STATE_SIZE + layout.RECORD_SIZE + ring.size
+    width = layout.STATE_SIZE + layout.RECORD_SIZE + 2 * disk_modes + 1
     blocks = []
     flights = [np.zeros((0, 3))]
     begin = 0.0
@@ -492,7 +498,7 @@ def simulate_rattling(
             last_tilt,
             1 / model.rate,
             per_sample,
-            MotionState(state, ring, record, np.zeros(ring.shape[1])),
+            MotionState(state, ring, record, np.zeros(disk_modes)),
             begin,
             samples,
             found,
@@ -541,11 +547,11 @@ def static_deflection(
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion from samples (n, 30 + 2 m) at FORCE_RATE."""
+    """Return the motion from samples (n, 31 + 2 d) at FORCE_RATE."""
     state = samples[:, : layout.STATE_SIZE]
     record = samples[:, layout.STATE_SIZE : layout.STATE_SIZE + layout.RECORD_SIZE]
-    ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE :]
-    ringing, moved = np.split(ringing, [2 * len(model.rim.order)], axis=1)
+    ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE : -1]
+    in_table = samples[:, -1]
     columns = motion_columns(model, state)
     lost = np.zeros((len(state), len(CAUSES)))
     lost[:, CAUSES.index("contact")] = record[:, layout.CONTACT_LOSS]
@@ -555,9 +561,6 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     lost[:, CAUSES.index("film")] = record[:, layout.FILM_LOSS]
     lost[:, CAUSES.index("table")] = record[:, layout.TABLE_LOSS]
     internal = modal_energy(model.rim.squared, ringing)
-    in_table = np.zeros(len(state))
-    if model.modes is not None:
-        in_table = modal_energy((2 * pi * model.modes.frequency) ** 2, moved)
     stored = record[:, layout.STORED] + record[:, layout.COMPRESSED_AIR_ENERGY]
     energy = rigid_energy(model, state, gravity) + stored + internal + in_table
     rows = np.column_stack([columns, energy, lost, in_table, internal])
