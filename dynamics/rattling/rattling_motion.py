@@ -480,6 +480,7 @@ def simulate_rattling(
         state[layout.CENTRE + 2] += bend
     record = np.zeros(layout.RECORD_SIZE)
     record[layout.OPEN_SINCE] = -1.0
+    motion = MotionState(state, ring, record, np.zeros(disk_modes))
     per_sample = round(model.rate / FORCE_RATE)
     chunk = round(CHUNK * FORCE_RATE)
     width = layout.STATE_SIZE + layout.RECORD_SIZE + 2 * disk_modes + 1
@@ -498,7 +499,7 @@ def simulate_rattling(
             last_tilt,
             1 / model.rate,
             per_sample,
-            MotionState(state, ring, record, np.zeros(disk_modes)),
+            motion,
             begin,
             samples,
             found,

@@ -6,6 +6,7 @@ velocities; Fourier series and frequencies of switched oscillators; the linear r
 disk and the motion on one ellipse.
 """
 
+from functools import cache
 from math import pi
 
 import numpy as np
@@ -138,11 +139,17 @@ def test_long_steps_above_the_table_miss_no_contact():
     assert long == pytest.approx(short, rel=1e-7, abs=1e-9)
 
 
+@cache
+def coin_edge():
+    return model_of(coin()).edge()
+
+
 def propagator(frequency, decay, h):
     """Return the matrix (2, 2) of a mode over a time h [s], of its displacement and velocity."""
     one = np.array([frequency])
-    edge = model_of(coin()).edge()
-    edge = edge._replace(place_factor=one, frequency=one, decay=np.array([decay]))
+    edge = coin_edge()._replace(
+        place_factor=one, frequency=one, decay=np.array([decay])
+    )
     out = np.empty((4, 1))
     write_propagator(edge, h, out)
     return out.reshape(2, 2)
