@@ -79,10 +79,11 @@ def tone_rate_findings(tone, motion: Motion, sound: Sound) -> list[Finding]:
     nutates = nutation_frequency(motion)[0]
     if not len(nutates):
         return []
-    last = tone.time > sound.source_end - FINAL_INTERVAL_DURATION
+    time = tone.ridge.time
+    last = time > sound.source_end - FINAL_INTERVAL_DURATION
     delay = sound.source_end - motion.t[-1]
-    early = (tone.time < sound.source_end - 4 * FINAL_INTERVAL_DURATION) & (
-        tone.time - delay <= nutates[-1]
+    early = (time < sound.source_end - 4 * FINAL_INTERVAL_DURATION) & (
+        time - delay <= nutates[-1]
     )
     found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
     return found + (
@@ -99,9 +100,14 @@ def tone_rate_findings(tone, motion: Motion, sound: Sound) -> list[Finding]:
 )
 def pitch_rises(tone):
     """The ratio of the final to the initial frequency of the tone."""
+    return rise_of(tone)
+
+
+def rise_of(tone) -> Measured:
+    """Return the ratio of the final to the initial frequency of a tone."""
+    factor = tone.ridge.factor
     return Measured(
-        tone.factor,
-        2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent,
+        factor, factor * np.log(factor) * tone.exponent.half_width / tone.exponent.value
     )
 
 
@@ -144,7 +150,7 @@ def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
 def tone_ends_with_the_motion(tone, sound: Sound):
     """The time [s] from the end of the motion, at the listener, to the fitted end of
     the tone."""
-    return Measured(tone.end - sound.source_end, 2 * tone.end_error)
+    return Measured(tone.t_end.value - sound.source_end, tone.t_end.half_width)
 
 
 @finding(
@@ -158,12 +164,12 @@ def tone_is_heard(tone, sound: Sound):
     """The time before the end [s] from which the third-octave band of the tone stays
     above the threshold of hearing."""
     seen = spectrogram(sound.pressure, WINDOW / 4)
-    inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (
+    inside = (seen.time < min(tone.t_end.value, sound.source_end) - WINDOW / 8) & (
         seen.time > 0.1
     )
     bands = np.array(list(ISO_226))
     above = (band_levels(seen) - THRESHOLD_DB[:, None])[:, inside]
-    pitch = tone.at(seen.time[inside])
+    pitch = tone.rate(seen.time[inside])
     band = np.abs(np.log(pitch[:, None] / bands)).argmin(axis=1)
     heard = above[band, np.arange(len(band))] > 0
     silent = np.flatnonzero(~heard)
@@ -293,9 +299,9 @@ def _tone_ratio(tone, here, motion, sound, solved):
     """Return the median ratio of the tone frequency to a solved rate in the frames
     `here` (r,)."""
     delay = sound.source_end - motion.t[-1]
-    rate = np.interp(tone.time[here] - delay, *solved)
+    rate = np.interp(tone.ridge.time[here] - delay, *solved)
     independent_share = 0.05  # of the frames, which overlap
-    return median_with_margin(tone.frequency[here] / rate, independent_share)
+    return median_with_margin(tone.ridge.frequency[here] / rate, independent_share)
 
 
 def weighted_power(sound: Sound, stem: Track) -> float:

@@ -6,9 +6,9 @@ from dynamics import Motion
 from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims import two_way
 from sonify.claims.finding import Finding, Measured, finding
-from sonify.claims.sound import FINAL_INTERVAL_DURATION, time_of_energy_share
+from sonify.claims.sound import FINAL_INTERVAL_DURATION, rise_of, time_of_energy_share
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
-from sonify.hearing.rising_tone import RisingTone, rising_tone
+from sonify.hearing.settling.detector import SettlingRun, strongest_tone
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -25,7 +25,7 @@ def table_findings(
     motion: Motion,
     sound: Sound,
     listener: Listener,
-    tone: RisingTone | None,
+    tone: SettlingRun | None,
     error: float = 0.0,
 ) -> list[Finding]:
     """Return the findings on a wavy table and on the sound of an elastic table.
@@ -141,13 +141,8 @@ def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measure
 def table_tone_rises(sound: Sound) -> Measured:
     """The ratio of the final to the initial frequency of the rising tone in the stem of
     the table."""
-    tone = rising_tone(sound.track("table").read().astype(float), sound.sample_rate)
-    if tone is None:
-        return Measured(1.0)
-    return Measured(
-        tone.factor,
-        2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent,
-    )
+    tone = strongest_tone(sound.track("table"))
+    return Measured(1.0) if tone is None else rise_of(tone)
 
 
 @finding(
@@ -170,7 +165,7 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
                 sound.source_end,
             ),
         )
-        pitch = tone.at(np.minimum(seen.time, tone.end - LEVEL_WINDOW / 2))
+        pitch = tone.rate(np.minimum(seen.time, tone.t_end.value - LEVEL_WINDOW / 2))
         third_octave_edge = 2 ** (1 / 6)  # over the centre
         near = np.abs(
             np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)

@@ -45,7 +45,8 @@ def main(path: Path | None = None) -> Heard:
         print("no tone rises")
     else:
         print(
-            f"a tone rises until {heard.tone.end:.3f} s as (t_end - t)^-{heard.tone.exponent:.3f}"
+            f"a tone rises until {heard.tone.t_end.value:.3f} s "
+            f"as (t_end - t)^-{heard.tone.exponent.value:.3f}"
         )
     for line in heard.carriers:
         print(f"a steady tone at {line.frequency:.2f} Hz")

@@ -22,16 +22,8 @@ from sonify.fitting.least_squares import (
 from sonify.fitting.phase_demodulation import Rates
 from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import Source
-from sonify.hearing.recording import (
-    ENVELOPE_FROM,
-    LONGEST,
-    RecordingError,
-    envelope,
-    read,
-)
-from sonify.hearing.rising_tone import clearest_tone
-from sonify.hearing.settling.detector import SettlingRun, settling_runs
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.recording import ENVELOPE_FROM, RecordingError, envelope, read
+from sonify.hearing.settling.detector import SettlingRun, apart, settling_events
 
 MAIN_LINES = ("precession", "its double", "nutation")
 """Spectral lines that may be the loudest tone."""
@@ -42,7 +34,7 @@ class Sound:
     """A recording, the time `end` [s] at which its disk comes to rest, and candidate
     `ridges` of its rate.
 
-    The ridges follow from the detected run and from the rising tone. `recorded` is True
+    The ridges are those of the tone and of the repetition of the disk. `recorded` is True
     for a sound with the high-pass filter of a recorder."""
 
     name: str
@@ -111,7 +103,10 @@ def detect_run(
         raise RecordingError(
             f"{name}: too short, {duration:.3g} s; at least {FIT.min_recording_length:g} s are required"
         )
-    runs = _runs_by_score(source, SettlingSettings())
+    heard = settling_events(source)
+    runs = apart(heard)
+    if not runs:
+        raise RecordingError(f"{name}: no disk or coin that comes to rest was detected")
     if (
         len(runs) > 1
         and runs[1].score > FIT.min_second_disk_score_ratio * runs[0].score
@@ -120,42 +115,26 @@ def detect_run(
             f"{name}: the recording contains a second run, ending at "
             f"{begin + runs[1].t_end.value:.2f} s; choose one with --from and --to"
         )
-    if start and runs:
+    if start:
         samples, rate, start, _ = read(source, runs[0].t_end.value)
-    start += begin
-    tone = clearest_tone(samples, rate) if runs or duration <= LONGEST else None
-    clear = tone is not None and tone.stands_out(1.0 if runs else FIT.faint_tone_share)
-    alone = tone is not None and tone.stands_out(FIT.strong_tone_factor)
-    if clear and not runs:
-        faint = _runs_by_score(
-            source, SettlingSettings(heard_score=FIT.faint_run_score)
-        )
-        runs = [
-            run
-            for run in faint
-            if abs(begin + run.t_end.value - start - tone.end) < FIT.max_end_difference
-        ]
-    run = runs[0].later(begin) if runs else None
-    ridges = [_ridge_of_run(run)] if run else []
-    if clear:
-        ridges.append(_ridge_of_tone(tone, start))
-    if not runs and not alone:
-        raise RecordingError(f"{name}: no disk or coin that comes to rest was detected")
+    same_disk = [
+        event.later(begin)
+        for event in heard
+        if event is runs[0]
+        or abs(event.t_end.value - runs[0].t_end.value) < FIT.max_end_difference
+    ]
     _refuse_clipped(samples, name)
+    run = runs[0].later(begin)
     return Sound(
         name=name,
         samples=samples,
         rate=rate,
-        start=start,
-        end=run.t_end.value if run else start + tone.end,
-        ridges=tuple(ridges),
+        start=start + begin,
+        end=run.t_end.value,
+        ridges=tuple(_ridge_of(event) for event in same_disk),
         recorded=recorded,
         run=run,
     )
-
-
-def _runs_by_score(source, settings):
-    return sorted(settling_runs(source, settings), key=lambda run: -run.score)
 
 
 def _refuse_clipped(samples, name):
@@ -411,20 +390,15 @@ def tone_signal(sound: Sound, signal: str) -> ToneSignal:
     )
 
 
-def _ridge_of_run(run):
-    """Return the rates of a run at 200 times, computed from its law."""
-    time = run.t_end.value - np.geomspace(
-        run.t_end.value - run.start, FIT.unused_end, 200
-    )
-    return _ridge(time, run.rate(time))
-
-
-def _ridge_of_tone(tone, start):
-    """Return the rates of a tone in samples that start at the time `start` [s]."""
-    return _ridge(start + tone.time, tone.frequency)
-
-
-def _ridge(time, frequency):
+def _ridge_of(event):
+    """Return the rates of an event, along its ridge or at 200 times of its law."""
+    if event.ridge:
+        time = event.ridge.time
+        frequency = event.ridge.frequency
+    else:
+        end = event.t_end.value
+        time = end - np.geomspace(end - event.start, FIT.unused_end, 200)
+        frequency = event.rate(time)
     return Rates(time, frequency, FIT.ridge_error * frequency, 1 + 0 * time, 0 * time)
 
 

@@ -13,13 +13,6 @@ class FitSettings:
     """Least length of a recording [s]."""
     min_second_disk_score_ratio: float = 1 / 3
     """Least score of a second disk, relative to the best score."""
-    faint_tone_share: float = 0.8
-    """Share of its thresholds above which a tone, together with a faint run, is
-    evidence of a disk."""
-    faint_run_score: float = 12.0
-    """Score above which a run, together with a faint tone, is evidence of a disk."""
-    strong_tone_factor: float = 1.8
-    """Multiple of its thresholds above which a tone alone is evidence of a disk."""
     max_end_difference: float = 0.5
     """Largest difference [s] between the ends of a tone and of a run of the same
     disk."""

@@ -1,7 +1,7 @@
 """Analysis of a recording: rising tone, spectral lines and noise bands."""
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +16,7 @@ from sonify.hearing.audio_source import (
     stretch,
     truncation_of,
 )
-from sonify.hearing.rising_tone import RisingTone, rising_tone
+from sonify.hearing.settling.detector import SettlingRun, strongest_tone
 from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene_errors import InputError
 
@@ -86,7 +86,7 @@ class Heard:
     duration: float
     sample_rate: int
     start: float
-    tone: RisingTone | None
+    tone: SettlingRun | None
     carriers: list[Carrier]
     missing: float = 0.0
     truncation: Truncation | None = None
@@ -110,10 +110,10 @@ def listen(
     sound : Source, str or Path
         A source, or a file of any sample rate and format that libsndfile reads.
     end : float, optional
-        End of the run in the source [s]. For a long sound, only the part before it is
-        analysed; by default the part around the loudest second.
+        End of the run in the source [s]. In a long sound, spectral lines are
+        sought only before it; by default around the loudest second.
     tones : bool
-        Search for the rising tone.
+        Search for the strongest rising tone in the whole source.
     begin : float
         Start of the source in its file [s], added to all times of the result.
 
@@ -138,15 +138,14 @@ def listen(
     truncation = truncation_of(sound)
     start += begin
     with ThreadPoolExecutor() as pool:  # the array code releases the lock of Python
-        tone = pool.submit(rising_tone, samples, rate) if tones else None
+        tone = pool.submit(strongest_tone, source_of(sound)) if tones else None
         found = carriers(samples, rate, start)
     rising = tone.result() if tone else None
     return Heard(
         duration=duration,
         sample_rate=rate,
         start=start,
-        tone=rising
-        and replace(rising, end=rising.end + start, time=rising.time + start),
+        tone=rising and rising.later(begin),
         carriers=found,
         missing=truncation.announced - duration
         if truncation and truncation.announced

@@ -26,7 +26,9 @@ finding that states this time."""
 def describe_spectrogram(result: "Result") -> str:
     """Return a description of the spectrogram."""
     tone = None if result.heard is None else result.heard.tone
-    rising = f", a tone that rises by a factor of {tone.factor:.2g}" if tone else ""
+    rising = (
+        f", a tone that rises by a factor of {tone.ridge.factor:.2g}" if tone else ""
+    )
     carriers = [
         f"{c.frequency:.0f} Hz" for c in (result.heard.lines if result.heard else [])
     ]

@@ -73,9 +73,9 @@ def test_a_mesh_of_ones_own(capsys):
 
 def test_a_recording_of_ones_own(capsys):
     heard, lines = told("own_recording", capsys)
-    assert heard.tone.end == pytest.approx(4.0, abs=0.01)
-    assert heard.tone.exponent == pytest.approx(1.0, abs=0.02)
-    assert f"{heard.tone.end:.3f} s" in lines[0]
+    assert heard.tone.t_end.value == pytest.approx(4.0, abs=0.01)
+    assert heard.tone.exponent.value == pytest.approx(1.0, abs=0.02)
+    assert f"{heard.tone.t_end.value:.3f} s" in lines[0]
 
 
 def test_a_law_of_ones_own_is_the_built_in_one_of_its_power(capsys):

@@ -22,7 +22,7 @@ from modal import SurfaceModes, surface_modes
 from sonify import SceneError, solve, write
 from sonify.claims.table import table_findings, table_is_louder
 from sonify.hearing.loudness import a_weighting_db
-from sonify.hearing.rising_tone import rising_tone
+from sonify.hearing.settling.detector import strongest_tone
 from sonify.plan.preflight import plan_with_modes
 from sonify.plan.table import audible_table_modes
 from sonify.scene import load_scene
@@ -160,7 +160,7 @@ def test_the_findings_on_a_table_say_yes_and_no(motion, sound):
     A much fainter table neither carries the tone nor takes energy, noise does not rise, and a rigid
     table has no findings.
     """
-    tone = rising_tone(sound.pressure.read().astype(float), sound.sample_rate)
+    tone = strongest_tone(sound.pressure)
     yes = {"table_is_louder", "table_tone_rises", "table_carries_the_tone"}
     no = {"table_takes_little", "table_takes_a_hundredth", "radiation_takes_little"}
     loud = answers(motion, sound, tone)

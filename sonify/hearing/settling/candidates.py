@@ -197,8 +197,23 @@ def _margin(best):
     return min(best["disk"] - steady, best["disk"] - rising + 20)
 
 
-def _refined(onsets, broadband, window, channel, starts, settings):
-    """Return the candidate of a window after refinement of its laws."""
+def tone_candidates(
+    waveform: np.ndarray, onsets: OnsetStrength, stop: int, settings: SettlingSettings
+) -> list[Candidate]:
+    """Return the refined candidates of a tone in all windows of a waveform (frames,)
+    that end at the frame `stop`, the best first."""
+    power = np.square(waveform)
+    found = [
+        _refined(onsets, power, *_estimate(onsets, window, 0, settings)[1:], settings)
+        for window in windows_of(stop, 0.0, settings)
+    ]
+    return sorted(found, key=lambda candidate: -candidate.score)
+
+
+def _refined(onsets, power, window, channel, starts, settings):
+    """Return the candidate of a window after refinement of its laws.
+
+    The pulse levels are those of a power (frames,)."""
     values = onsets.values[channel, window.first : window.stop]
     scale = onsets.scales_ms[channel]
     laws = {
@@ -209,12 +224,9 @@ def _refined(onsets, broadband, window, channel, starts, settings):
         family: independent * predicted_gain(values, law)
         for family, law in laws.items()
     }
-    levels = (
-        onsets.values[channel] ** 2 if onsets.kinds[channel] == "tone" else broadband
-    )
-    after = levels[window.end + 30 : window.end + 130].mean()
+    after = power[window.end + 30 : window.end + 130].mean() if window.drop else 0.0
     slope = pulse_slope(
-        levels[window.first : window.stop], laws["disk"], window, 4 * after
+        power[window.first : window.stop], laws["disk"], window, 4 * after
     )
     return Candidate(window, channel, laws["disk"], scores, slope)
 

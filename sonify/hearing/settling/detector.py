@@ -6,27 +6,40 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sonify.hearing.audio_source import Source, pieces
-from sonify.hearing.settling.candidates import Candidate, candidates_of
+from sonify.hearing.settling.candidates import (
+    Candidate,
+    candidates_of,
+    tone_candidates,
+)
 from sonify.hearing.settling.ends import knee
-from sonify.hearing.settling.joint_region import Estimate, JointRegion, joint_region
+from sonify.hearing.settling.joint_region import (
+    Estimate,
+    JointRegion,
+    joint_region,
+    region_of_law,
+)
 from sonify.hearing.settling.onset_strength import (
     FRAME_RATE,
     Frames,
     OnsetStrength,
     frames_of,
     onset_strength,
+    tone_strength,
+    waveform_of,
 )
 from sonify.hearing.settling.prediction_score import (
     independent_samples,
     predicted_gain,
 )
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import KNOWN_DISK, SettlingSettings
+from sonify.hearing.settling.tone_ridge import ToneRidge, tone_ridge
 from sonify.scene_errors import InputError
 
 SHORTEST = 0.4  # s
 PIECE = 60  # s
-OVERLAP = 6  # s, shared by neighbouring pieces
-LEAD = 4.5  # s; initial part of a piece that only precedes ends
+OVERLAP = 10  # s, shared by neighbouring pieces
+LEAD = 8.5  # s; initial part of a piece that only precedes ends
+KINDS = ("tone", "repetition")
 
 
 @dataclass(frozen=True)
@@ -37,7 +50,8 @@ class SettlingRun:
     Attributes
     ----------
     kind : str
-        "tone" if it is detected in the waveform, "repetition" if in the power of bands.
+        "tone" if it is detected in the sound itself, "repetition" if in the power of
+        bands.
     start, t_end, exponent, rate_at_1s : float, Estimate, Estimate, Estimate
         Start of the best window, and the law rate ~ (t_end - t)^-exponent; the rate is
         that one second before the end, or at the start if that is later.
@@ -57,6 +71,10 @@ class SettlingRun:
         Bands in which the run is detected [Hz].
     region : JointRegion
         Laws that the windows of this end admit.
+    law_scores : dict
+        Scores of the disk and of the rival laws.
+    ridge : ToneRidge or None
+        Ridge of a tone.
     """
 
     kind: str
@@ -71,6 +89,7 @@ class SettlingRun:
     bands: tuple[tuple[float, float], ...]
     region: JointRegion
     law_scores: dict[str, float]
+    ridge: ToneRidge | None = None
 
     def turns_left(self, time: np.ndarray) -> np.ndarray:
         """Return the number of turns (or bursts) between times [s] and the end."""
@@ -95,7 +114,15 @@ class SettlingRun:
             start=self.start + seconds,
             t_end=self.t_end.later(seconds),
             region=self.region.later(seconds),
+            ridge=self.ridge and self.ridge.later(seconds),
         )
+
+
+def strongest_tone(sound: Source) -> SettlingRun | None:
+    """Return the event of the kind "tone" with the highest score in the sound of a
+    known disk, or None."""
+    events = settling_events(sound, KNOWN_DISK, kinds=("tone",))
+    return max(events, key=lambda event: event.score, default=None)
 
 
 def settling_runs(
@@ -103,18 +130,33 @@ def settling_runs(
 ) -> list[SettlingRun]:
     """Return the disks and coins that come to rest in a sound of any length.
 
+    They are the `settling_events` that overlap none of higher score, in order of time.
+    """
+    return sorted(apart(settling_events(sound, settings)), key=lambda run: run.start)
+
+
+def settling_events(
+    sound: Source,
+    settings: SettlingSettings | None = None,
+    kinds: tuple[str, ...] = KINDS,
+) -> list[SettlingRun]:
+    """Return the events of disks and coins that come to rest in a sound of any length.
+
+    The tone and the repetition of one disk are two events.
+
     Parameters
     ----------
     sound : Source
         The sound; its loudest channel is searched.
     settings : SettlingSettings, optional
         Thresholds.
+    kinds : tuple of str, optional
+        Kinds of the events that are searched.
 
     Returns
     -------
     list of SettlingRun
-        Runs in order of time; empty if none is detected or the sound is shorter than
-        0.4 s.
+        Empty if none is detected or the sound is shorter than 0.4 s.
 
     Raises
     ------
@@ -136,18 +178,21 @@ def settling_runs(
                 f"the sound contains samples that are not finite, after {begin} s"
             )
         last = (begin + PIECE + OVERLAP) * rate >= sound.frames
-        span = (LEAD if number else 0, len(samples) / rate if last else PIECE + LEAD)
+        span = (LEAD if number else 0, math.inf if last else PIECE + LEAD)
         if len(samples) >= SHORTEST * rate:
-            found = runs_of_frames(frames_of(samples, rate, settings), settings, span)
+            found = []
+            if "tone" in kinds:
+                found += tones(samples, rate, settings, span)
+            if "repetition" in kinds:
+                found += repetitions(frames_of(samples, rate, settings), settings, span)
             runs += [run.later(begin) for run in found]
         if last:
             break
     hours = length / 3600
-    counted = [
+    return [
         replace(run, false_alarm=false_alarms_per_hour(run.score, settings) * hours)
-        for run in _apart(runs)
+        for run in runs
     ]
-    return sorted(counted, key=lambda run: run.start)
 
 
 def _loudest_channel(sound):
@@ -160,8 +205,8 @@ def _loudest_channel(sound):
     return int(np.argmax(energy))
 
 
-def _apart(runs):
-    """Return the runs without those that overlap a run of higher score."""
+def apart(runs: list[SettlingRun]) -> list[SettlingRun]:
+    """Return the runs that overlap no run of higher score, the best first."""
     kept: list[SettlingRun] = []
     for run in sorted(runs, key=lambda run: -run.score):
         if all(
@@ -172,10 +217,73 @@ def _apart(runs):
     return kept
 
 
-def runs_of_frames(
+def tones(
+    samples: np.ndarray,
+    rate: float,
+    settings: SettlingSettings,
+    span: tuple[float, float],
+) -> list[SettlingRun]:
+    """Return the runs of the kind "tone" in samples (n,) that end within a time span
+    [s].
+
+    The parts before and after a tone are searched too. The false alarms are per hour.
+    """
+    ridge = tone_ridge(samples, rate)
+    run = _tone_run(samples, rate, ridge, settings) if ridge else None
+    if run is None:
+        return []
+    end = ridge.law[0]
+    before = samples[: max(int(ridge.time[0] * rate), 0)]
+    after = int((end + 0.1) * rate)
+    found = [run] if span[0] <= end < span[1] else []
+    found += (
+        tones(before, rate, settings, span) if len(before) > SHORTEST * rate else []
+    )
+    if len(samples) - after > SHORTEST * rate:
+        later = (span[0] - after / rate, span[1] - after / rate)
+        found += [
+            run.later(after / rate)
+            for run in tones(samples[after:], rate, settings, later)
+        ]
+    return found
+
+
+def _tone_run(samples, rate, ridge, settings):
+    """Return the run of a ridge, or None if it is not sufficient evidence of a disk."""
+    if ridge.octaves < settings.tone_octaves or ridge.rise < settings.tone_rise:
+        return None
+    waveform = waveform_of(samples, rate, settings)
+    onsets = tone_strength(waveform, settings)
+    end, exponent, height = ridge.law
+    highest = 0.9 * settings.waveform_band[1]
+    stop = end - max((2**height / highest) ** (1 / exponent), settings.tone_stop)
+    stop = min(int(stop * FRAME_RATE), len(waveform))
+    candidates = tone_candidates(waveform, onsets, stop, settings)
+    heard = [
+        candidate
+        for candidate in candidates
+        if is_heard(candidate, settings) and not is_bouncing(candidate, settings)
+    ]
+    if not heard:
+        return None
+    start = heard[0].window.first / FRAME_RATE
+    region = region_of_law(ridge.law, ridge.errors, start, settings)
+    estimates = (
+        Estimate(value, low, high)
+        for low, value, high in (
+            region.exponents.tolist(),
+            region.ends.tolist(),
+            region.rates.tolist(),
+        )
+    )
+    return _event(heard, onsets, region, estimates, settings, ridge)
+
+
+def repetitions(
     frames: Frames, settings: SettlingSettings, span: tuple[float, float]
 ) -> list[SettlingRun]:
-    """Return the runs in frames of a sound that end within a time span [s].
+    """Return the runs of the kind "repetition" in frames of a sound that end within a
+    time span [s].
 
     Their false alarms are per hour.
     """
@@ -258,31 +366,34 @@ def _run(
         if abs(candidate.window.end - best.window.end) <= 0.3 * FRAME_RATE
     ]
     end = max(near, key=lambda candidate: candidate.window.drop).window.end
-    power = (
-        np.square(frames.waveform)
-        if onsets.kinds[best.channel] == "tone"
-        else frames.power.sum(axis=1)
-    )
+    power = frames.power.sum(axis=1)
     region = joint_region(onsets, best.channel, knee(power, end), settings)
     if region is None:
         return None
-    exponent, t_end, rate = region.estimates(onsets.kinds[best.channel], settings)
-    run = SettlingRun(
-        kind=onsets.kinds[best.channel],
+    run = _event(near, onsets, region, region.estimates(settings), settings)
+    begins_slowly = run.rate(run.start) <= settings.fastest_beginning
+    return run if begins_slowly or best.score > settings.clear_score else None
+
+
+def _event(candidates, onsets, region, estimates, settings, ridge=None):
+    """Return the run of candidates of one end, the best first."""
+    best = candidates[0]
+    exponent, t_end, rate = estimates
+    return SettlingRun(
+        kind=onsets.kind,
         start=region.start,
         t_end=t_end,
         exponent=exponent,
         rate_at_1s=rate,
         events_per_turn=events_per_turn(onsets, best, settings),
         score=float(best.score),
-        certain=_certain(near, settings),
+        certain=_certain(candidates, settings),
         false_alarm=false_alarms_per_hour(best.score, settings),
         bands=(onsets.bands[best.channel],),
         region=region,
         law_scores={name: float(score) for name, score in best.scores.items()},
+        ridge=ridge,
     )
-    begins_slowly = run.rate(run.start) <= settings.fastest_beginning
-    return run if begins_slowly or best.score > settings.clear_score else None
 
 
 def _certain(group, settings):

@@ -41,6 +41,11 @@ class Estimate:
     low: float
     high: float
 
+    @property
+    def half_width(self) -> float:
+        """Half the width of the interval."""
+        return (self.high - self.low) / 2
+
     def later(self, seconds: float) -> "Estimate":
         """Return the estimate of a time, shifted to later times by `seconds`."""
         value = None if self.value is None else self.value + seconds
@@ -73,18 +78,14 @@ class JointRegion:
         )
 
     def estimates(
-        self, kind: str, settings: SettlingSettings
+        self, settings: SettlingSettings
     ) -> tuple[Estimate, Estimate, Estimate]:
         """Return exponent, end and rate; their intervals are the widened ranges of the
         region.
 
         The interval of the end includes the time between bursts 20 ms before it.
         """
-        resolution = (
-            settings.tone_resolution
-            if kind == "tone"
-            else settings.repetition_resolution
-        )
+        resolution = settings.resolution
         factor = settings.interval_factor
         span = min(1.0, self.best_end - self.start)
         last_interval = (0.02 / span) ** self.best_exponent / self.best_rate
@@ -98,6 +99,25 @@ class JointRegion:
         if exponent.high - exponent.low > settings.widest_exponent:
             exponent = Estimate(None, exponent.low, exponent.high)
         return exponent, end, rate
+
+
+def region_of_law(law, errors, start, settings: SettlingSettings) -> JointRegion:
+    """Return the laws within two standard errors, and the resolution, of a law (3,) of
+    end [s], exponent and log2 of the rate one second before the end [Hz]."""
+    least = settings.tone_resolution
+    half = 2 * errors + [least.end, least.exponent, np.log2(1 + least.rate)]
+    ends, exponents, heights = (law + half * np.array([[-1], [0], [1]])).T
+    span = min(1.0, law[0] - start)
+    rates = 2**heights * span ** -law[1]
+    return JointRegion(
+        exponents=exponents,
+        ends=ends,
+        rates=rates,
+        best_exponent=float(law[1]),
+        best_end=float(law[0]),
+        best_rate=float(rates[1]),
+        start=start,
+    )
 
 
 def _widened(value, values, resolution, factor):
@@ -119,13 +139,10 @@ class _LawGrid:
 
 
 @lru_cache(maxsize=256)
-def _law_grid(
-    frames: int, before_knee: int, settings: SettlingSettings, kind: str
-) -> _LawGrid:
+def _law_grid(frames: int, before_knee: int, settings: SettlingSettings) -> _LawGrid:
     """Return the tested laws of a window that stops `before_knee` frames before the
     knee."""
-    limits = settings.tone_end_range_ms if kind == "tone" else settings.end_range_ms
-    earliest, latest = (before_knee + limit for limit in limits)
+    earliest, latest = (before_knee + limit for limit in settings.end_range_ms)
     ends = np.linspace(max(earliest, 3), latest, ENDS)
     low, high = settings.exponents
     powers = np.arange(low, high + 1e-9, EXPONENT_STEP)
@@ -151,8 +168,8 @@ def joint_region(
     whole = max(surfaces, key=lambda surface: surface.top)
     for before_knee in STOPS_BEFORE_KNEE_MS[1:]:
         surfaces += _surfaces(onsets, channel, knee, before_knee, settings)
-    for other, kind in enumerate(onsets.kinds):
-        if kind == onsets.kinds[channel] and other != channel:
+    for other in range(len(onsets.values)):
+        if other != channel:
             surfaces += _surfaces(
                 onsets, other, knee, STOPS_BEFORE_KNEE_MS[1], settings
             )
@@ -291,7 +308,7 @@ def _surface(onsets, channel, first, frames, before_knee, settings):
     """Return the surface of the laws that one window admits."""
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
-    grid = _law_grid(frames, before_knee, settings, onsets.kinds[channel])
+    grid = _law_grid(frames, before_knee, settings)
     table = warp_table(grid.shapes, frames, steps_for(frames, scale))
     likelihood, harmonics, spectra = search_table(values, scale, table, settings)
     least = least_turns(frames, table, settings)

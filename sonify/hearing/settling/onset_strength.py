@@ -6,8 +6,9 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy.fft import rfft
 from scipy.ndimage import uniform_filter1d
-from scipy.signal import butter, sosfilt
+from scipy.signal import butter, resample_poly, sosfilt
 
+from sonify.hearing.mains_hum import without_hum
 from sonify.hearing.settling.settings import SettlingSettings
 
 FRAME_RATE = 1000  # Hz
@@ -33,13 +34,16 @@ class Frames:
 
 @dataclass(frozen=True)
 class OnsetStrength:
-    """Channels `values` (channels, frames) that are searched for bursts, each with a
-    burst duration [ms] and a band [Hz]."""
+    """Channels `values` (channels, frames) that are searched for events, each with the
+    time [ms] per independent sample and a band [Hz].
+
+    The channels of the kind "repetition" show bursts; that of the kind "tone" is the
+    waveform."""
 
     values: np.ndarray
     scales_ms: np.ndarray
     bands: list[tuple[float, float]]
-    kinds: list[str]
+    kind: str
 
 
 def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> Frames:
@@ -59,16 +63,26 @@ def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> F
             windows[centres[first : first + 4096]] * window.astype(np.float32)
         )
         power[first : first + 4096] = (spectrum.real**2 + spectrum.imag**2) @ weights
-    low, high = settings.waveform_band
-    sos = butter(
-        2,
-        (low, min(high, settings.highest_share_of_rate * rate)),
-        "bandpass",
-        fs=rate,
-        output="sos",
+    return Frames(
+        power=power, waveform=waveform_of(samples, rate, settings)[:count], edges=edges
     )
-    waveform = sosfilt(sos, samples)[centres]
-    return Frames(power=power, waveform=waveform.astype(np.float32), edges=edges)
+
+
+def waveform_of(
+    samples: np.ndarray, rate: float, settings: SettlingSettings
+) -> np.ndarray:
+    """Return the waveform (frames,) of samples (n,) at `rate` [Hz] in its band, without
+    steady tones."""
+    count = int(len(samples) * FRAME_RATE / rate)
+    down = max(int(rate / (4 * FRAME_RATE)), 1)
+    low_rate = resample_poly(samples, 1, down) if down > 1 else samples
+    rate /= down
+    low, high = settings.waveform_band
+    band = (low, min(high, settings.highest_share_of_rate * rate))
+    sos = butter(2, band, "bandpass", fs=rate, output="sos")
+    centres = np.round(np.arange(count) * rate / FRAME_RATE).astype(int)
+    waveform = sosfilt(sos, without_hum(low_rate, rate))
+    return waveform[np.minimum(centres, len(waveform) - 1)].astype(np.float32)
 
 
 def _band_weights(window_length, rate, settings):
@@ -84,8 +98,7 @@ def _band_weights(window_length, rate, settings):
 
 
 def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
-    """Return the onset strength of all bands and of the bright ones, and the normalised
-    waveform."""
+    """Return the onset strength of all bands and of the bright ones."""
     power = frames.power.T
     mean = uniform_filter1d(power, 401, axis=1)
     level = np.log(power + 10 ** (-settings.floor_db / 10) * mean + TINY_POWER)
@@ -107,12 +120,21 @@ def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
             bands.append(
                 (float(frames.edges[:-1][group][0]), float(frames.edges[1:][group][-1]))
             )
-    values.append(normalised(frames.waveform))
-    scales.append(settings.waveform_scale_ms)
-    bands.append(settings.waveform_band)
-    kinds = ["repetition"] * (len(values) - 1) + ["tone"]
     return OnsetStrength(
-        np.array(values, dtype=np.float32), np.array(scales, dtype=float), bands, kinds
+        np.array(values, dtype=np.float32),
+        np.array(scales, dtype=float),
+        bands,
+        "repetition",
+    )
+
+
+def tone_strength(waveform: np.ndarray, settings: SettlingSettings) -> OnsetStrength:
+    """Return the normalised waveform (frames,) as the only channel."""
+    return OnsetStrength(
+        normalised(waveform)[None].astype(np.float32),
+        np.array([settings.waveform_scale_ms], dtype=float),
+        [settings.waveform_band],
+        "tone",
     )
 
 

@@ -1,6 +1,7 @@
 """Settings of the detector of settling disks and coins."""
 
 from dataclasses import dataclass
+from math import inf
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,14 @@ class SettlingSettings:
     bright_from: float = 4000.0
     """Frequency [Hz] above which the bands are also averaged separately."""
     waveform_band: tuple[float, float] = (20.0, 450.0)
-    """Band in which the waveform is searched for a tone [Hz]."""
+    """Band of the waveform in which a tone is scored [Hz]."""
+    tone_octaves: float = 2.0
+    """Least number of octaves of the remaining time in which a tone has peaks; sounds
+    without a disk reach 1.7."""
+    tone_rise: float = 0.5
+    """Least number of octaves by which a tone rises."""
+    tone_stop: float = 0.02
+    """Least time between the windows of a tone and its end."""
     floor_db: float = 40.0
     """Level below the running mean at which the power of a band is cut off [dB]."""
     scales_ms: tuple[int, ...] = (3, 6, 12, 24)
@@ -90,9 +98,6 @@ class SettlingSettings:
     end_range_ms: tuple[int, int] = (-2, 80)
     """Range of the tested ends of a disk, relative to the start of the final fall of
     the level [ms]."""
-    tone_end_range_ms: tuple[int, int] = (-30, 250)
-    """Range of the tested ends of a tone, which may leave its band before the end
-    [ms]."""
     fastest_standing: float = 12.0
     """Largest rate of an upright disk [Hz], that of a coin with a radius of 7 mm."""
     admitted_share: float = 0.7
@@ -106,13 +111,11 @@ class SettlingSettings:
     interval_factor: float = 1.16
     """Factor by which the ranges over all windows are widened, from simulations with
     known laws."""
-    repetition_resolution: Resolution = Resolution(
-        exponent=0.010, end=0.006, rate=0.006
-    )
+    resolution: Resolution = Resolution(exponent=0.010, end=0.006, rate=0.006)
     """Resolution of a run detected in the power of bands; the last interval between
     bursts is added to that of the end."""
-    tone_resolution: Resolution = Resolution(exponent=0.025, end=0.045, rate=0.02)
-    """Resolution of a tone, which leaves its band before its end."""
+    tone_resolution: Resolution = Resolution(exponent=0.001, end=0.002, rate=0.002)
+    """Resolution of a tone, which is added to twice its standard errors."""
 
     heard_score: float = 15.75
     """Least score of a detected run."""
@@ -152,3 +155,14 @@ class SettlingSettings:
     restitution."""
     bounce_separation: float = 0.4
     """Largest time between a bouncing body and the runs that it explains."""
+
+
+KNOWN_DISK = SettlingSettings(
+    heard_score=-inf,
+    least_rising_margin=-inf,
+    clear_score=-inf,
+    pulse_slopes=(-inf, inf),
+    bounce_exponent=inf,
+)
+"""Settings for the sound of a known disk, in which a tone only has to stand out. The
+resonances of a table shift the phase of a tone and lower its score."""

@@ -1,11 +1,10 @@
-"""Detection of a rising tone f(t) = a (t_end - t)^-p in a sound.
+"""Ridge of a rising tone f(t) = a (t_end - t)^-p in a sound.
 
 The tone is tracked as a ridge of the spectrogram that rises ever faster; the law is
 then fitted to the peaks near the ridge. Peaks (3, n) are ascending times [s], log2
 frequencies and levels [dB]. A curve is (end [s], exponent, log2 of a)."""
 
-from dataclasses import dataclass
-from operator import itemgetter
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numba import njit
@@ -26,47 +25,31 @@ BACKGROUND_DB = 6.0
 on average [dB]."""
 BEND = 1.5
 """Evidence that a change of the slope costs [dB octaves]."""
+LEAST_STRENGTH_DB = 4.0
+"""Least mean level of a tone above its surroundings; sounds without a disk reach 2
+dB."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class RisingTone:
-    """A tone f(t) = a (t_end - t)^-p with its ridge.
+class ToneRidge:
+    """Ridge of a tone and the law f = a (t_end - t)^-p fitted near it.
 
-    `end` [s] and `exponent` p have standard errors. `time` [s], `frequency` [Hz] and
-    `level` [dB above the median], each (r,), describe the strongest line near the curve
-    in each frame, which initially may be another line. `strength` [dB] is the mean
-    level along the fitted curve, which has peaks over `octaves` of the remaining time.
+    `law` (3,) is the end [s], the exponent p and log2 of a [Hz]; `errors` (3,) are its
+    standard errors. `time` [s] and `frequency` [Hz], each (r,), describe the strongest
+    line near the law in each frame, which initially may be another line. The law has
+    peaks over `octaves` of the remaining time.
     """
 
-    end: float
-    end_error: float
-    exponent: float
-    exponent_error: float
-    scale: float
-    strength: float
-    octaves: float
+    law: np.ndarray
+    errors: np.ndarray
     time: np.ndarray
     frequency: np.ndarray
-    level: np.ndarray
+    octaves: float
 
-    def __repr__(self):
-        about = f"{self.scale:.4g} Hz ({self.end:.3f} s - t)^-{self.exponent:.3f}"
-        return f"RisingTone({about}, {self.strength:.0f} dB, {len(self.time)} frames)"
-
-    def at(self, t) -> np.ndarray:
-        """Return the fitted frequency [Hz] at times t < end [s]."""
-        return self.scale * (self.end - np.asarray(t)) ** -self.exponent
-
-    def stands_out(self, share: float = 1.0) -> bool:
-        """Return True if the tone exceeds a share of the thresholds.
-
-        Sounds without a disk reach 2 dB and 1.7 octaves of the remaining time.
-        """
-        left = self.end - self.time
-        rise = self.exponent * np.ptp(np.log2(left)) if len(left) else 0.0
-        return bool(
-            self.strength >= share * 4.0 and self.octaves >= share * 2.0 and rise >= 0.5
-        )
+    def later(self, seconds: float) -> "ToneRidge":
+        """Return the ridge shifted to later times by `seconds`."""
+        law = self.law + np.array([seconds, 0.0, 0.0])
+        return replace(self, law=law, time=self.time + seconds)
 
     @property
     def factor(self) -> float:
@@ -76,45 +59,37 @@ class RisingTone:
             np.median(self.frequency[-tenth:]) / np.median(self.frequency[:tenth])
         )
 
-
-def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
-    """Return the strongest rising tone in samples (n,) at `rate` [Hz]; None if none
-    stands out.
-
-    The lowest octave that stands out is the fundamental. tests/hearing/test_listen.py
-    measures the errors in noise, hum and a room, and for sounds that change from one
-    line to another."""
-    tone = clearest_tone(samples, rate)
-    return tone if tone is not None and tone.stands_out() else None
+    @property
+    def rise(self) -> float:
+        """Number of octaves by which the frequency of the law rises along the ridge."""
+        end, exponent, _ = self.law
+        return float(exponent * np.ptp(np.log2(end - self.time)))
 
 
-def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
-    """Return the strongest tone even if it does not stand out; None for a short sound
-    or without peaks."""
+def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
+    """Return the ridge of the tone with the most evidence in samples (n,) at `rate`
+    [Hz]; None if no tone stands out.
+
+    The lowest octave that stands out is the fundamental."""
     if not np.any(samples):
         return None
     seen = log_map(samples / np.abs(samples).max(), rate)
     peaks = _peaks(seen)
     if seen.time[-1] < 4 * TIME_LEFT[0] or not peaks.size:
         return None
-    guesses = _guesses(_ridge(seen))
-    if not guesses:
+    ridge = _ridge(seen)
+    best = _best_curve(seen, peaks, _guesses(ridge, 8))
+    best = best or _best_curve(seen, peaks, _guesses(ridge, 60))
+    if best is None:
         return None
-    curve, errors = _best_curve(peaks, guesses)
-    time, pitch, level = _strongest_line(peaks, curve)
-    left = np.geomspace(*TIME_LEFT, 72)
-    along = 2 ** (curve[2] - curve[1] * np.log2(left))
-    return RisingTone(
-        end=float(curve[0]),
-        end_error=float(errors[0]),
-        exponent=float(curve[1]),
-        exponent_error=float(errors[1]),
-        scale=float(2 ** curve[2]),
-        strength=float(np.mean(seen.read(curve[0] - left, along))),
-        octaves=float(_normal_equations(peaks, curve, WIDTHS[-1])[2]),
+    law, errors = best
+    time, pitch, _ = _strongest_line(peaks, law)
+    return ToneRidge(
+        law=law,
+        errors=errors,
         time=time,
         frequency=2**pitch,
-        level=level,
+        octaves=float(_normal_equations(peaks, law, WIDTHS[-1])[2]),
     )
 
 
@@ -217,42 +192,40 @@ def _followed(back, frame, slope, place, slopes):
     return path
 
 
-def _guesses(ridge):
-    """Return curves near the last part of a ridge (2, r), the nearest ones for each length
-    of the part."""
-    time, pitch = ridge
+def _guesses(ridge, count):
+    """Return the curves near the last part of a ridge (2, r) for 60 ends, the nearest
+    `count` for each length of the part.
+
+    Each octave of the remaining time has the same weight."""
     found = []
     for length in (0.5, 1.0, 2.0, 4.0, 8.0):
-        part = time > time[-1] - length
-        curves = [
-            _through(time[part], pitch[part], time[-1] - 0.1 + left)
-            for left in np.geomspace(0.01, 3.0, 60)
-        ]
-        found += sorted((one for one in curves if one), key=itemgetter(0))[:8]
+        time, pitch = ridge[:, ridge[0] > ridge[0, -1] - length]
+        curves = []
+        for end in time[-1] - 0.1 + np.geomspace(0.01, 3.0, 60):
+            left = end - time[time < end - 0.01]
+            if len(left) < 10:
+                continue
+            own = pitch[: len(left)]
+            slope, height = np.polyfit(np.log2(left), own, 1, w=left**-0.5)
+            apart = np.abs(own - height - slope * np.log2(left))
+            curves.append((np.average(apart, weights=1 / left), end, -slope, height))
+        found += sorted(curves)[:count]
     return [np.array(curve) for _, *curve in found]
 
 
-def _through(time, pitch, end):
-    """Return the mean distance of a ridge from the nearest curve with a given end, and the
-    curve; None for a ridge of few frames.
-
-    Each octave of the remaining time has the same weight."""
-    left = end - time[time < end - 0.01]
-    pitch = pitch[: len(left)]
-    if len(left) < 10:
-        return None
-    slope, height = np.polyfit(np.log2(left), pitch, 1, w=left**-0.5)
-    apart = np.average(np.abs(pitch - height - slope * np.log2(left)), weights=1 / left)
-    return apart, end, -slope, height
-
-
-def _best_curve(peaks, guesses):
-    """Return the curve (3,) that explains most octaves of the frequency of those fitted to
-    peaks (3, n), and its standard errors (3,).
+def _best_curve(seen, peaks, guesses):
+    """Return the curve (3,) that explains most octaves of the frequency, of those
+    fitted to peaks (3, n) that stand out, and its standard errors (3,); None if none
+    stands out.
 
     The tone may have harmonics one and two octaves above. The errors include the
     distance to other curves that explain nearly as many."""
-    curves = np.array([_fit(peaks, guess, WIDTHS) for guess in guesses])
+    fitted = [_fit(peaks, guess, WIDTHS) for guess in guesses]
+    curves = np.array(
+        [curve for curve in fitted if _strength(seen, curve) >= LEAST_STRENGTH_DB]
+    )
+    if not len(curves):
+        return None
     explained = np.array(
         [curve[1] * _normal_equations(peaks, curve, WIDTHS[-1])[2] for curve in curves]
     )
@@ -263,6 +236,13 @@ def _best_curve(peaks, guesses):
         _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(resolution)
     )
     return _lowest(peaks, best), np.sqrt(square)
+
+
+def _strength(seen, curve):
+    """Return the mean level along a curve [dB]."""
+    left = np.geomspace(*TIME_LEFT, 72)
+    along = 2 ** (curve[2] - curve[1] * np.log2(left))
+    return float(np.mean(seen.read(curve[0] - left, along)))
 
 
 def _strongest_line(peaks, curve, reach=0.4):
