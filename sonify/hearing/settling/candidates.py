@@ -75,12 +75,6 @@ class Candidate:
         return self.law.turns * self.law.shape.first_rate / self.window.seconds
 
     @property
-    def t_end(self):
-        """Time at which the rate of the law diverges [s]."""
-        left = distance_to_end(self.law.shape.ratio, self.law.shape.exponent)
-        return self.window.stop / FRAME_RATE + left * self.window.seconds
-
-    @property
     def exponent(self):
         """Exponent n of the rate."""
         return self.law.shape.exponent

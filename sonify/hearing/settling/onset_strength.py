@@ -27,10 +27,6 @@ class Frames:
     waveform: np.ndarray
     edges: np.ndarray
 
-    def part(self, first, last):
-        """Return the frames from number `first` up to `last`."""
-        return Frames(self.power[first:last], self.waveform[first:last], self.edges)
-
 
 @dataclass(frozen=True)
 class OnsetStrength:
