@@ -66,7 +66,7 @@ class Heard:
         Sample rate of the sound [Hz].
     start : float
         Start of the analysed part in the file [s].
-    tone : RisingTone or None
+    tone : SettlingRun or None
         The rising tone; None if there is none or if it was not searched for.
     carriers : list of Carrier
         Spectral lines and noise bands, sorted by decreasing level.
