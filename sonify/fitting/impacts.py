@@ -72,9 +72,7 @@ def judge_bursts(decline: Decline, sound: Sound) -> Judged:
     best = coefficient(region.best_rate, region.best_exponent)
     shares = np.array([0.0, 0.0, best])
     cells = coefficient(region.rates, region.exponents)
-    least_error = (
-        SettlingSettings().repetition_resolution.exponent / region.best_exponent
-    )
+    least_error = SettlingSettings().resolution.exponent / region.best_exponent
     low = cells.min() - least_error * best
     high = cells.max() + least_error * best
     draws = np.zeros((FIT.bootstrap_draws, 4))
