@@ -305,7 +305,8 @@ def speech(seconds, seed):
 
 @pytest.mark.slow
 def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
-    """The speech is as loud as the disk and lasts six times as long."""
+    """The speech is as loud as the disk and lasts six times as long. At most one block
+    of the fit contains some of it."""
     run = recording(
         decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3
     )
@@ -320,7 +321,8 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     assert values["rolling"].low <= 1e-4 <= values["rolling"].high
     assert values["air"].low <= 1.0 <= values["air"].high
     assert found.verdict == "both"
-    assert end.value - found.fit.heard[0].rates.time.min() < 10.5
+    # the disk lasts 10 s; the middle of the first block of about 1 s may lie before it
+    assert end.value - found.fit.heard[0].rates.time.min() < 11.0
 
 
 @pytest.mark.slow
