@@ -8,7 +8,7 @@ from dynamics.compliant.model_inputs import law_table
 from dynamics.compliant.model_selection import steady_precession_rate
 from modal import eigenmodes
 from modal.tabletop.solve import surface_modes
-from sonify.hearing.spectral_lines import Carrier
+from sonify.hearing.spectral_lines import SpectralLine
 from sonify.scene import Scene
 
 MAX_MATCH_DISTANCE = 50.0
@@ -43,7 +43,9 @@ def resonances(scene: Scene) -> list[tuple[str, float]]:
     ]
 
 
-def nearest_resonance(line: Carrier, known: list[tuple[str, float]]) -> Match | None:
+def nearest_resonance(
+    line: SpectralLine, known: list[tuple[str, float]]
+) -> Match | None:
     """Return the resonance nearest to a spectral line; None if it is beyond
     MAX_MATCH_DISTANCE."""
     apart = [

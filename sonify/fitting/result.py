@@ -21,7 +21,7 @@ from sonify.fitting.recordings_io import is_recorded, recording_files, source_of
 from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
 from sonify.hearing.recording import RecordingError
-from sonify.hearing.spectral_lines import Carrier, carriers
+from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.scene import Scene, from_document, load_scene
 
 
@@ -36,7 +36,7 @@ class Fitted:
     file: str
     judged: Judged
     radius_shows: bool
-    carriers: list[Carrier]
+    carriers: list[SpectralLine]
     published_way: dict[str, Exponent] | None = None
     truncation: Truncation | None = None
     measured: dict | None = None
@@ -198,7 +198,7 @@ def fit_one(
         file=str(path),
         judged=judged.without_samples(),
         radius_shows=is_radius_determined(judged),
-        carriers=carriers(sound.samples, sound.rate, sound.start),
+        carriers=find_spectral_lines(sound.samples, sound.rate, sound.start),
         published_way=published,
         truncation=truncation_of(recording),
         measured=numbers_of_run(part, run.later(-span[0])) if run else None,

@@ -6,30 +6,31 @@ from scipy.fft import rfft
 from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
-WINDOW, BELOW, STANDS_OUT_DB, NEIGHBOURS = 1.0, 1500.0, 15.0, 41
-"""Window of the spectrum [s]; highest frequency of a hum [Hz]; its least level above
-its neighbours [dB]; number of neighbouring bins. The level is a median over time, which
-a rising tone hardly affects."""
+MIN_PROMINENCE_DB = 15.0
+"""Minimum level of a spectral peak above its neighbours."""
 
 
 def without_hum(samples: np.ndarray, rate: float) -> np.ndarray:
-    """Return samples (n,) at `rate` [Hz] without their steady tones.
+    """Return samples (n,) at `rate` [Hz] without their steady tones below 1.5 kHz.
 
     The amplitude and phase of each tone are measured in Hann windows and interpolated
-    linearly between their centres. Sounds shorter than four windows are returned
-    unchanged."""
-    size = int(WINDOW * rate)
+    linearly between the centres of the windows. Sounds shorter than four windows are
+    returned unchanged."""
+    window_length = 1.0  # s
+    max_frequency = 1500.0  # Hz
+    size = int(window_length * rate)
     if len(samples) < 4 * size:
         return samples
-    shape = np.hanning(size)
+    window = np.hanning(size)
     starts = np.arange(0, len(samples) - size, size // 2)
-    frames = sliding_window_view(samples, size)[starts] * (shape / shape.sum())
+    frames = sliding_window_view(samples, size)[starts] * (window / window.sum())
     time = np.arange(len(samples))
-    for frequency in _steady(frames, int(BELOW * size / rate)) / size:
-        turning = np.exp(2j * np.pi * frequency * time)
-        amplitude = frames @ turning[:size].conj() * turning[starts].conj()
+    bin_count = int(max_frequency * size / rate)
+    for frequency in _steady_tones(frames, bin_count) / size:  # cycles per sample
+        phasor = np.exp(2j * np.pi * frequency * time)
+        amplitude = frames @ phasor[:size].conj() * phasor[starts].conj()
         samples = (
-            samples - 2 * (np.interp(time, starts + size / 2, amplitude) * turning).real
+            samples - 2 * (np.interp(time, starts + size / 2, amplitude) * phasor).real
         )
     return samples
 
@@ -43,13 +44,14 @@ def vertex(below, top, above):
     return (below - above) / (2 * (below - 2 * top + above))
 
 
-def _steady(frames, bins):
-    """Return the fractional bin positions of steady tones below bin `bins` in frames
-    (t, n)."""
-    usual = 10 * np.log10(
-        np.median(np.abs(rfft(frames)[:, :bins]) ** 2, axis=0) + 1e-30
-    )
-    peaks = find_peaks(usual - median_filter(usual, NEIGHBOURS), height=STANDS_OUT_DB)[
-        0
-    ]
-    return peaks + vertex(*(usual[peaks + i] for i in (-1, 0, 1)))
+def _steady_tones(frames, bin_count):
+    """Return the interpolated bins of the steady tones in the lowest `bin_count` bins
+    of the spectra of frames (t, n).
+
+    The tones are peaks of the median over time, which a rising tone hardly affects."""
+    neighbours = 41  # bins
+    power = np.abs(rfft(frames)[:, :bin_count]) ** 2
+    level = 10 * np.log10(np.median(power, axis=0) + 1e-30)
+    prominence = level - median_filter(level, neighbours)
+    peaks = find_peaks(prominence, height=MIN_PROMINENCE_DB)[0]
+    return peaks + vertex(*(level[peaks + i] for i in (-1, 0, 1)))

@@ -17,7 +17,7 @@ from sonify.hearing.audio_source import (
     truncation_of,
 )
 from sonify.hearing.settling.detector import SettlingRun, strongest_tone
-from sonify.hearing.spectral_lines import Carrier, carriers
+from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.scene_errors import InputError
 
 LONGEST, AFTER = 120.0, 6.0
@@ -68,7 +68,7 @@ class Heard:
         Start of the analysed part in the file [s].
     tone : SettlingRun or None
         The rising tone; None if there is none or if it was not searched for.
-    carriers : list of Carrier
+    carriers : list of SpectralLine
         Spectral lines and noise bands, sorted by decreasing level.
     missing : float
         Missing length of a truncated file according to its header [s].
@@ -87,12 +87,12 @@ class Heard:
     sample_rate: int
     start: float
     tone: SettlingRun | None
-    carriers: list[Carrier]
+    carriers: list[SpectralLine]
     missing: float = 0.0
     truncation: Truncation | None = None
 
     @property
-    def lines(self) -> list[Carrier]:
+    def lines(self) -> list[SpectralLine]:
         """The spectral lines without the noise bands."""
         return [carrier for carrier in self.carriers if not carrier.reach]
 
@@ -139,7 +139,7 @@ def listen(
     start += begin
     with ThreadPoolExecutor() as pool:  # the array code releases the lock of Python
         tone = pool.submit(strongest_tone, source_of(sound)) if tones else None
-        found = carriers(samples, rate, start)
+        found = find_spectral_lines(samples, rate, start)
     rising = tone.result() if tone else None
     return Heard(
         duration=duration,

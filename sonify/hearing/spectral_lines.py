@@ -1,4 +1,4 @@
-"""Spectral lines and noise bands of a sound, with drift and sidebands."""
+"""Spectral lines and noise bands of a sound, with frequency drift and sidebands."""
 
 from dataclasses import dataclass, replace
 from itertools import compress, pairwise
@@ -9,61 +9,35 @@ from scipy.interpolate import make_interp_spline
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 from scipy.signal import ShortTimeFFT
 
-from sonify.hearing.mains_hum import vertex
+from sonify.hearing.mains_hum import MIN_PROMINENCE_DB, vertex
 
-WINDOW, LOWEST = 0.5, 300.0
-"""Window of the spectrogram [s] and lowest frequency of a line [Hz]."""
-STANDS_OUT_DB, MOST, BANDS = 15.0, 12, 32
-"""Least level of a peak above its neighbours [dB]; largest number of lines; number of
-bands in which the background is computed."""
-BESIDE_LINE = np.arange(10, 61)
-"""Offsets of the bins on each side whose median is the background of a peak."""
-REACH, LAST, GAP = 30.0, 5, 2
-"""Largest distance of a peak from its track [cents]; number of final frames whose
-median gives the position of a track; largest gap in a track [frames]."""
-BAND, WIDE = 30.0, 15.0
-"""A peak belongs to a stronger line if their distance is below BAND [cents] or below
-WIDE times the change of the line from frame to frame, which is large in a noise
-band."""
-GRID, BROAD, FRAMES = 5.0, 120.0, 5
-"""Spacing of the grid for noise bands [cents], width of the medians [cents], and number
-of averaged frames."""
-AROUND, COARSE = 1200.0, 10
-"""Width of the background of a band [cents], and spacing of its coarser grid in units
-of GRID."""
-FAINTEST, HALF, AHEAD = 5.0, 3.0, 60.0
-"""Least level of a band [dB]; drop of the level at its limits [dB]; largest distance
-from its track [cents]."""
-LINE, BROADEST = 75.0, 400.0
-"""Largest half-width of a band that may be a line, and of any band [cents]."""
-FEWEST, SHARE = 8, 0.2
-"""Least number of frames of a line; in short sounds, least share of all frames, but at
-least five."""
-PARTS, LEAST_PART = 8, 3
-"""Number of parts of a line for the jackknife, and least number of overlapping frames
-in a part."""
-PLACE = 0.02
-"""Least error of the position of a line [bins]; that of a band is GRID."""
-SURE = 2.0
-"""Ratio of drift to error above which a line rises or falls."""
-APART, FINE, BESIDE = (6.0, 300.0), 2, (6, 80)
-"""Range of the distances of sidebands from their centre [Hz]; number of tested centres
-per bin; range of the offsets of alternative centres, in units of their spacing."""
-DISTANCES, COURSE, ORDER = 5, 0.5, 3
-"""Least number of different sideband distances of a centre; largest ratio of the change
-between frames to the total variation; largest order of a sideband."""
+MIN_LINE_FREQUENCY_HZ = 300.0
+"""Lowest frequency of a spectral line or noise band."""
+MIN_TRACK_FRAMES = 8
+"""Minimum number of frames in a track, except in short sounds."""
+BAND_GRID_SPACING_CENTS = 5.0
+"""Spacing of the logarithmic frequency grid on which noise bands are detected."""
+SIGNIFICANT_DRIFT_SIGMAS = 2.0
+"""Significance threshold of a frequency drift, in standard errors."""
+MAX_SIDEBAND_OFFSET_HZ = 300.0
+"""Largest frequency offset of a sideband from its centre."""
+TRIAL_CENTRES_PER_BIN = 2
+"""Number of trial centre frequencies of sidebands per frequency bin."""
+MIN_CENTRE_SEPARATION_STEPS = 6
+"""Smallest separation of two different centres, in steps of the trial centres."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Carrier:
-    """A spectral line or narrow band from `begin` to `end` [s].
+class SpectralLine:
+    """A spectral line or noise band from `begin` to `end` [s].
 
-    `frequency` [Hz] is the frequency half-way, with the standard `error` [Hz]. `drift`
-    and `drift_error` are in cents/s, the `spread` around the drift is in cents, and the
-    `level` above the background in dB. `sidebands` is the median distance of the
-    sidebands [Hz], and `rates` its range. If the line itself is not `heard`, these values belong to the
-    centre of its sidebands. `reach` [cents] is the distance of a noise band to its
-    farther half-power frequency, and 0 for a line."""
+    `frequency` [Hz] is the frequency at mid-duration, with the standard error `error`
+    [Hz]. `drift` and its standard error `drift_error` are in cents/s. `spread` is the
+    standard deviation from the linear drift [cents]. `level` is relative to the
+    background [dB]. `sidebands` is the median offset of the sidebands [Hz], and `rates`
+    the range of the offsets [Hz]. If `heard` is False, only the sidebands are present,
+    and the values describe their centre. `reach` is the distance from the centre of a
+    noise band to its farther half-power frequency [cents]; it is 0 for a line."""
 
     frequency: float
     error: float
@@ -81,416 +55,449 @@ class Carrier:
     @property
     def course(self) -> str:
         """Significant trend of the frequency: "rises", "falls" or "steady"."""
-        if abs(self.drift) < SURE * self.drift_error:
+        if abs(self.drift) < SIGNIFICANT_DRIFT_SIGMAS * self.drift_error:
             return "steady"
         return "rises" if self.drift > 0 else "falls"
 
 
 @dataclass(frozen=True, eq=False)
-class Track:
-    """A tracked peak: frames (k,), frequencies (k,) [Hz], levels (k,) [dB] and
-    half-width [cents]."""
+class PeakTrack:
+    """Spectral peaks in successive frames: frame indices (k,), frequencies (k,) [Hz],
+    levels (k,) [dB], and the half-width of a noise band [cents]."""
 
     frame: np.ndarray
     frequency: np.ndarray
     level: np.ndarray
-    reach: float = 0.0
+    half_width: float = 0.0
 
 
-def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
-    """Return the lines in samples (n,) at `rate` [Hz] that start at the time `start`
-    [s].
+def find_spectral_lines(samples, rate: float, start: float = 0.0) -> list[SpectralLine]:
+    """Return at most 12 lines and noise bands of samples (n,) at `rate` [Hz], in order
+    of decreasing level.
 
-    There are at most MOST lines, sorted by decreasing level.
+    The samples start at the time `start` [s].
     """
-    size = int(WINDOW * rate)
+    max_count = 12
+    window_length = 0.5  # s
+    size = int(window_length * rate)
     if len(samples) < 4 * size:
         return []
     windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
-    power = (
-        np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2
-    )  # no window extends beyond the samples
+    last = 2 + (len(samples) - size) // (size // 2)  # no window exceeds the samples
+    power = np.abs(windows.stft(samples, 1, last)) ** 2
     hop = size // 2 / rate
-    spacing = rate / size
+    bin_width = rate / size
     level = 10 * np.log10(power.T + 1e-300)
-    peaks = _peaks(level, spacing)
-    aside, centres = _sidebands(peaks, spacing)
-    tracks = _with_bands(_tracks(peaks[:, ~aside], len(level)), level, spacing)
+    peaks = _spectral_peaks(level, bin_width)
+    is_sideband, centres = _find_sidebands(peaks, bin_width)
+    tracks = _track_peaks(peaks[:, ~is_sideband], len(level))
+    tracks = _merge_noise_bands(tracks, level, bin_width)
     tracks = sorted(tracks, key=lambda track: -np.median(track.level))
-    found = [_carrier(track, start, hop, spacing) for track in tracks[:MOST]]
-    for track, apart in centres:
-        found = _with_sidebands(
-            found, _carrier(track, start, hop, spacing), apart, spacing
-        )
-    return sorted(found, key=lambda one: -one.level)[:MOST]
+    lines = [_fit_line(track, start, hop, bin_width) for track in tracks[:max_count]]
+    for track, offsets in centres:
+        centre = _fit_line(track, start, hop, bin_width)
+        lines = _add_sidebands(lines, centre, offsets, bin_width)
+    return sorted(lines, key=lambda line: -line.level)[:max_count]
 
 
-def _with_sidebands(found, centre, apart, spacing):
-    """Add a centre of sidebands, at distances `apart` (k,) [Hz], to the lines `found`.
+def _add_sidebands(lines, centre, offsets, bin_width):
+    """Return the lines with the sidebands at `offsets` (k,) [Hz] from a centre.
 
-    A line at the frequency of the centre receives the sidebands if it is present for
-    most of their time; otherwise the centre becomes a separate line. Weaker lines among
-    the sidebands are removed."""
-    low, middle, high = np.percentile(apart, [5, 50, 95]).tolist()
+    The sidebands are assigned to a line at the frequency of the centre if the line is
+    present for most of their duration; otherwise the centre is added to the lines.
+    Weaker lines among the sidebands are removed."""
+    max_order = 3
+    low, middle, high = np.percentile(offsets, [5, 50, 95]).tolist()
     sides = {"sidebands": (middle,), "rates": (low, high)}
-    there = [
-        abs(one.frequency - centre.frequency) < spacing and _common(one, centre) > 0
-        for one in found
+    at_centre = [
+        abs(line.frequency - centre.frequency) < bin_width
+        and _overlap(line, centre) > 0
+        for line in lines
     ]
-    heard = (
-        sum(_common(one, centre) for one in compress(found, there))
-        > (centre.end - centre.begin) / 2
-    )
-    told = [replace(one, **sides) if heard else one for one in compress(found, there)]
+    duration = sum(_overlap(line, centre) for line in compress(lines, at_centre))
+    heard = duration > (centre.end - centre.begin) / 2
+    modulated = [
+        replace(line, **sides) if heard else line for line in compress(lines, at_centre)
+    ]
     others = [
-        one
-        for one, at in zip(found, there, strict=True)
-        if not at and not _among(one, centre, ORDER * high)
+        line
+        for line, same in zip(lines, at_centre, strict=True)
+        if not same and not _is_weaker_nearby(line, centre, max_order * high)
     ]
-    return [*told, *others, *([] if heard else [replace(centre, heard=False, **sides)])]
+    if not heard:
+        others.append(replace(centre, heard=False, **sides))
+    return [*modulated, *others]
 
 
-def _among(one, centre, reach):
-    """Return True if a weaker line is within `reach` [Hz] of a centre for most of its
-    duration."""
-    within = (
-        abs(one.frequency - centre.frequency) < reach
-        and _common(one, centre) > (one.end - one.begin) / 2
-    )
-    return within and one.level < centre.level
+def _is_weaker_nearby(line, centre, max_distance):
+    """Return True if a line is weaker than a centre and within `max_distance` [Hz] of
+    it for most of the duration of the line."""
+    near = abs(line.frequency - centre.frequency) < max_distance
+    long = _overlap(line, centre) > (line.end - line.begin) / 2
+    return near and long and line.level < centre.level
 
 
-def _common(one, other):
-    """Return the time [s] for which two lines overlap; negative if they do not
-    overlap."""
-    return min(one.end, other.end) - max(one.begin, other.begin)
+def _overlap(line, other):
+    """Return the duration [s] of the overlap of two lines; negative if there is a gap
+    between them."""
+    return min(line.end, other.end) - max(line.begin, other.begin)
 
 
-def _floor(level, count):
-    """Return the background (t, f) interpolated between the medians of `count` bands.
+def _background(level, band_count=32):
+    """Return the background (t, f) of levels (t, f), interpolated between the medians
+    in `band_count` bands.
 
-    It is at most 90 dB below the maximum.
+    It is at most 90 dB below the maximum of the frame.
     """
-    edges = np.linspace(0, level.shape[1], count + 1).astype(int)
-    floor = np.column_stack(
+    edges = np.linspace(0, level.shape[1], band_count + 1).astype(int)
+    medians = np.column_stack(
         [np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)]
     )
-    floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
+    medians = np.maximum(medians, level.max(axis=1, keepdims=True) - 90)
     middle = (edges[1:] + edges[:-1] - 1) / 2
-    return make_interp_spline(middle, floor, 1, axis=1)(
+    return make_interp_spline(middle, medians, 1, axis=1)(
         np.clip(np.arange(level.shape[1]), middle[0], middle[-1])
     )
 
 
-def _peaks(level, spacing):
-    """Return frames, frequencies [Hz] and levels [dB] (3, n) of all peaks in levels (t,
-    f).
+def _spectral_peaks(level, bin_width):
+    """Return frames, frequencies [Hz] and levels [dB] (3, n) of the peaks of levels
+    (t, f).
 
-    The levels are relative to the background.
+    The returned levels are relative to the background.
     """
-    frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
-    top = np.round(place).astype(int)
+    frame, column, height = _local_maxima(level - _background(level), MIN_PROMINENCE_DB)
+    top = np.round(column).astype(int)
+    neighbours = np.arange(10, 61)  # bins
     sides = [
         np.median(
             level[frame[:, None], np.clip(top[:, None] + side, 0, level.shape[1] - 1)],
             axis=1,
         )
-        for side in (-BESIDE_LINE, BESIDE_LINE)
+        for side in (-neighbours, neighbours)
     ]
-    line = (
-        level[frame, top] - np.maximum(*sides) > STANDS_OUT_DB
-    )  # an edge stands out on one side only
-    return np.array([frame, place * spacing, height])[
-        :, line & (place > LOWEST / spacing)
+    # The edge of a noise band is prominent on one side only.
+    prominent = level[frame, top] - np.maximum(*sides) > MIN_PROMINENCE_DB
+    return np.array([frame, column * bin_width, height])[
+        :, prominent & (column > MIN_LINE_FREQUENCY_HZ / bin_width)
     ]
 
 
-def _tops(level, least):
-    """Return frames, fractional columns and heights, each (n,), of peaks in levels (t,
-    f).
-
-    Peaks are at least `least` high.
-    """
-    low = level[:, :-2]
+def _local_maxima(level, min_level):
+    """Return frames, interpolated columns and levels, each (n,), of the local maxima
+    above `min_level` [dB] in the frames of levels (t, f)."""
+    below = level[:, :-2]
     top = level[:, 1:-1]
-    high = level[:, 2:]
-    frame, place = np.nonzero((top > low) & (top >= high) & (top > least))
-    low = low[frame, place]
-    top = top[frame, place]
-    high = high[frame, place]
-    return frame, place + 1 + vertex(low, top, high), top
+    above = level[:, 2:]
+    here = np.nonzero((top > below) & (top >= above) & (top > min_level))
+    column = here[1] + 1 + vertex(below[here], top[here], above[here])
+    return here[0], column, top[here]
 
 
-def _with_bands(tracks, level, spacing):
-    """Return the tracks of lines and of noise bands in levels (t, f).
+def _merge_noise_bands(tracks, level, bin_width):
+    """Return the tracks of the lines and of the noise bands in levels (t, f).
 
-    A line that does not stand out from a band is part of the band; a band that
-    resembles a line is part of the line."""
-    for band in _bands(level, spacing):
-        line = band.reach < LINE
-        inside = [
-            track
-            for track in tracks
-            if _within(track, band, band.reach if line else 2 * band.reach)
-        ]
+    A line that is not prominent above a noise band is part of the band. A band that is
+    as narrow as a line is discarded in favour of its loudest line."""
+    max_line_half_width = 75.0  # cents
+    for band in _find_noise_bands(level, bin_width):
+        is_line = band.half_width < max_line_half_width
+        max_distance = band.half_width if is_line else 2 * band.half_width
+        inside = [track for track in tracks if _is_inside(track, band, max_distance)]
         loudest = max(inside, key=lambda track: np.median(track.level), default=None)
-        bar = np.median(band.level) + STANDS_OUT_DB
-        own = [
+        min_level = np.median(band.level) + MIN_PROMINENCE_DB
+        kept = [
             track
             for track in inside
-            if np.median(track.level) > bar or (line and track is loudest)
+            if np.median(track.level) > min_level or (is_line and track is loudest)
         ]
-        tracks = [track for track in tracks if track not in inside or track in own]
-        tracks += [] if line else _straight(band)
+        tracks = [track for track in tracks if track not in inside or track in kept]
+        tracks += [] if is_line else _split_at_bends(band)
     return tracks
 
 
-def _bands(level, spacing):
-    """Return the tracks of noise bands in levels (t, f)."""
-    octaves = np.log2(0.9 * level.shape[1] * spacing / LOWEST)
-    size = int(BROAD / GRID) + 1
-    frequency = LOWEST * 2 ** (np.arange(0, 1200 * octaves, GRID) / 1200)
-    grid = _medians(level[:, np.round(frequency / spacing).astype(int)], size)
-    around = _medians(grid[:, ::COARSE], int(AROUND / GRID / COARSE) + 1)
-    places = np.arange(0, grid.shape[1], COARSE)
-    grid -= make_interp_spline(places, around, 1, axis=1)(
+def _find_noise_bands(level, bin_width):
+    """Return the tracks of the noise bands in levels (t, f)."""
+    smoothing_width = 120.0  # cents
+    averaged_frames = 5
+    background_width = 1200.0  # cents
+    background_step = 10  # columns
+    min_level = 5.0  # dB
+    max_half_width = 400.0  # cents
+    octaves = np.log2(0.9 * level.shape[1] * bin_width / MIN_LINE_FREQUENCY_HZ)
+    cents = np.arange(0, 1200 * octaves, BAND_GRID_SPACING_CENTS)
+    frequency = MIN_LINE_FREQUENCY_HZ * 2 ** (cents / 1200)
+    size = int(smoothing_width / BAND_GRID_SPACING_CENTS) + 1
+    grid = _running_medians(level[:, np.round(frequency / bin_width).astype(int)], size)
+    background_size = background_width / BAND_GRID_SPACING_CENTS / background_step
+    background = _running_medians(grid[:, ::background_step], int(background_size) + 1)
+    places = np.arange(0, grid.shape[1], background_step)
+    grid -= make_interp_spline(places, background, 1, axis=1)(
         np.clip(np.arange(grid.shape[1]), 0, places[-1])
     )
     grid = uniform_filter1d(grid, size, axis=1)
-    mean = uniform_filter1d(grid, FRAMES, axis=0)
-    frame, place, height = _tops(mean, FAINTEST)
-    found = _tracks(
-        np.array([frame, LOWEST * 2 ** (place * GRID / 1200), height]),
-        len(level),
-        AHEAD,
-    )
-    return [
-        band
-        for band in (_middled(one, mean, grid) for one in found)
-        if band.reach < BROADEST
-    ]
+    mean = uniform_filter1d(grid, averaged_frames, axis=0)
+    frame, column, height = _local_maxima(mean, min_level)
+    peaks = np.array([frame, _grid_frequency(column), height])
+    tracks = _track_peaks(peaks, len(level), max_step=60.0)
+    bands = [_centre_noise_band(track, mean, grid) for track in tracks]
+    return [band for band in bands if band.half_width < max_half_width]
 
 
-def _medians(level, size):
-    """Return running medians of levels (t, f) over `size` columns."""
+def _grid_frequency(column):
+    """Return the frequency [Hz] at a fractional column of the grid for noise bands."""
+    return MIN_LINE_FREQUENCY_HZ * 2 ** (column * BAND_GRID_SPACING_CENTS / 1200)
+
+
+def _running_medians(level, size):
+    """Return the running medians of levels (t, f) over `size` columns."""
     return np.array([median_filter(row, size) for row in level])
 
 
-def _middled(band, mean, grid):
-    """Return a band with power-weighted mean frequencies and its median half-width."""
-    tops = np.round(1200 / GRID * np.log2(band.frequency / LOWEST)).astype(int)
-    middles = []
-    sides = []
-    for row, own, top in zip(mean[band.frame], grid[band.frame], tops, strict=True):
-        out = np.flatnonzero(row < row[top] - HALF)
-        low = out[out < top].max(initial=-1) + 1
-        high = out[out > top].min(initial=len(row))
-        middles.append(
-            np.average(np.arange(low, high), weights=10 ** (own[low:high] / 10))
-        )
-        sides.append(max(middles[-1] - low, high - middles[-1]))
+def _centre_noise_band(track, mean, grid):
+    """Return a track with the centroids of a noise band and its median half-width.
+
+    The limits of the band are where the time-averaged levels `mean` (t, f) fall to half
+    power; the centroids are those of the power in `grid` (t, f)."""
+    half_power_drop = 3.0  # dB
+    tops = (
+        1200
+        / BAND_GRID_SPACING_CENTS
+        * np.log2(track.frequency / MIN_LINE_FREQUENCY_HZ)
+    )
+    tops = np.round(tops).astype(int)
+    centroids = []
+    half_widths = []
+    for row, level, top in zip(mean[track.frame], grid[track.frame], tops, strict=True):
+        outside = np.flatnonzero(row < row[top] - half_power_drop)
+        low = outside[outside < top].max(initial=-1) + 1
+        high = outside[outside > top].min(initial=len(row))
+        power = 10 ** (level[low:high] / 10)
+        centroid = np.average(np.arange(low, high), weights=power)
+        centroids.append(centroid)
+        half_widths.append(max(centroid - low, high - centroid))
     return replace(
-        band,
-        frequency=LOWEST * 2 ** (np.array(middles) * GRID / 1200),
-        reach=GRID * median(sides),
+        track,
+        frequency=_grid_frequency(np.array(centroids)),
+        half_width=BAND_GRID_SPACING_CENTS * median(half_widths),
     )
 
 
-def _within(track, band, reach):
-    """Return True if a track is within `reach` [cents] of a band in most of its
-    frames."""
-    middle = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
-    return (
-        np.sum(np.abs(1200 * np.log2(track.frequency / middle)) < reach)
-        > len(track.frame) / 2
-    )
+def _is_inside(track, band, max_distance):
+    """Return True if a track is within `max_distance` [cents] of the centre of a band
+    in most of its frames."""
+    centre = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
+    near = np.abs(1200 * np.log2(track.frequency / centre)) < max_distance
+    return np.sum(near) > len(track.frame) / 2
 
 
-def _straight(track):
-    """Return the parts of a track after repeated bisection into straight parts."""
+def _split_at_bends(track):
+    """Return the parts of a track after repeated bisection until the drifts of both
+    halves agree."""
     half = len(track.frame) // 2
     parts = [
         replace(
             track,
-            frame=track.frame[i],
-            frequency=track.frequency[i],
-            level=track.level[i],
+            frame=track.frame[part],
+            frequency=track.frequency[part],
+            level=track.level[part],
         )
-        for i in (slice(half), slice(half, None))
+        for part in (slice(half), slice(half, None))
     ]
-    if half < FEWEST or _alike(*(_carrier(part, 0.0, 1.0, 0.0) for part in parts)):
+    if half < MIN_TRACK_FRAMES or _drifts_agree(
+        *(_fit_line(part, 0.0, 1.0, 0.0) for part in parts)
+    ):
         return [track]
-    return [straight for part in parts for straight in _straight(part)]
+    return [straight for part in parts for straight in _split_at_bends(part)]
 
 
-def _alike(one, other):
+def _drifts_agree(line, other):
     """Return True if the drifts of two lines agree within their errors."""
-    return abs(one.drift - other.drift) < SURE * np.hypot(
-        one.drift_error, other.drift_error
-    )
+    error = np.hypot(line.drift_error, other.drift_error)
+    return abs(line.drift - other.drift) < SIGNIFICANT_DRIFT_SIGMAS * error
 
 
-def _tracks(peaks, count, reach=REACH):
-    """Return the tracks of peaks (3, n), starting from the most prominent peak.
+def _track_peaks(peaks, frame_count, max_step=30.0):
+    """Return the tracks of peaks (3, n) in `frame_count` frames, starting from the
+    highest peak.
 
-    A track continues at peaks within `reach` [cents]; the peaks in the band around it
-    are removed."""
+    A track changes by at most `max_step` [cents] from frame to frame. Weaker peaks in
+    its neighbourhood are removed; the neighbourhood is wide for a noise band, whose
+    peaks fluctuate."""
+    min_exclusion = 30.0  # cents
+    exclusion_per_fluctuation = 15.0
+    min_share_of_frames = 0.2
+    min_frames = min(MIN_TRACK_FRAMES, max(5, min_share_of_frames * frame_count))
     frame = peaks[0].astype(int)
     cents = 1200 * np.log2(peaks[1])
     level = peaks[2]
-    inside = [np.flatnonzero(frame == i) for i in range(count)]
-    left = np.ones(len(frame), bool)
-    found = []
+    in_frame = [np.flatnonzero(frame == i) for i in range(frame_count)]
+    free = np.ones(len(frame), bool)
+    tracks = []
     for seed in np.argsort(-level):
-        if not left[seed]:
+        if not free[seed]:
             continue
-        chosen = [
-            seed,
-            *_followed(
-                seed, range(frame[seed] + 1, count), inside, cents, level, left, reach
-            ),
-        ]
-        chosen += _followed(
-            seed, range(frame[seed] - 1, -1, -1), inside, cents, level, left, reach
-        )
+        chosen = [seed]
+        for frames in (
+            range(frame[seed] + 1, frame_count),
+            range(frame[seed] - 1, -1, -1),
+        ):
+            chosen += _continue_track(
+                seed, frames, in_frame, cents, level, free, max_step
+            )
         chosen = np.array(sorted(chosen, key=lambda peak: frame[peak]))
-        wide = max(
-            BAND, WIDE * np.median(np.abs(np.diff(cents[chosen], prepend=cents[seed])))
-        )
+        steps = np.diff(cents[chosen], prepend=cents[seed])
+        fluctuation = np.median(np.abs(steps))
+        exclusion = max(min_exclusion, exclusion_per_fluctuation * fluctuation)
         for peak in chosen:
-            near = inside[frame[peak]]
-            left[near[np.abs(cents[near] - cents[peak]) < wide]] = False
-        if len(chosen) >= min(FEWEST, max(5, SHARE * count)):
-            found.append(Track(frame[chosen], peaks[1][chosen], level[chosen]))
-    return found
+            near = in_frame[frame[peak]]
+            free[near[np.abs(cents[near] - cents[peak]) < exclusion]] = False
+        if len(chosen) >= min_frames:
+            tracks.append(PeakTrack(frame[chosen], peaks[1][chosen], level[chosen]))
+    return tracks
 
 
-def _followed(seed, frames, inside, cents, level, left, reach):
-    """Return the peaks that continue a seed in successive frames, with gaps of at most
-    GAP frames.
+def _continue_track(seed, frames, in_frame, cents, level, free, max_step):
+    """Return the peaks that continue a track from its seed through successive frames.
 
-    The highest peak near the median of the last ones continues the track.
+    The next peak is the highest one within `max_step` [cents] of the median of the last
+    five. The track ends at a gap of more than two frames.
     """
-    found = [seed]
-    missed = 0
+    median_length = 5
+    max_gap = 2  # frames
+    track = [seed]
+    gap = 0
     for i in frames:
-        near = inside[i][left[inside[i]]]
-        near = near[np.abs(cents[near] - median(cents[found[-LAST:]].tolist())) < reach]
+        near = in_frame[i][free[in_frame[i]]]
+        expected = median(cents[track[-median_length:]].tolist())
+        near = near[np.abs(cents[near] - expected) < max_step]
         if len(near):
-            found.append(near[np.argmax(level[near])])
-            missed = 0
-        elif (missed := missed + 1) > GAP:
+            track.append(near[np.argmax(level[near])])
+            gap = 0
+        elif (gap := gap + 1) > max_gap:
             break
-    return found[1:]
+    return track[1:]
 
 
-def _carrier(track, start, hop, spacing):
-    """Return the straight line fitted to the cents of a track, with jackknife
+def _fit_line(track, start, hop, bin_width):
+    """Return the line with linear drift [cents/s] that fits a track, with jackknife
     errors."""
+    max_jackknife_parts = 8
+    min_frames_per_part = 3  # because the frames overlap
+    min_peak_error = 0.02  # bins
     t = start + (track.frame + 1) * hop
     middle = (t[0] + t[-1]) / 2
     cents = 1200 * np.log2(track.frequency / np.median(track.frequency))
-    line = _line(t - middle, cents)
-    part = np.arange(len(t)) * min(PARTS, max(len(t) // LEAST_PART, 2)) // len(t)
-    without = np.array(
-        [_line((t - middle)[part != i], cents[part != i]) for i in range(part[-1] + 1)]
+    intercept, drift = _robust_linear_fit(t - middle, cents)
+    part_count = min(max_jackknife_parts, max(len(t) // min_frames_per_part, 2))
+    part = np.arange(len(t)) * part_count // len(t)
+    estimates = np.array(
+        [
+            _robust_linear_fit((t - middle)[part != i], cents[part != i])
+            for i in range(part[-1] + 1)
+        ]
     )
-    error = np.sqrt(
-        (len(without) - 1)
-        / len(without)
-        * np.square(without - without.mean(axis=0)).sum(axis=0)
-    )
-    place = (
-        GRID
-        if track.reach
-        else 1200 / np.log(2) * PLACE * spacing / np.median(track.frequency)
-    )
-    frequency = float(np.median(track.frequency) * 2 ** (line[0] / 1200))
-    return Carrier(
+    count = len(estimates)
+    deviation = estimates - estimates.mean(axis=0)
+    error = np.sqrt((count - 1) / count * np.square(deviation).sum(axis=0))
+    if track.half_width:
+        min_error = BAND_GRID_SPACING_CENTS
+    else:
+        cents_per_ratio = 1200 / np.log(2)
+        min_error = (
+            cents_per_ratio * min_peak_error * bin_width / np.median(track.frequency)
+        )
+    frequency = float(np.median(track.frequency) * 2 ** (intercept / 1200))
+    residual = cents - intercept - drift * (t - middle)
+    return SpectralLine(
         frequency=frequency,
-        error=float(np.hypot(error[0], place) * np.log(2) / 1200 * frequency),
-        spread=float(
-            1.48 * np.median(np.abs(cents - line[0] - line[1] * (t - middle)))
-        ),
+        error=float(np.hypot(error[0], min_error) * np.log(2) / 1200 * frequency),
+        spread=float(1.48 * np.median(np.abs(residual))),
         level=float(np.median(track.level)),
-        drift=float(line[1]),
-        drift_error=float(np.hypot(error[1], place / (t[-1] - t[0]))),
+        drift=float(drift),
+        drift_error=float(np.hypot(error[1], min_error / (t[-1] - t[0]))),
         begin=float(t[0] - hop),
         end=float(t[-1] + hop),
-        reach=track.reach,
+        reach=track.half_width,
     )
 
 
-def _line(t, cents):
-    """Return height and slope of a robust linear fit of cents (k,) at times t (k,)
-    [s]."""
+def _robust_linear_fit(t, cents):
+    """Return intercept and slope of a linear fit of cents (k,) at times t (k,) [s]
+    without outliers."""
     keep = np.ones(len(t), bool)
     for _ in range(3):
-        slope, height = np.polyfit(t[keep], cents[keep], 1)
-        apart = np.abs(cents - height - slope * t)
-        keep = apart <= max(4 * 1.48 * np.median(apart), 1e-6)
-    return np.array([height, slope])
+        slope, intercept = np.polyfit(t[keep], cents[keep], 1)
+        residual = np.abs(cents - intercept - slope * t)
+        keep = residual <= max(4 * 1.48 * np.median(residual), 1e-6)
+    return np.array([intercept, slope])
 
 
-def _sidebands(peaks, spacing):
-    """Return a mask of the peaks (3, n) that are sidebands, and the tracks and
-    distances of centres.
+def _find_sidebands(peaks, bin_width):
+    """Return a mask of the peaks (3, n) that are sidebands, and the tracks and offsets
+    of their centres.
 
-    Pairs of peaks are symmetric about a centre at more distances than about positions
-    BESIDE it, and the distances change smoothly; the centre between two unrelated lines
-    would move."""
-    pairs = _pairs(peaks)
-    aside = np.zeros(peaks.shape[1], bool)
-    found = []
+    About a centre, pairs of peaks are symmetric at more different offsets than about
+    nearby positions, and the offsets change smoothly with time."""
+    min_offset_count = 5
+    pairs = _peak_pairs(peaks)
+    is_sideband = np.zeros(peaks.shape[1], bool)
+    centres = []
     middle = peaks[1, pairs].mean(axis=0)
-    half = np.diff(peaks[1, pairs], axis=0)[0] / 2
+    offset = np.diff(peaks[1, pairs], axis=0)[0] / 2
     frame = peaks[0, pairs[0]].astype(int)
     level = peaks[2, pairs].min(axis=0)
-    count, most = _distances(middle / spacing, half / spacing)
-    tried = np.flatnonzero((count >= DISTANCES) & (count >= most))
+    count, nearby_count = _count_offsets(middle / bin_width, offset / bin_width)
+    trials = np.flatnonzero((count >= min_offset_count) & (count >= nearby_count))
     free = np.ones(len(count), bool)
-    for place in tried[np.argsort((most - count)[tried], kind="stable")]:
+    for trial in trials[np.argsort((nearby_count - count)[trials], kind="stable")]:
+        centre = trial * bin_width / TRIAL_CENTRES_PER_BIN
         here = np.flatnonzero(
-            (np.abs(middle - place * spacing / FINE) < spacing)
-            & ~aside[pairs].any(axis=0)
+            (np.abs(middle - centre) < bin_width) & ~is_sideband[pairs].any(axis=0)
         )
         best = here[np.lexsort((-level[here], frame[here]))]
         best = best[np.unique(frame[best], return_index=True)[1]]
-        if free[place] and len(best) >= FEWEST and _one_course(half[best]):
-            aside[pairs[:, here]] = True
-            free[max(place - BESIDE[0], 0) : place + BESIDE[0]] = False
-            found.append((Track(frame[best], middle[best], level[best]), half[best]))
-    return aside, found
+        if free[trial] and len(best) >= MIN_TRACK_FRAMES and _is_smooth(offset[best]):
+            is_sideband[pairs[:, here]] = True
+            first = max(trial - MIN_CENTRE_SEPARATION_STEPS, 0)
+            free[first : trial + MIN_CENTRE_SEPARATION_STEPS] = False
+            track = PeakTrack(frame[best], middle[best], level[best])
+            centres.append((track, offset[best]))
+    return is_sideband, centres
 
 
-def _one_course(apart):
-    """Return True if distances (k,) change smoothly between frames."""
-    return np.median(np.abs(np.diff(apart))) < COURSE * np.median(
-        np.abs(apart - np.median(apart))
-    )
+def _is_smooth(offsets):
+    """Return True if the changes of offsets (k,) between frames are less than half of
+    their total variation."""
+    variation = np.median(np.abs(offsets - np.median(offsets)))
+    return np.median(np.abs(np.diff(offsets))) < 0.5 * variation
 
 
-def _distances(middle, half):
-    """Return the number of distances of symmetric pairs about each position (p,).
+def _count_offsets(middle, offset):
+    """Return the number of different offsets of symmetric pairs about each trial centre
+    (p,), and the largest number about nearby trial centres.
 
-    The largest number about positions BESIDE it is also returned. The centres and half
-    distances (n,) of the pairs are in bins."""
-    place = np.round(FINE * middle).astype(int)
-    seen = np.unique(place * 1000 + half.astype(int)) // 1000
-    count = np.bincount(seen, minlength=place.max(initial=0) + BESIDE[1] + 1)
-    around = maximum_filter1d(count, BESIDE[1] - BESIDE[0] + 1)
-    away = sum(BESIDE) // 2
-    return count, np.maximum(np.roll(around, away), np.roll(around, -away))
+    The middles (n,) and offsets (n,) of the pairs are in bins."""
+    nearest = MIN_CENTRE_SEPARATION_STEPS
+    farthest = 80  # steps
+    trial = np.round(TRIAL_CENTRES_PER_BIN * middle).astype(int)
+    different = np.unique(trial * 1000 + offset.astype(int)) // 1000
+    count = np.bincount(different, minlength=trial.max(initial=0) + farthest + 1)
+    highest = maximum_filter1d(count, farthest - nearest + 1)
+    shift = (nearest + farthest) // 2
+    return count, np.maximum(np.roll(highest, shift), np.roll(highest, -shift))
 
 
-def _pairs(peaks):
-    """Return the indices (2, n) of all pairs of peaks (3, m) in a frame with half
-    distances in APART."""
-    found = [np.zeros((2, 0), int)]
+def _peak_pairs(peaks):
+    """Return the indices (2, n) of all pairs of peaks (3, m) in a frame that may be
+    symmetric sidebands."""
+    min_offset = 6.0  # Hz
+    pairs = [np.zeros((2, 0), int)]
     for step in range(1, peaks.shape[1]):
-        frame, apart = peaks[:2, step:] - peaks[:2, :-step]
-        low = np.flatnonzero((frame == 0) & (apart < 2 * APART[1]))
+        frames_apart, distance = peaks[:2, step:] - peaks[:2, :-step]
+        near = (frames_apart == 0) & (distance < 2 * MAX_SIDEBAND_OFFSET_HZ)
+        low = np.flatnonzero(near)
         if not len(low):
             break
-        found.append(np.array([low, low + step])[:, apart[low] > 2 * APART[0]])
-    return np.concatenate(found, axis=1)
+        pairs.append(np.array([low, low + step])[:, distance[low] > 2 * min_offset])
+    return np.concatenate(pairs, axis=1)

@@ -10,7 +10,7 @@ from sonify.hearing.audio_source import excerpt, source_of, truncation_of
 from sonify.hearing.recording import Heard, listen, read
 from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import settling_runs
-from sonify.hearing.spectral_lines import Carrier
+from sonify.hearing.spectral_lines import SpectralLine
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.report.settling import (
     false_alarm_sentence,
@@ -143,7 +143,7 @@ def analysis_record(heard: Heard, known=()) -> dict:
     }
 
 
-def spectral_line_record(carrier: Carrier, known=()) -> dict:
+def spectral_line_record(carrier: SpectralLine, known=()) -> dict:
     """Return a spectral line as plain values, with its trend (`course`) and the
     matching known resonance.
     """

@@ -13,7 +13,11 @@ from scipy.signal import butter, firwin, lfilter, oaconvolve, sosfilt
 from sonify import load_scene
 from sonify.claims.resonance_matching import nearest_resonance, resonances
 from sonify.hearing.ring_down import decaying_lines, free_ringing
-from sonify.hearing.spectral_lines import APART, _pairs, carriers
+from sonify.hearing.spectral_lines import (
+    MAX_SIDEBAND_OFFSET_HZ,
+    _peak_pairs,
+    find_spectral_lines,
+)
 
 RATE, LENGTH = 16000, 12.0
 TIME = np.arange(int(LENGTH * RATE)) / RATE
@@ -44,7 +48,7 @@ def test_twice_the_errors_hold_the_truth(drift, bandwidth):
     inside = []
     for seed in range(30):
         samples, middle, rate = made(seed, drift, bandwidth)
-        one = carriers(samples, RATE)[0]
+        one = find_spectral_lines(samples, RATE)[0]
         there = middle * 2 ** (rate * ((one.begin + one.end) / 2 - LENGTH / 2) / 1200)
         inside.append(
             (
@@ -61,7 +65,7 @@ def test_twice_the_errors_hold_the_truth(drift, bandwidth):
 def test_a_carrier_that_moves_is_not_called_steady(drift, course):
     phase = 2 * np.pi * np.cumsum(1700 * 2 ** (drift * TIME / 1200)) / RATE
     noise = 0.1 * np.random.default_rng(1).standard_normal(len(TIME))
-    found = carriers(np.cos(phase) + noise, RATE)
+    found = find_spectral_lines(np.cos(phase) + noise, RATE)
     assert [one.course for one in found] == [course]
 
 
@@ -69,7 +73,7 @@ def test_sidebands_are_told_from_carriers():
     """A tone of 1500 Hz, modulated at 60 to 96 Hz, and an unmodulated tone of 2500 Hz."""
     swing = 1 + 0.5 * np.cos(2 * np.pi * 60 * TIME * (1 + TIME / 40))
     noise = 0.01 * np.random.default_rng(0).standard_normal(len(TIME))
-    found = carriers(
+    found = find_spectral_lines(
         swing * np.cos(2 * np.pi * 1500 * TIME)
         + 0.3 * np.cos(2 * np.pi * 2500 * TIME)
         + noise,
@@ -96,7 +100,9 @@ def test_a_silent_carrier_is_told_by_its_sidebands(exponent):
     rolls = TIME < LENGTH - 3
     ringing = np.cos(2 * np.pi * 2261 * TIME)
     sound = np.where(rolls, pair(2261 - swing, 2261 + swing), ringing)
-    one, other = sorted(carriers(sound, RATE), key=lambda carrier: carrier.begin)
+    one, other = sorted(
+        find_spectral_lines(sound, RATE), key=lambda carrier: carrier.begin
+    )
     assert (one.heard, other.heard, other.rates) == (False, True, None)
     assert one.frequency == pytest.approx(2261, abs=2 * one.error)
     assert one.error < 0.2
@@ -108,14 +114,14 @@ def test_a_silent_carrier_is_told_by_its_sidebands(exponent):
 @pytest.mark.parametrize("falling", [0.0, -1.0, -3.0, -12.0])
 def test_two_carriers_that_do_not_mirror_each_other_stay_two(falling):
     """One line rises by 6 Hz/s; the two would be sidebands only if the other fell by 6 Hz/s."""
-    found = carriers(pair(2200 + falling * TIME, 2300 + 6 * TIME), RATE)
+    found = find_spectral_lines(pair(2200 + falling * TIME, 2300 + 6 * TIME), RATE)
     middles = [2200 + falling * LENGTH / 2, 2300 + 6 * LENGTH / 2]
     assert sorted(one.frequency for one in found) == pytest.approx(middles, abs=2.0)
     assert all(one.heard and not one.sidebands for one in found)
     assert [one.course for one in sorted(found, key=lambda one: one.frequency)][
         1
     ] == "rises"
-    assert len(carriers(pair(2200 - 6 * TIME, 2300 + 6 * TIME), RATE)) == 1
+    assert len(find_spectral_lines(pair(2200 - 6 * TIME, 2300 + 6 * TIME), RATE)) == 1
 
 
 def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
@@ -124,7 +130,9 @@ def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
         np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000)
     )
     assert (
-        1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
+        1900
+        < _peak_pairs(many).shape[1] - _peak_pairs(few).shape[1]
+        <= 1000 * 2 * MAX_SIDEBAND_OFFSET_HZ / 60
     )
 
 
@@ -154,7 +162,7 @@ def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
     missed = []
     for seed in range(4):
         sound = band(drift, seed) + np.cos(2 * np.pi * 4000 * TIME)
-        line, *bands = carriers(sound, RATE)
+        line, *bands = find_spectral_lines(sound, RATE)
         assert (line.frequency, line.reach) == (pytest.approx(4000, abs=0.1), 0)
         assert all(40 < one.reach < 200 for one in bands)
         assert sum(one.end - one.begin for one in bands) > 0.7 * LENGTH
@@ -175,7 +183,10 @@ def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
 
 
 def test_noise_has_no_carriers():
-    assert carriers(np.random.default_rng(0).standard_normal(8 * RATE), RATE) == []
+    assert (
+        find_spectral_lines(np.random.default_rng(0).standard_normal(8 * RATE), RATE)
+        == []
+    )
 
 
 @pytest.mark.parametrize("rate", [44100, 48000])
@@ -190,7 +201,7 @@ def test_the_edge_of_a_filter_is_no_carrier(rate, edges):
         filtered = oaconvolve(
             noise, firwin(taps, corner, fs=rate, pass_zero=kind), mode="same"
         )
-        assert carriers(filtered, rate) == []
+        assert find_spectral_lines(filtered, rate) == []
 
 
 @pytest.mark.parametrize("quality", [0.8, 0.6])
@@ -202,7 +213,7 @@ def test_the_edge_of_the_band_of_a_codec_is_no_carrier(tmp_path, quality):
         path, noise, 44100, compression_level=quality, bitrate_mode="CONSTANT"
     )
     decoded, rate = soundfile.read(path)
-    assert carriers(decoded, rate) == []
+    assert find_spectral_lines(decoded, rate) == []
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -245,7 +256,7 @@ def test_carriers_are_matched_to_modes_and_contact():
     t = np.arange(4 * rate) / rate
     mode = next(f for of, f in known if of == "disk")
     sound = sum(np.cos(2 * np.pi * f * t) for f in (mode, 2000.0, 5040.0))
-    found = carriers(
+    found = find_spectral_lines(
         sound + 0.01 * np.random.default_rng(0).standard_normal(len(t)), rate
     )
     of = {
