@@ -4,7 +4,12 @@ reference."""
 import numpy as np
 
 from sonify.hearing.audio_source import source_of, stretch
-from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, a_weighting_db, band_levels
+from sonify.hearing.loudness import (
+    HEARING_THRESHOLD_DB,
+    LEVEL_WINDOW_S,
+    a_weighting_db,
+    band_levels,
+)
 from sonify.hearing.spectrogram import spectrogram
 
 
@@ -42,10 +47,16 @@ def level_error(sound, reference) -> float:
     Levels below the threshold of hearing (ISO 226) are raised to the threshold. Bands
     inaudible in both sounds are ignored.
     """
-    a, b = (band_levels(spectrogram(source, WINDOW)) for source in (sound, reference))
+    a, b = (
+        band_levels(spectrogram(source, LEVEL_WINDOW_S))
+        for source in (sound, reference)
+    )
     count = min(a.shape[1], b.shape[1])
-    a, b = (np.maximum(levels[:, :count], THRESHOLD_DB[:, None]) for levels in (a, b))
-    heard = np.maximum(a, b) > THRESHOLD_DB[:, None]
+    a, b = (
+        np.maximum(levels[:, :count], HEARING_THRESHOLD_DB[:, None])
+        for levels in (a, b)
+    )
+    heard = np.maximum(a, b) > HEARING_THRESHOLD_DB[:, None]
     return (
         float(np.sqrt(np.mean(np.square(a - b)[heard])) * np.log(10) / 20)
         if heard.any()

@@ -22,7 +22,7 @@ from dynamics.observables import precession_rate
 from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
 from sonify.claims.finding import Finding, Measured, finding, register_judge
-from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, band_levels
+from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -219,10 +219,10 @@ def heard_through_film(sound: Sound) -> float:
     """The greatest level of heave or tilt of the rigid disk above the threshold of
     hearing in any third-octave band [dB]."""
     seen = [
-        band_levels(spectrogram(sound.track(name), WINDOW))
+        band_levels(spectrogram(sound.track(name), LEVEL_WINDOW_S))
         for name in ("heave", "tilt")
     ]
-    return float(max((levels - THRESHOLD_DB[:, None]).max() for levels in seen))
+    return float(max((levels - HEARING_THRESHOLD_DB[:, None]).max() for levels in seen))
 
 
 @finding(

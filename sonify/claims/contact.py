@@ -27,7 +27,7 @@ from sonify.claims.finding import (
     median_with_margin,
     register_judge,
 )
-from sonify.hearing.noise_band import NoiseBand, middle, noise_band
+from sonify.hearing.noise_band import NoiseBand, band_centroid, noise_band
 from sonify.hearing.recording import Heard
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -303,7 +303,7 @@ def radiated_bands(
         found.append(
             [
                 heard.frequency[i],
-                *(middle(f, power, f[power.argmax()]) for power in powers),
+                *(band_centroid(f, power, f[power.argmax()]) for power in powers),
             ]
         )
     return RadiatedBands(*np.array(found).T)

@@ -8,12 +8,12 @@ from dynamics.observables import nutation_frequency, precession_frequency
 from modal import Modes
 from sonify.claims.finding import Finding, Measured, finding, median_with_margin
 from sonify.hearing.loudness import (
-    ISO_226,
-    THRESHOLD_DB,
-    WINDOW,
+    HEARING_THRESHOLD_DB,
+    ISO_226_THRESHOLD_DB,
+    LEVEL_WINDOW_S,
     band_levels,
     level_db,
-    unheard,
+    omitted_analyses,
 )
 from sonify.hearing.recording import Heard, RecordingError, listen
 from sonify.hearing.spectrogram import spectrogram
@@ -31,13 +31,13 @@ def analyse_sound(sound: Sound) -> tuple[Heard | None, list[str]]:
     try:
         heard = listen(sound.pressure, sound.source_end)
     except RecordingError as error:
-        return None, [f"Verdicts on the sound: {error}.", *unheard()]
+        return None, [f"Verdicts on the sound: {error}.", *omitted_analyses()]
     silent = (
         ["Claims on the rising tone, because no rising tone stands out."]
         if heard.tone is None
         else []
     )
-    return heard, [*unheard(), *silent]
+    return heard, [*omitted_analyses(), *silent]
 
 
 def sound_findings(
@@ -163,12 +163,12 @@ def tone_ends_with_the_motion(tone, sound: Sound):
 def tone_is_heard(tone, sound: Sound):
     """The time before the end [s] from which the third-octave band of the tone stays
     above the threshold of hearing."""
-    seen = spectrogram(sound.pressure, WINDOW / 4)
-    inside = (seen.time < min(tone.t_end.value, sound.source_end) - WINDOW / 8) & (
-        seen.time > 0.1
-    )
-    bands = np.array(list(ISO_226))
-    above = (band_levels(seen) - THRESHOLD_DB[:, None])[:, inside]
+    seen = spectrogram(sound.pressure, LEVEL_WINDOW_S / 4)
+    inside = (
+        seen.time < min(tone.t_end.value, sound.source_end) - LEVEL_WINDOW_S / 8
+    ) & (seen.time > 0.1)
+    bands = np.array(list(ISO_226_THRESHOLD_DB))
+    above = (band_levels(seen) - HEARING_THRESHOLD_DB[:, None])[:, inside]
     pitch = tone.rate(seen.time[inside])
     band = np.abs(np.log(pitch[:, None] / bands)).argmin(axis=1)
     heard = above[band, np.arange(len(band))] > 0
@@ -179,7 +179,7 @@ def tone_is_heard(tone, sound: Sound):
         else sound.source_end
     )
     begin = since if len(silent) else seen.time[inside][0]
-    return Measured(sound.source_end - begin, WINDOW / 4)
+    return Measured(sound.source_end - begin, LEVEL_WINDOW_S / 4)
 
 
 @finding(
@@ -197,7 +197,7 @@ def sound_is_audible(sound: Sound):
     """
     window = 0.2  # s
     seen = spectrogram(sound.pressure, window, span=(0.0, sound.source_end))
-    loudest = (band_levels(seen) - THRESHOLD_DB[:, None]).max(axis=0)
+    loudest = (band_levels(seen) - HEARING_THRESHOLD_DB[:, None]).max(axis=0)
     details = {"audible_share": float((loudest > 0).mean())}
     return Measured(float(loudest.max()), details=details)
 

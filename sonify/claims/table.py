@@ -7,7 +7,7 @@ from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims import two_way
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import FINAL_INTERVAL_DURATION, rise_of, time_of_energy_share
-from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
+from sonify.hearing.loudness import HANN_NOISE_BANDWIDTH_BINS, a_weighting_db, level_db
 from sonify.hearing.settling.detector import SettlingRun, strongest_tone
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
@@ -101,7 +101,9 @@ def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]
         # Shorter windows spread low tones to frequencies that A-weighting attenuates less.
         seen = spectrogram(stem, 4 * LEVEL_WINDOW, span=(begin, end))
         power = (
-            10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
+            10 ** (a_weighting_db(seen.frequency) / 10)
+            @ seen.power
+            / HANN_NOISE_BANDWIDTH_BINS
         )
         levels_per_second = 10
         found[name] = np.array(

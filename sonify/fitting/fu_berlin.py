@@ -1,5 +1,5 @@
-"""Exponent of the rate by the method of a published study, for comparison with its
-values.
+"""Exponent of the rate by the method of a published study, for comparison with the
+published values.
 
 The processing chain is a band-pass (FIR), the Hilbert envelope, decimation to 960 Hz, a
 high-pass at 3 Hz, a spectrogram of 512-point Hamming windows every 12 samples, the
@@ -20,14 +20,10 @@ from scipy.signal import (
     spectrogram,
 )
 
-BAND, TAPS = (4600.0, 5400.0), 513
-RATE, HIGH_PASS = 960, 3.0
-WINDOW, HOP, LOWEST = 512, 12, 5.0
-FITTED_STRETCHES = {"whole run": np.inf, "last 4 s": 4.0, "last 1 s": 1.0}
-"""Lengths [s] of the fitted intervals before the end."""
+FIT_LENGTH_S = {"whole run": np.inf, "last 4 s": 4.0, "last 1 s": 1.0}
+"""Lengths of the fitted intervals before the end."""
 PUBLISHED_EXPONENTS = {"whole run": (0.309, 0.032), "last 4 s": (0.223, 0.041)}
-"""Published exponents of a toy on granite: mean of 15 runs and standard deviation of a
-run."""
+"""Published exponents of a toy on granite: mean and standard deviation of 15 runs."""
 
 
 class Exponent(NamedTuple):
@@ -39,44 +35,47 @@ class Exponent(NamedTuple):
     columns: int
 
 
-def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent]:
-    """Return the exponents over FITTED_STRETCHES for samples (n,) at `rate` [Hz].
+def rate_exponents(
+    samples, rate: float, end: float, band=(4600.0, 5400.0)
+) -> dict[str, Exponent]:
+    """Return the exponents over the intervals of FIT_LENGTH_S for samples (n,) at
+    `rate` [Hz].
 
     The motion ends at the time `end` [s].
 
     Raises ValueError if the sample rate is too low for the `band` [Hz].
     """
+    tap_count = 513
+    envelope_rate = 960  # Hz
+    high_pass_frequency = 3.0  # Hz
+    hop = 12  # samples
+    min_frequency = 5.0  # Hz
     if rate < 2.2 * band[1]:
         raise ValueError(
             f"a sample rate of {rate:g} Hz is too low for the band of {band[0]:g} to {band[1]:g} Hz"
         )
-    high = oaconvolve(
-        samples, firwin(TAPS, band, pass_zero=False, fs=rate), mode="same"
-    )
-    envelope = np.abs(hilbert(high))
-    down = max(int(rate // RATE), 1)
-    slow = decimate(envelope, down, ftype="fir")
-    slow = sosfiltfilt(
-        butter(2, HIGH_PASS, "highpass", fs=rate / down, output="sos"), slow
-    )
+    band_pass = firwin(tap_count, band, pass_zero=False, fs=rate)
+    envelope = np.abs(hilbert(oaconvolve(samples, band_pass, mode="same")))
+    down = max(int(rate // envelope_rate), 1)
+    decimated = decimate(envelope, down, ftype="fir")
+    high_pass = butter(2, high_pass_frequency, "highpass", fs=rate / down, output="sos")
+    decimated = sosfiltfilt(high_pass, decimated)
+    size = min(512, len(decimated))
     f, t, power = spectrogram(
-        slow,
-        rate / down,
-        "hamming",
-        min(WINDOW, len(slow)),
-        noverlap=min(WINDOW, len(slow)) - HOP,
+        decimated, rate / down, "hamming", size, noverlap=size - hop
     )
-    ridge = f[f > LOWEST][np.argmax(power[f > LOWEST], axis=0)]
+    above = f > min_frequency
+    ridge = f[above][np.argmax(power[above], axis=0)]
     return {
-        name: _fitted_line(end - t, ridge, longest)
-        for name, longest in FITTED_STRETCHES.items()
+        name: _fit_exponent(end - t, ridge, max_length)
+        for name, max_length in FIT_LENGTH_S.items()
     }
 
 
-def _fitted_line(remaining, ridge, longest):
+def _fit_exponent(remaining, ridge, max_length):
     """Return the exponent of an unweighted fit of log Omega against log(remaining
     time)."""
-    within = (remaining > 0.02) & (remaining < longest)  # s
+    within = (remaining > 0.02) & (remaining < max_length)  # s
     if within.sum() < 8:
         return Exponent(np.nan, np.nan, int(within.sum()))
     (slope, _), covariance = np.polyfit(

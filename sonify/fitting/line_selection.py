@@ -22,7 +22,12 @@ from sonify.fitting.least_squares import (
 from sonify.fitting.phase_demodulation import Rates
 from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import Source
-from sonify.hearing.recording import ENVELOPE_FROM, RecordingError, envelope, read
+from sonify.hearing.recording import (
+    MIN_ENVELOPE_FREQUENCY_HZ,
+    RecordingError,
+    envelope,
+    read,
+)
 from sonify.hearing.settling.detector import SettlingRun, apart, settling_events
 
 MAIN_LINES = ("precession", "its double", "nutation")
@@ -290,7 +295,7 @@ def _tracks(decline, sounds):
     Each common ridge is assigned to each of MAIN_LINES in turn. For each assignment,
     lines are fitted in order of their evidence until a fit succeeds. Raises
     RecordingError if none succeeds."""
-    enveloped = all(sound.rate > 2 * ENVELOPE_FROM for sound in sounds)
+    enveloped = all(sound.rate > 2 * MIN_ENVELOPE_FREQUENCY_HZ for sound in sounds)
     signals = ("tone", "envelope") if enveloped else ("tone",)
     streams = {
         signal: [tone_signal(sound, signal) for sound in sounds] for signal in signals

@@ -12,7 +12,7 @@ from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
 from sonify.fitting.comparison import numbers_of_run
 from sonify.fitting.decay_model import Decline
-from sonify.fitting.fu_berlin import Exponent, exponents
+from sonify.fitting.fu_berlin import Exponent, rate_exponents
 from sonify.fitting.impacts import judge_sound
 from sonify.fitting.least_squares import Fit, Value, pool_fits, values_in_words
 from sonify.fitting.line_selection import Judged, detect_run, verdict_of
@@ -190,7 +190,7 @@ def fit_one(
     if like == "fu-berlin":
         end = float(judged.fit.ends[0]) - sound.start
         try:
-            published = exponents(sound.samples, sound.rate, end)
+            published = rate_exponents(sound.samples, sound.rate, end)
         except ValueError as error:
             raise RecordingError(f"{path}: {error}") from None
     run = judged.sounds[0].run

@@ -1,4 +1,4 @@
-"""Levels over time and log frequency, suited to a tone that rises as 1/(t_end - t)."""
+"""Log-frequency spectrogram, suited to a tone that rises as 1/(t_end - t)."""
 
 from dataclasses import dataclass
 
@@ -9,36 +9,19 @@ from scipy.signal import resample_poly
 
 from sonify.hearing.mains_hum import without_hum
 
-HOP = 0.005
-"""Spacing of the frames [s]."""
-STEPS_PER_OCTAVE = 48
-"""Number of bins per octave."""
-BANDS = (
-    (8.0, 40.0, 0.5),
-    (40.0, 120.0, 0.2),
-    (120.0, 400.0, 0.07),
-    (400.0, 1500.0, 0.025),
-    (1500.0, 8000.0, 0.01),
-)
-"""Lower and upper frequency of each band [Hz] and its window [s]; within a window, a
-tone that rises as 1/(t_end - t) stays within one bin."""
-HUM_FROM = 0.025
-"""Least window [s] of the bands in which hum is removed."""
-OCTAVE = STEPS_PER_OCTAVE + 1
-"""Number of bins from half an octave below to half an octave above."""
-DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
-"""Level below the loudest at the same frequency at which levels are cut off; limits of
-the contrast [dB]."""
-GROUP = 1024
-"""Number of frames transformed at a time."""
+FRAME_SPACING_S = 0.005
+"""Spacing of the frames."""
+BINS_PER_OCTAVE = 48
+"""Number of frequency bins per octave."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class LogMap:
+class LogSpectrogram:
     """Level (t, f) [dB] at `time` (t,) [s] and at log-spaced `frequency` (f,) [Hz].
 
     `contrast` (t, f) [dB] is the level above its median over time and its mean over an
-    octave. It is limited to LEAST_DB and MOST_DB, so that no single frame dominates.
+    octave. It is limited to the range from -6 to 20 dB, so that no single frame
+    dominates.
     """
 
     time: np.ndarray
@@ -46,66 +29,81 @@ class LogMap:
     level: np.ndarray
     contrast: np.ndarray
 
-    def read(self, t, frequency) -> np.ndarray:
+    def contrast_at(self, t, frequency) -> np.ndarray:
         """Return the interpolated contrast at times t [s] and frequencies [Hz]; 0
-        outside the map."""
-        row = (t - self.time[0]) / HOP
-        column = np.log2(frequency / self.frequency[0]) * STEPS_PER_OCTAVE
+        outside the spectrogram."""
+        row = (t - self.time[0]) / FRAME_SPACING_S
+        column = np.log2(frequency / self.frequency[0]) * BINS_PER_OCTAVE
         return map_coordinates(
             self.contrast, [row, column], order=1, mode="constant", cval=0.0
         )
 
 
-def log_map(samples: np.ndarray, rate: float) -> LogMap:
-    """Return the log map of samples (n,) at `rate` [Hz], with a window for each
-    band."""
-    time = np.arange(0, len(samples) / rate, HOP)
-    frequency = BANDS[0][0] * 2 ** (
-        np.arange(0, np.log2(BANDS[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE)
+def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
+    """Return the log-frequency spectrogram of samples (n,) at `rate` [Hz].
+
+    The windows are so short that a tone that rises as 1/(t_end - t) stays within one
+    bin."""
+    bands = (  # lower and upper frequency [Hz] and window length [s]
+        (8.0, 40.0, 0.5),
+        (40.0, 120.0, 0.2),
+        (120.0, 400.0, 0.07),
+        (400.0, 1500.0, 0.025),
+        (1500.0, 8000.0, 0.01),
+    )
+    max_hum_frequency = 1500.0  # Hz
+    time = np.arange(0, len(samples) / rate, FRAME_SPACING_S)
+    frequency = bands[0][0] * 2 ** (
+        np.arange(0, np.log2(bands[-1][1] / bands[0][0]), 1 / BINS_PER_OCTAVE)
     )
     frequency = frequency[frequency < 0.45 * rate]
     level = np.zeros((len(time), len(frequency)), np.float32)
     samples = np.asarray(samples, np.float32)
-    for low, high, window in reversed(BANDS):
+    for low, high, window in reversed(bands):
         here = (frequency >= low) & (frequency < high)
         if not here.any():  # above the range of the samples
             continue
-        down = max(
-            int(rate / (4 * frequency[here][-1])), 1
-        )  # the sample rate required for this band and lower ones
+        # The lower bands need no higher sample rate than this band.
+        down = max(int(rate / (4 * frequency[here][-1])), 1)
         samples = resample_poly(samples, 1, down) if down > 1 else samples
         rate = rate / down
-        samples = without_hum(samples, rate) if window == HUM_FROM else samples
+        samples = without_hum(samples, rate) if high == max_hum_frequency else samples
         level[:, here] = _levels(samples, rate, time, frequency[here], window)
-    return LogMap(
+    return LogSpectrogram(
         time=time, frequency=frequency, level=level, contrast=_contrast(level)
     )
 
 
 def _contrast(level):
-    level = np.maximum(level, level.max(axis=0) - DEEPEST_DB)
+    """Return the contrast (t, f) [dB] of levels (t, f) [dB]."""
+    dynamic_range = 60.0  # dB below the maximum at the same frequency
+    min_contrast = -6.0  # dB
+    max_contrast = 20.0  # dB
+    octave = BINS_PER_OCTAVE + 1  # bins, centred
+    level = np.maximum(level, level.max(axis=0) - dynamic_range)
     level -= np.median(level, axis=0)
-    level += np.minimum(MOST_DB - maximum_filter1d(level, OCTAVE, axis=1), 0)
-    level = np.clip(level, LEAST_DB, MOST_DB)
-    return np.maximum(level - uniform_filter1d(level, OCTAVE, axis=1), LEAST_DB)
+    level += np.minimum(max_contrast - maximum_filter1d(level, octave, axis=1), 0)
+    level = np.clip(level, min_contrast, max_contrast)
+    return np.maximum(level - uniform_filter1d(level, octave, axis=1), min_contrast)
 
 
 def _levels(samples, rate, time, frequency, window):
     """Return levels (t, f) [dB] at frequencies (f,) in Hann windows around times
     (t,)."""
+    frames_per_block = 1024
     size = 2 * max(int(window * rate / 2), 8) + 1
-    turning = (
+    kernel = (
         np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency))
         * (np.hanning(size) / size)[:, None]
     )
-    kernel = np.hstack([turning.real, turning.imag]).astype(np.float32)
+    kernel = np.hstack([kernel.real, kernel.imag]).astype(np.float32)
     frames = sliding_window_view(np.pad(samples, size), size)
     start = np.minimum(
         np.round(time * rate).astype(int) + size - size // 2, len(frames) - 1
     )
     power = np.empty((len(time), len(frequency)), np.float32)
-    for first in range(0, len(time), GROUP):
-        some = slice(first, first + GROUP)
-        part = frames[start[some]] @ kernel
-        power[some] = part[:, : len(frequency)] ** 2 + part[:, len(frequency) :] ** 2
+    for first in range(0, len(time), frames_per_block):
+        block = slice(first, first + frames_per_block)
+        part = frames[start[block]] @ kernel
+        power[block] = part[:, : len(frequency)] ** 2 + part[:, len(frequency) :] ** 2
     return 10 * np.log10(power + max(1e-12 * power.max(), 1e-30))

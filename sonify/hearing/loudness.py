@@ -9,10 +9,10 @@ import numpy as np
 from scipy.signal import resample_poly
 
 from sonify.hearing.audio_source import Source, source_of, stretch
-from sonify.hearing.spectrogram import REFERENCE_PRESSURE, Spectrogram, spectrogram
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, Spectrogram, spectrogram
 
 # fmt: off
-ISO_226 = {
+ISO_226_THRESHOLD_DB = {
     20: 78.5, 25: 68.7, 31.5: 59.5, 40: 51.1, 50: 44.0, 63: 37.5, 80: 31.5, 100: 26.5,
     125: 22.1, 160: 17.9, 200: 14.4, 250: 11.4, 315: 8.6, 400: 6.2, 500: 4.4, 630: 3.0,
     800: 2.2, 1000: 2.4, 1250: 3.5, 1600: 1.7, 2000: -1.3, 2500: -4.2, 3150: -6.0, 4000: -5.4,
@@ -21,17 +21,16 @@ ISO_226 = {
 # fmt: on
 """Threshold of hearing T_f for pure tones in a free field [dB re 20 uPa] by frequency
 [Hz], ISO 226:2003, table 1."""
-THRESHOLD_DB = np.array(list(ISO_226.values()))
-HANN_BANDWIDTH = 1.5
-"""Equivalent noise bandwidth of a Hann window [bins]."""
-WINDOW, COLUMNS = 0.4, 600
-"""Length of the windows [s], enough to resolve the bands at 20 and 25 Hz, and their
-largest number."""
-
-ROUGH_LAST, ROUGH_WINDOW, ROUGH_RATE = 2.0, 0.2, 48000
-"""Length of the final part that is analysed for roughness [s], its windows [s], and the
-sample rate of the model [Hz]."""
-ROUGHNESS_MISSING = 'The roughness of the sound, which requires mosqito: python -m pip install -e ".[roughness]".'
+HEARING_THRESHOLD_DB = np.array(list(ISO_226_THRESHOLD_DB.values()))
+"""Threshold of hearing in the third-octave bands of ISO 226 [dB re 20 uPa]."""
+HANN_NOISE_BANDWIDTH_BINS = 1.5
+"""Equivalent noise bandwidth of a Hann window."""
+LEVEL_WINDOW_S = 0.4
+"""Window length that resolves the third-octave bands at 20 and 25 Hz."""
+ROUGHNESS_OMITTED_MESSAGE = (
+    "The roughness of the sound, which requires mosqito: "
+    'python -m pip install -e ".[roughness]".'
+)
 
 
 class MissingExtraError(Exception):
@@ -69,35 +68,36 @@ def a_weighting_db(frequency) -> np.ndarray:
 def audibility(pressure: Source | str | Path) -> Audibility:
     """Return the audibility of a pressure [Pa] in successive windows, for frequencies
     above 20 Hz."""
-    seen = spectrogram(pressure, WINDOW, COLUMNS)
-    weighted = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power
+    spectrum = spectrogram(pressure, LEVEL_WINDOW_S, columns=600)
+    weighted = 10 ** (a_weighting_db(spectrum.frequency) / 10) @ spectrum.power
+    above_threshold = band_levels(spectrum) - HEARING_THRESHOLD_DB[:, None]
     return Audibility(
-        time=seen.time,
-        a_weighted=level_db(weighted / HANN_BANDWIDTH),
-        above_threshold=(band_levels(seen) - THRESHOLD_DB[:, None]).max(axis=0),
+        time=spectrum.time,
+        a_weighted=level_db(weighted / HANN_NOISE_BANDWIDTH_BINS),
+        above_threshold=above_threshold.max(axis=0),
     )
 
 
-def band_levels(seen: Spectrogram) -> np.ndarray:
+def band_levels(spectrum: Spectrogram) -> np.ndarray:
     """Return the levels (29, t) [dB re 20 uPa] of a spectrogram in the third-octave
-    bands of ISO_226."""
+    bands of ISO 226."""
     edges = 1000 * 10 ** ((np.arange(30) - 17.5) / 10)  # base 10, IEC 61260
-    low = np.searchsorted(seen.frequency, edges[:-1])
-    high = np.searchsorted(seen.frequency, edges[1:])
+    low = np.searchsorted(spectrum.frequency, edges[:-1])
+    high = np.searchsorted(spectrum.frequency, edges[1:])
     power = np.array(
         [
-            seen.power[a : max(b, a + 1)].sum(axis=0)
+            spectrum.power[a : max(b, a + 1)].sum(axis=0)
             for a, b in zip(low, high, strict=True)
         ]
     )
-    return level_db(power / HANN_BANDWIDTH)
+    return level_db(power / HANN_NOISE_BANDWIDTH_BINS)
 
 
 def level_db(mean_square) -> np.ndarray:
     """Return the level [dB re 20 uPa] of mean-square pressures [Pa^2], at least
     -200."""
     return 10 * np.log10(
-        np.maximum(np.asarray(mean_square) / REFERENCE_PRESSURE**2, 1e-20)
+        np.maximum(np.asarray(mean_square) / REFERENCE_PRESSURE_PA**2, 1e-20)
     )
 
 
@@ -121,10 +121,10 @@ def loudness_lufs(sound: Source | str | Path) -> float:
     )
 
 
-def unheard() -> list[str]:
-    """Return sentences on the analyses that are omitted because an extra is not
+def omitted_analyses() -> list[str]:
+    """Return descriptions of the analyses that are omitted because an extra is not
     installed."""
-    return [] if find_spec("mosqito") else [ROUGHNESS_MISSING]
+    return [] if find_spec("mosqito") else [ROUGHNESS_OMITTED_MESSAGE]
 
 
 def roughness(
@@ -133,26 +133,31 @@ def roughness(
     """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa] before `end`
     [s].
 
-    The windows cover the last ROUGH_LAST seconds. The model is that of Daniel & Weber (1997)
+    The windows cover the last two seconds. The model is that of Daniel & Weber (1997)
     in windows of 0.2 s; 1 asper is the roughness of a tone of 1 kHz and 60 dB that is
     fully modulated at 70 Hz. Raises MissingExtraError if mosqito is not installed, and
     ValueError for less than one window."""
     try:
         from mosqito.sq_metrics import roughness_dw
     except ImportError:
-        raise MissingExtraError(ROUGHNESS_MISSING) from None
+        raise MissingExtraError(ROUGHNESS_OMITTED_MESSAGE) from None
+    analysed_length = 2.0  # s
+    window_length = 0.2  # s
+    model_rate = 48000  # Hz
     source = source_of(pressure)
     rate = source.sample_rate
     last = min(int(end * rate), source.frames)
-    first = max(last - int(ROUGH_LAST * rate), 0)
-    if last - first < ROUGH_WINDOW * rate:
-        raise ValueError(f"the roughness requires at least {ROUGH_WINDOW:g} s of sound")
+    first = max(last - int(analysed_length * rate), 0)
+    if last - first < window_length * rate:
+        raise ValueError(
+            f"the roughness requires at least {window_length:g} s of sound"
+        )
     samples = stretch(source, first, last).mean(axis=1)
-    common = gcd(rate, ROUGH_RATE)
+    common = gcd(rate, model_rate)
     samples = (
-        resample_poly(samples, ROUGH_RATE // common, rate // common)
-        if rate != ROUGH_RATE
+        resample_poly(samples, model_rate // common, rate // common)
+        if rate != model_rate
         else samples
     )
-    asper, _, _, time = roughness_dw(samples, ROUGH_RATE, overlap=0)
+    asper, _, _, time = roughness_dw(samples, model_rate, overlap=0)
     return first / rate + np.asarray(time), np.asarray(asper)

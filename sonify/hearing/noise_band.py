@@ -8,30 +8,16 @@ from scipy.ndimage import median_filter
 from sonify.hearing.audio_source import Source
 from sonify.hearing.spectrogram import spectrogram
 
-WINDOW, BAND = 0.04, (700.0, 20e3)
-"""Window of the spectrogram [s], and frequency range that is searched [Hz]."""
-QUARTER = 25
-"""Percentile over the intervals that estimates the constant background."""
-STEPS = 48
-"""Number of steps per octave of the smoothed spectrum."""
-LINE = 5
-"""Twice the greatest width of a spectral line, in steps; wider peaks are noise
-bands."""
-NEAR = 0.1
-"""Relative half-width of the range excluded around a line; a mode in air is broad."""
-FAINTEST_DB = 10.0
-"""Least level of a noise band above the median of the interval [dB]."""
-
 
 class NoiseBand(NamedTuple):
     """Noise band in intervals (s,) with centres `time` [s].
 
-    `frequency` [Hz] is NaN if no band stands out. `above` is the level above the median
-    of the interval [dB], or 0 if the peak is at a limit of BAND."""
+    `frequency` [Hz] is NaN if no band is prominent. `prominence_db` is the level above
+    the median of the spectrum; it is 0 if the peak is at a limit of the range."""
 
     time: np.ndarray
     frequency: np.ndarray
-    above: np.ndarray
+    prominence_db: np.ndarray
 
 
 def noise_band(
@@ -39,46 +25,59 @@ def noise_band(
 ) -> NoiseBand:
     """Return the noise band in intervals of `length` [s] from `start` to `stop` [s].
 
-    The neighbourhoods of known steady `lines` [Hz] are excluded. Steady background and
-    lines are removed before the highest peak is determined. A loud line within a third
-    of the frequency of the band still shifts it."""
+    The range from 700 Hz to 20 kHz is searched without the neighbourhoods of known
+    steady `lines` [Hz]. The steady background and spectral lines are removed before the
+    highest peak is determined. A loud line within a third of the frequency of the band
+    still shifts it."""
+    band = (700.0, 20e3)  # Hz
+    window_length = 0.04  # s
+    max_line_distance = 0.1  # relative; a mode in air is broad
+    steps_per_octave = 48
+    median_filter_size = 5  # steps; twice the width of the broadest spectral line
+    background_percentile = 25  # over the intervals
+    min_prominence = 10.0  # dB
     edges = np.arange(start, stop - length * (1 - 1e-9), length)
     if not len(edges):
         return NoiseBand(*np.zeros((3, 0)))
-    seen = spectrogram(sound, WINDOW, columns=1 << 20, span=(start, stop)).band(*BAND)
-    which = [(seen.time >= t) & (seen.time < t + length) for t in edges]
-    power = np.array([seen.power[:, here].mean(axis=1) for here in which])
+    spectrum = spectrogram(sound, window_length, columns=1 << 20, span=(start, stop))
+    spectrum = spectrum.band(*band)
+    intervals = [(spectrum.time >= t) & (spectrum.time < t + length) for t in edges]
+    power = np.array([spectrum.power[:, part].mean(axis=1) for part in intervals])
     for line in lines:
-        near = np.abs(seen.frequency / line - 1) < NEAR
+        near = np.abs(spectrum.frequency / line - 1) < max_line_distance
         power[:, near] = power[:, near].min(axis=1, initial=np.inf, keepdims=True)
-    f = np.geomspace(
-        *seen.frequency[[0, -1]],
-        int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0])),
+    grid = np.geomspace(
+        *spectrum.frequency[[0, -1]],
+        int(steps_per_octave * np.log2(spectrum.frequency[-1] / spectrum.frequency[0])),
     )
     level = np.array(
-        [median_filter(np.interp(f, seen.frequency, row), LINE) for row in power]
+        [
+            median_filter(np.interp(grid, spectrum.frequency, row), median_filter_size)
+            for row in power
+        ]
     )
-    peak = (level - np.percentile(level, QUARTER, axis=0)).argmax(axis=1)
+    peak = (level - np.percentile(level, background_percentile, axis=0)).argmax(axis=1)
     median_level = np.median(level, axis=1)
-    heard = median_level > 0  # digital silence has no noise band
-    highest = np.zeros(len(peak))
-    highest[heard] = 10 * np.log10(level[heard, peak[heard]] / median_level[heard])
-    highest[(peak < LINE) | (peak >= len(f) - LINE)] = (
-        0.0  # the flank of a peak outside BAND
-    )
-    middles = np.full(len(peak), np.nan)
-    for i in np.flatnonzero(highest > FAINTEST_DB):
-        middles[i] = middle(seen.frequency, power[i], f[peak[i]])
+    audible = median_level > 0  # digital silence has no noise band
+    prominence = np.zeros(len(peak))
+    peak_level = level[audible, peak[audible]]
+    prominence[audible] = 10 * np.log10(peak_level / median_level[audible])
+    at_lower_limit = peak < median_filter_size  # flank of a peak outside the range
+    at_upper_limit = peak >= len(grid) - median_filter_size
+    prominence[at_lower_limit | at_upper_limit] = 0.0
+    centroids = np.full(len(peak), np.nan)
+    for i in np.flatnonzero(prominence > min_prominence):
+        centroids[i] = band_centroid(spectrum.frequency, power[i], grid[peak[i]])
     for line in lines:
-        middles[np.abs(middles / line - 1) < NEAR] = np.nan
-    return NoiseBand(edges + length / 2, middles, highest)
+        centroids[np.abs(centroids / line - 1) < max_line_distance] = np.nan
+    return NoiseBand(edges + length / 2, centroids, prominence)
 
 
-def middle(frequency, power, near: float) -> float:
+def band_centroid(frequency, power, near: float) -> float:
     """Return the power-weighted mean frequency [Hz] of the band around `near` [Hz].
 
     The band consists of the bins within a third of `near` that have more than a third
     of the highest power."""
-    here = np.abs(frequency / near - 1) < 1 / 3
-    here &= power > power[here].max() / 3
-    return float(np.average(frequency[here], weights=power[here]))
+    inside = np.abs(frequency / near - 1) < 1 / 3
+    inside &= power > power[inside].max() / 3
+    return float(np.average(frequency[inside], weights=power[inside]))

@@ -20,14 +20,13 @@ from sonify.hearing.settling.detector import SettlingRun, strongest_tone
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.scene_errors import InputError
 
-LONGEST, AFTER = 120.0, 6.0
-"""Greatest length of the analysed part of a recording [s], and the length of its part
-after the end of a run or after the loudest second [s]."""
-SHORTEST, SLOWEST = 0.2, 1000
-"""Least length [s] and least sample rate [Hz] of a recording."""
-ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
-"""Lower frequency limit of the envelope [Hz], and its sample rate [Hz]."""
-FOREIGN = {
+MAX_ANALYSED_LENGTH_S = 120.0
+"""Maximum length of the part of a recording in which spectral lines are sought."""
+ANALYSED_LENGTH_AFTER_END_S = 6.0
+"""Length of the analysed part after the end of a run or after the loudest second."""
+MIN_ENVELOPE_FREQUENCY_HZ = 700.0
+"""Corner frequency of the high-pass filter before the envelope detector."""
+UNSUPPORTED_SUFFIXES = {
     ".3gp",
     ".aac",
     ".amr",
@@ -111,11 +110,11 @@ def listen(
         A source, or a file of any sample rate and format that libsndfile reads.
     end : float, optional
         End of the run in the source [s]. In a long sound, spectral lines are
-        sought only before it; by default around the loudest second.
+        sought only before the end, or around the loudest second if it is not given.
     tones : bool
         Search for the strongest rising tone in the whole source.
     begin : float
-        Start of the source in its file [s], added to all times of the result.
+        Start of the source in its file [s]; it is added to all times of the result.
 
     Returns
     -------
@@ -137,7 +136,7 @@ def listen(
     samples, rate, start, duration = read(sound, end)
     truncation = truncation_of(sound)
     start += begin
-    with ThreadPoolExecutor() as pool:  # the array code releases the lock of Python
+    with ThreadPoolExecutor() as pool:  # the array code releases the GIL
         tone = pool.submit(strongest_tone, source_of(sound)) if tones else None
         found = find_spectral_lines(samples, rate, start)
     rising = tone.result() if tone else None
@@ -161,28 +160,30 @@ def read(sound: Source | str | Path, end: float | None = None):
     For a long sound, the samples are those before its `end` [s] or around the loudest
     second. Raises RecordingError if the file is unreadable, too short or silent, has
     too low a sample rate, or contains nonfinite samples."""
+    min_length = 0.2  # s
+    min_sample_rate = 1000  # Hz
     source = source_of(sound)
     name = str(getattr(source, "path", "the sound"))
     try:
         rate = source.sample_rate
-        (start, stop) = _part(source, end)
+        start, stop = _analysed_part(source, end)
         channels = stretch(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
         raise RecordingError(
-            f"{name}: not a readable sound file: {_reason(name, error)}"
+            f"{name}: not a readable sound file: {_read_failure_reason(name, error)}"
         ) from None
     if not np.isfinite(channels).all():
         raise RecordingError(f"{name}: contains samples that are not finite")
-    if rate < SLOWEST:
+    if rate < min_sample_rate:
         raise RecordingError(
-            f"{name}: sample rate too low, {rate} Hz; at least {SLOWEST} Hz are required"
+            f"{name}: sample rate too low, {rate} Hz; at least {min_sample_rate} Hz are required"
         )
     samples = channels[
         :, np.argmax(np.square(channels, dtype=float).sum(axis=0))
     ].astype(float)
-    if len(samples) < SHORTEST * rate:
+    if len(samples) < min_length * rate:
         raise RecordingError(
-            f"{name}: too short, {len(samples) / rate:.3g} s; at least {SHORTEST:g} s are required"
+            f"{name}: too short, {len(samples) / rate:.3g} s; at least {min_length:g} s are required"
         )
     if not np.ptp(samples):
         raise RecordingError(f"{name}: silent")
@@ -190,21 +191,22 @@ def read(sound: Source | str | Path, end: float | None = None):
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
-    """Return the squared sound above ENVELOPE_FROM minus its mean, and its sample rate
-    [Hz]."""
+    """Return the squared envelope of the sound above 700 Hz without its mean, and its
+    sample rate [Hz]."""
+    envelope_rate = 2000  # Hz
     high = sosfiltfilt(
-        butter(4, ENVELOPE_FROM, "highpass", fs=rate, output="sos"), samples
+        butter(4, MIN_ENVELOPE_FREQUENCY_HZ, "highpass", fs=rate, output="sos"), samples
     )
-    down = max(rate // ENVELOPE_RATE, 1)
+    down = max(rate // envelope_rate, 1)
     square = resample_poly(high * high, 1, down)
     return square - square.mean(), rate / down
 
 
-def _part(source, end):
-    """Return the first frame of the analysed part and the frame after the last."""
+def _analysed_part(source, end):
+    """Return the first frame of the analysed part and the frame after its last one."""
     rate = source.sample_rate
-    most = int(LONGEST * source.sample_rate)
-    if source.frames <= most:
+    max_frames = int(MAX_ANALYSED_LENGTH_S * source.sample_rate)
+    if source.frames <= max_frames:
         return 0, source.frames
     if end is None:
         end = float(
@@ -215,18 +217,18 @@ def _part(source, end):
                 ]
             )
         )
-    stop = min(int((end + AFTER) * rate), source.frames)
-    return max(stop - most, 0), max(stop, most)
+    stop = min(int((end + ANALYSED_LENGTH_AFTER_END_S) * rate), source.frames)
+    return max(stop - max_frames, 0), max(stop, max_frames)
 
 
-def _reason(path, error):
+def _read_failure_reason(path, error):
     """Return the reason why a file cannot be read, or a suggestion for its
     conversion."""
     try:
         open(path, "rb").close()
     except OSError as refusal:
         return refusal.strerror
-    if Path(path).suffix.lower() in FOREIGN:
+    if Path(path).suffix.lower() in UNSUPPORTED_SUFFIXES:
         return (
             f"convert it first, e.g. ffmpeg -i {Path(path).name} {Path(path).stem}.wav"
         )

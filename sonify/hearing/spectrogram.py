@@ -10,14 +10,14 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sonify.hearing.audio_source import BLOCK, Source, pieces, source_of
 
-MOST_COLUMNS = 1600
-"""Largest number of columns; in longer sounds there are gaps between the windows."""
-RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
-"""Frequency range of the contact rates [Hz], and the window for it [s]."""
-WINDOW_MODES = 0.02
-"""Window for the frequency range of the modes [s]."""
-REFERENCE_PRESSURE = 20e-6
-"""Pressure of 0 dB sound pressure level [Pa]."""
+CONTACT_RATE_BAND_HZ = (5.0, 1000.0)
+"""Frequency range of the precession and nutation of the contact."""
+CONTACT_RATE_WINDOW_S = 0.2
+"""Window length that resolves the contact rates."""
+MODE_WINDOW_S = 0.02
+"""Window length for the frequency range of the vibration modes."""
+REFERENCE_PRESSURE_PA = 20e-6
+"""Reference pressure of the sound pressure level, i.e. that of 0 dB."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,7 +58,7 @@ class Spectrogram:
 def spectrogram(
     sound: Source | str | Path,
     window: float,
-    columns: int = MOST_COLUMNS,
+    columns: int = 1600,
     span=(0.0, inf),
 ) -> Spectrogram:
     """Return the spectrogram of a source or file with Hann windows of `window` [s].
@@ -74,13 +74,14 @@ def spectrogram(
     last = int(min(span[1] * rate, source.frames))
     hop = max(size // 4, -(-(last - first) // columns))
     count = max(last - size - first, 0) // hop + 1
-    group = max(BLOCK // hop, 1)
-    shape = 1 - np.cos(2 * np.pi * np.arange(size) / size)
-    shape = (shape / shape.sum()).astype(np.float32)
+    group_size = max(BLOCK // hop, 1)
+    weights = 1 - np.cos(2 * np.pi * np.arange(size) / size)
+    weights = (weights / weights.sum()).astype(np.float32)
     parts = islice(
-        pieces(source, group * hop, max(size - hop, 0), first), -(-count // group)
+        pieces(source, group_size * hop, max(size - hop, 0), first),
+        -(-count // group_size),
     )
-    power = np.concatenate([_power(part, shape, hop) for part in parts])[:count]
+    power = np.concatenate([_power(part, weights, hop) for part in parts])[:count]
     return Spectrogram(
         time=(first + hop * np.arange(count) + size / 2) / rate,
         frequency=np.fft.rfftfreq(size, 1 / rate),
@@ -88,13 +89,14 @@ def spectrogram(
     )
 
 
-def _power(samples, shape, hop):
-    """Return mean squares (t, f) of sines in windows of samples (n, c) at intervals of
-    `hop`.
+def _power(samples, weights, hop):
+    """Return mean squares (t, f) of sines in weighted windows of samples (n, c), `hop`
+    samples apart.
 
     The mean squares are averaged over the channels. Single precision halves the time;
     levels 130 dB below the loudest are lost."""
     from scipy.fft import rfft  # slow to import, and not needed to draw a spectrogram
 
-    seen = rfft(sliding_window_view(samples, len(shape), axis=0)[::hop] * shape)
-    return 2 * np.mean(seen.real**2 + seen.imag**2, axis=1).astype(np.float32)
+    windows = sliding_window_view(samples, len(weights), axis=0)[::hop]
+    spectrum = rfft(windows * weights)
+    return 2 * np.mean(spectrum.real**2 + spectrum.imag**2, axis=1).astype(np.float32)

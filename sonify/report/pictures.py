@@ -25,7 +25,12 @@ from sonify.claims.rigid_motion import (
 from sonify.claims.sound import FINAL_INTERVAL_DURATION
 from sonify.claims.table import radiated_power
 from sonify.claims.two_way import energy_budget, two_way_part
-from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
+from sonify.hearing.spectrogram import (
+    CONTACT_RATE_BAND_HZ,
+    CONTACT_RATE_WINDOW_S,
+    MODE_WINDOW_S,
+    spectrogram,
+)
 from sonify.plan.supports import modes_over_run
 from sonify.report.mode_names import table_caption
 from sonify.report.render_worker import draw_png, painter
@@ -144,8 +149,8 @@ def picture(result: "Result", name: str) -> "Image":
 def spectrogram_data(found):
     motion = found.motion
     sound = found.sound
-    low = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES)
-    high = spectrogram(sound.pressure, WINDOW_MODES)
+    low = spectrogram(sound.pressure, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ)
+    high = spectrogram(sound.pressure, MODE_WINDOW_S)
     end = (
         max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0),
         min(sound.source_end + FINAL_INTERVAL_DURATION / 4, sound.duration),

@@ -11,7 +11,12 @@ from sonify.hearing.recording import Heard, listen, read
 from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectral_lines import SpectralLine
-from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
+from sonify.hearing.spectrogram import (
+    CONTACT_RATE_BAND_HZ,
+    CONTACT_RATE_WINDOW_S,
+    MODE_WINDOW_S,
+    spectrogram,
+)
 from sonify.report.settling import (
     false_alarm_sentence,
     region_sentence,
@@ -56,8 +61,10 @@ def write_recording_report(
     from sonify.report.sound import draw_recording, draw_settling
     from sonify.report.write import json_safe, write_json
 
-    low = spectrogram(whole_sound, WINDOW_RATES, span=span).band(*RATES)
-    high = spectrogram(whole_sound, WINDOW_MODES, span=span)
+    low = spectrogram(whole_sound, CONTACT_RATE_WINDOW_S, span=span).band(
+        *CONTACT_RATE_BAND_HZ
+    )
+    high = spectrogram(whole_sound, MODE_WINDOW_S, span=span)
     with atomic_write(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, (begin, begin + heard.duration), runs)
     if runs:

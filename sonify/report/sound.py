@@ -10,8 +10,8 @@ from matplotlib.patheffects import withStroke
 from scipy.ndimage import uniform_filter
 
 from sonify.hearing.spectrogram import (
-    RATES,
-    REFERENCE_PRESSURE,
+    CONTACT_RATE_BAND_HZ,
+    REFERENCE_PRESSURE_PA,
     Spectrogram,
     spectrogram,
 )
@@ -79,7 +79,7 @@ def draw_spectrogram(
     with png_figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
             top.set(xlim=span)
-            set_log_frequency_axis(top, RATES)
+            set_log_frequency_axis(top, CONTACT_RATE_BAND_HZ)
             turning = draw_level_image(top, low.during(*span), 1.0, floors[0])
             draw_rate_lines(top, time, rates, 1.0)
             bottom.set(xlim=span)
@@ -147,7 +147,7 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
         for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
     ]
     with png_figure(path, 2, 1, (11, 9)) as (figure, axes):
-        set_log_frequency_axis(axes[0], RATES)
+        set_log_frequency_axis(axes[0], CONTACT_RATE_BAND_HZ)
         set_log_frequency_axis(
             axes[1], (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3)
         )
@@ -235,13 +235,13 @@ def set_log_frequency_axis(axes, band):
     label_plain_decades(axes.yaxis)
 
 
-def loudest_db(seen, reference=REFERENCE_PRESSURE) -> float:
+def loudest_db(seen, reference=REFERENCE_PRESSURE_PA) -> float:
     """Return the highest spectrogram level [dB re `reference`], rounded up to a
     multiple of 5."""
     return float(5 * np.ceil(seen.level_db(reference).max(initial=-200.0) / 5))
 
 
-def draw_level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
+def draw_level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE_PA):
     """Draw a spectrogram level [dB re `reference`] over time and frequency; return the
     image.
 

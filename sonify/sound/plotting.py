@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, spectrogram
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,7 +27,7 @@ def plot_sound(sound: "Sound") -> "Figure":
     starts = np.arange(0, len(pressure), size)
     time = starts / sound.sample_rate
     seen = spectrogram(sound.pressure, window, columns)
-    level = seen.level_db(REFERENCE_PRESSURE)
+    level = seen.level_db(REFERENCE_PRESSURE_PA)
     figure = Figure(figsize=(9.0, 6.0), layout="constrained")
     wave, image = figure.subplots(2, 1, sharex=True, height_ratios=[1, 2])
     lowest = np.minimum.reduceat(pressure, starts)

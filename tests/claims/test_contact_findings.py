@@ -84,7 +84,7 @@ def test_digital_silence_has_no_band(begins):
     samples[: int(begins * RATE)] = 0.0
     found = noise_band(track(samples), 0.0, 8.0, 1.0)
     assert np.isnan(found.frequency).all()
-    assert np.isfinite(found.above).all()
+    assert np.isfinite(found.prominence_db).all()
 
 
 def test_a_carrier_that_stays_does_not_rise():

@@ -30,7 +30,7 @@ from sonify.claims.contact import (
 )
 from sonify.claims.literature import force_peaks_sound, slip_is_the_loss
 from sonify.claims.rigid_motion import repeated_slips
-from sonify.hearing.loudness import ISO_226, a_weighting_db
+from sonify.hearing.loudness import ISO_226_THRESHOLD_DB, a_weighting_db
 from sonify.sound.pressure import Track
 
 REFERENCE_PRESSURE = 20e-6  # Pa
@@ -249,11 +249,14 @@ def test_the_tone_is_heard_where_its_band_exceeds_the_threshold(result, value):
     for begin in (since - 0.4, since + 0.2):
         t = np.array([begin, begin + 0.2]) - delay
         pitch = np.abs(np.diff(motion.at(t)[:, 0]))[0] / (2 * np.pi) / 0.2
-        band = min(ISO_226, key=lambda f, pitch=pitch: abs(np.log(f / pitch)))
+        band = min(
+            ISO_226_THRESHOLD_DB, key=lambda f, pitch=pitch: abs(np.log(f / pitch))
+        )
         first = int((begin - 1.0) * rate)
         samples = sound.pressure.read(first, int((begin + 0.2) * rate)).astype(float)
         levels.append(
-            level(third_octave(samples, rate, band)[-int(0.2 * rate) :]) - ISO_226[band]
+            level(third_octave(samples, rate, band)[-int(0.2 * rate) :])
+            - ISO_226_THRESHOLD_DB[band]
         )
     assert levels[0] < 4
     assert levels[1] > -4
@@ -334,7 +337,10 @@ def test_the_motion_through_the_film_is_as_loud_as_its_loudest_band():
         name: Track(sample_rate=rate, columns=tone[:, None], column=0)
         for name, tone in tones.items()
     }
-    over = [level(tones["heave"]) - ISO_226[80], level(tones["tilt"]) - ISO_226[40]]
+    over = [
+        level(tones["heave"]) - ISO_226_THRESHOLD_DB[80],
+        level(tones["tilt"]) - ISO_226_THRESHOLD_DB[40],
+    ]
     assert heard_through_film(SimpleNamespace(track=tracks.get)).value == pytest.approx(
         max(over), abs=0.3
     )

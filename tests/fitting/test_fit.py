@@ -23,7 +23,7 @@ from sonify import RecordingError, load_scene
 from sonify.__main__ import main
 from sonify.claims.resonance_matching import resonances
 from sonify.fitting.decay_model import Decline, neglected_parts
-from sonify.fitting.fu_berlin import exponents
+from sonify.fitting.fu_berlin import rate_exponents
 from sonify.fitting.impacts import judge_bursts, judge_sound
 from sonify.fitting.line_selection import (
     detect_run,
@@ -35,7 +35,11 @@ from sonify.fitting.phase_demodulation import rates
 from sonify.fitting.recordings_io import Recording, recording_files, source_of_file
 from sonify.fitting.report import sentences
 from sonify.fitting.result import fit, fit_one, is_radius_determined
-from sonify.hearing.recording import AFTER, LONGEST, read
+from sonify.hearing.recording import (
+    ANALYSED_LENGTH_AFTER_END_S,
+    MAX_ANALYSED_LENGTH_S,
+    read,
+)
 from sonify.hearing.settling.detector import settling_runs
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
@@ -329,7 +333,7 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
 def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(
     decline, tmp_path
 ):
-    """From five minutes, the analysis keeps LONGEST before the end of the run and AFTER after."""
+    """Of five minutes, the analysed part is 120 s long and ends 6 s after the run."""
     rate = RATE // 2
     run = recording(
         decline, [1e-4, 1.0, 0], noise=0.3, rate=rate, end=14.0, duration=15.0, seed=3
@@ -342,8 +346,10 @@ def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(
     (run,) = settling_runs(long)
     assert run.t_end.value == pytest.approx(144.0, abs=0.5)
     found, _, start, _ = read(long, run.t_end.value)
-    assert start + len(found) / rate == pytest.approx(144.0 + AFTER, abs=0.5)
-    assert len(found) == LONGEST * rate
+    assert start + len(found) / rate == pytest.approx(
+        144.0 + ANALYSED_LENGTH_AFTER_END_S, abs=0.5
+    )
+    assert len(found) == MAX_ANALYSED_LENGTH_S * rate
     assert not settling_runs(Recording(samples=samples[: 120 * rate], sample_rate=rate))
 
 
@@ -442,7 +448,7 @@ def test_the_published_chain_reads_less_than_the_true_exponent(decline):
     )
     found = {
         name: exponent.value
-        for name, exponent in exponents(samples, 44100, 10.0).items()
+        for name, exponent in rate_exponents(samples, 44100, 10.0).items()
     }
     assert found["last 4 s"] < found["whole run"] < 1 / 3
     assert found["whole run"] == pytest.approx(0.301, abs=0.03)

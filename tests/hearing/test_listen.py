@@ -21,8 +21,8 @@ from scipy.signal import fftconvolve
 from sonify.__main__ import main
 from sonify.fitting.recordings_io import Recording
 from sonify.hearing.audio_source import SoundFile
-from sonify.hearing.loudness import HANN_BANDWIDTH
-from sonify.hearing.recording import LONGEST, RecordingError, listen, read
+from sonify.hearing.loudness import HANN_NOISE_BANDWIDTH_BINS
+from sonify.hearing.recording import MAX_ANALYSED_LENGTH_S, RecordingError, listen, read
 from sonify.hearing.settling.detector import settling_runs, strongest_tone
 from sonify.hearing.spectrogram import spectrogram
 from sonify.report.recording import default_report_folder
@@ -269,7 +269,7 @@ def test_channels_that_cancel_are_heard(tmp_path):
     )
     wide = spectrogram(tmp_path / "wide.wav", 0.2)
     one = 0.04 * np.mean(recording(1.0, 60.0, 20) ** 2)
-    total = wide.power.sum(axis=0).mean() / HANN_BANDWIDTH
+    total = wide.power.sum(axis=0).mean() / HANN_NOISE_BANDWIDTH_BINS
     assert total == pytest.approx(one, rel=0.1)
 
 
@@ -384,14 +384,14 @@ def test_recordings_of_one_name_have_a_folder_each(tmp_path, monkeypatch):
 
 def test_of_a_long_recording_the_part_around_its_loudest_second_is_heard(tmp_path):
     path = tmp_path / "long.wav"
-    seconds = int(LONGEST) + 400
+    seconds = int(MAX_ANALYSED_LENGTH_S) + 400
     with soundfile.SoundFile(path, "w", 8000, 1, "PCM_16") as file:
         quiet = 0.001 * np.random.default_rng(0).normal(size=8000)
         for second in range(seconds):
             file.write(quiet * (200 if second == 500 else 1))
     samples, rate, start, duration = read(path)
-    assert len(samples) == LONGEST * rate
-    assert start <= 500 < start + LONGEST
+    assert len(samples) == MAX_ANALYSED_LENGTH_S * rate
+    assert start <= 500 < start + MAX_ANALYSED_LENGTH_S
     assert duration == seconds
 
 

@@ -14,7 +14,7 @@ import soundfile
 
 from sonify.hearing.audio_source import BLOCK, SoundFile, pieces, stretch
 from sonify.hearing.loudness import (
-    ISO_226,
+    ISO_226_THRESHOLD_DB,
     MissingExtraError,
     a_weighting_db,
     audibility,
@@ -56,7 +56,7 @@ def test_a_weighting(frequency, expected):
     ("frequency", "threshold"), [(20, 78.5), (1000, 2.4), (3150, -6.0), (12500, 12.3)]
 )
 def test_a_tone_at_the_threshold_is_just_heard(tmp_path, frequency, threshold):
-    assert ISO_226[frequency] == threshold
+    assert ISO_226_THRESHOLD_DB[frequency] == threshold
     path = tone(tmp_path / "tone.wav", frequency, 20e-6 * 10 ** (threshold / 20))
     heard = audibility(path)
     assert np.median(heard.above_threshold) == pytest.approx(

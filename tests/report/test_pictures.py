@@ -19,7 +19,12 @@ from scenes import scene
 
 from dynamics import simulate
 from dynamics.observables import plotted_rates
-from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
+from sonify.hearing.spectrogram import (
+    CONTACT_RATE_BAND_HZ,
+    CONTACT_RATE_WINDOW_S,
+    MODE_WINDOW_S,
+    spectrogram,
+)
 from sonify.report import maps, pictures, sound
 from sonify.report import motion as motion_pictures
 from sonify.report.figure import running_range
@@ -109,8 +114,8 @@ def bands(tmp_path_factory):
         subtype="FLOAT",
     )
     return {
-        "low": spectrogram(path, WINDOW_RATES).band(*RATES),
-        "high": spectrogram(path, WINDOW_MODES),
+        "low": spectrogram(path, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ),
+        "high": spectrogram(path, MODE_WINDOW_S),
     }
 
 

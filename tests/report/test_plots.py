@@ -9,7 +9,7 @@ import pytest
 from dynamics.observables import precession_rate
 from modal import eigenmodes
 from sonify import solve
-from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, spectrogram
 
 
 def test_a_motion_plots_its_values(motion):
@@ -50,5 +50,5 @@ def test_a_sound_plots_its_pressure(scene):
     assert (low, high) == pytest.approx((pressure.min(), pressure.max()), rel=1e-5)
     level = image.collections[0].get_array()
     assert level.max() == pytest.approx(
-        spectrogram(sound.pressure, 0.02, 2000).level_db(REFERENCE_PRESSURE).max()
+        spectrogram(sound.pressure, 0.02, 2000).level_db(REFERENCE_PRESSURE_PA).max()
     )

@@ -620,10 +620,10 @@ def cut(tmp_path_factory):
 
 
 def test_without_the_extra_the_run_says_that_roughness_is_left_out(cut):
-    assert hearing.ROUGHNESS_MISSING in cut.plan.left_out
+    assert hearing.ROUGHNESS_OMITTED_MESSAGE in cut.plan.left_out
     assert (
         json.loads((cut.out / "run.json").read_text())["sound"]["roughness"]
-        == hearing.ROUGHNESS_MISSING
+        == hearing.ROUGHNESS_OMITTED_MESSAGE
     )
 
 

@@ -9,25 +9,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numba import njit
 
-from sonify.hearing.log_spectrogram import HOP, STEPS_PER_OCTAVE, LogMap, log_map
+from sonify.hearing.log_spectrogram import (
+    BINS_PER_OCTAVE,
+    FRAME_SPACING_S,
+    LogSpectrogram,
+    log_spectrogram,
+)
 from sonify.hearing.mains_hum import vertex
 
-TIME_LEFT = (0.02, 8.0)
-"""Range of the remaining time in which the law is fitted [s]."""
-WIDTHS = (0.3, 0.2, 0.12, 0.08, 0.05, 0.04, 0.03, 0.03)
-"""Largest distance of a peak from the curve in successive steps of the fit [octaves]."""
-COLUMN = 2
-"""Number of bins of the spectrogram per bin of the ridge."""
-SLOPES = np.geomspace(0.015, 8.0, 18)
-"""Slopes of a ridge [bins per frame]."""
-BACKGROUND_DB = 6.0
-"""Weighted sum of the levels of three harmonics that a ridge in noise does not exceed
-on average [dB]."""
-BEND = 1.5
-"""Evidence that a change of the slope costs [dB octaves]."""
-LEAST_STRENGTH_DB = 4.0
-"""Least mean level of a tone above its surroundings; sounds without a disk reach 2
-dB."""
+REMAINING_TIME_RANGE_S = (0.02, 8.0)
+"""Range of the remaining time in which the law is fitted."""
+FIT_HALF_WIDTHS_OCTAVES = (0.3, 0.2, 0.12, 0.08, 0.05, 0.04, 0.03, 0.03)
+"""Maximum distance between peak and curve in the successive iterations of the fit."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,13 +66,13 @@ def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
     The lowest octave that stands out is the fundamental."""
     if not np.any(samples):
         return None
-    seen = log_map(samples / np.abs(samples).max(), rate)
+    seen = log_spectrogram(samples / np.abs(samples).max(), rate)
     peaks = _peaks(seen)
-    if seen.time[-1] < 4 * TIME_LEFT[0] or not peaks.size:
+    if seen.time[-1] < 4 * REMAINING_TIME_RANGE_S[0] or not peaks.size:
         return None
-    ridge = _ridge(seen)
-    best = _best_curve(seen, peaks, _guesses(ridge, 8))
-    best = best or _best_curve(seen, peaks, _guesses(ridge, 60))
+    ridge = _best_ridge(seen)
+    best = _best_curve(seen, peaks, _initial_curves(ridge, 8))
+    best = best or _best_curve(seen, peaks, _initial_curves(ridge, 60))
     if best is None:
         return None
     law, errors = best
@@ -89,7 +82,7 @@ def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
         errors=errors,
         time=time,
         frequency=2**pitch,
-        octaves=float(_normal_equations(peaks, law, WIDTHS[-1])[2]),
+        octaves=float(_normal_equations(peaks, law, FIT_HALF_WIDTHS_OCTAVES[-1])[2]),
     )
 
 
@@ -105,31 +98,37 @@ def _peaks(seen):
     return np.array(
         [
             seen.time[row],
-            np.log2(seen.frequency[0]) + column / STEPS_PER_OCTAVE,
+            np.log2(seen.frequency[0]) + column / BINS_PER_OCTAVE,
             contrast[here],
         ]
     )
 
 
-def _ridge(seen: LogMap):
+def _best_ridge(seen: LogSpectrogram):
     """Return times [s] and log2 frequencies (2, r) of the ridge with the most evidence.
 
-    The evidence is the level of three harmonics above BACKGROUND_DB, summed over the
-    octaves that the tone rises."""
-    steps = STEPS_PER_OCTAVE // COLUMN
-    width = seen.contrast.shape[1] // COLUMN
-    level = seen.contrast[:, : width * COLUMN].reshape(-1, width, COLUMN).max(axis=2)
-    evidence = level - BACKGROUND_DB
+    The evidence is the weighted sum of the levels of three harmonics above that of
+    noise, integrated over the octaves that the tone rises."""
+    noise_level = 6.0  # dB; mean weighted sum along a ridge in noise
+    merged_bins = 2  # bins of the spectrogram per bin of the ridge
+    slopes = np.geomspace(0.015, 8.0, 18)  # bins per frame
+    bend_penalty = 1.5  # dB octaves per change of the slope
+    steps = BINS_PER_OCTAVE // merged_bins
+    width = seen.contrast.shape[1] // merged_bins
+    level = seen.contrast[:, : width * merged_bins]
+    level = level.reshape(-1, width, merged_bins).max(axis=2)
+    evidence = level - noise_level
     for harmonic in (2, 3):
         bins = round(steps * np.log2(harmonic))
         evidence[:, :-bins] += np.maximum(level[:, bins:], 0) / 2
-    back, place = _best_paths((evidence / steps).astype(np.float32), SLOPES, BEND)
-    path = np.array(_followed(back, *place, SLOPES))[::-1]
-    middle = (path[:, 1] + 0.5) * COLUMN - 0.5
+    evidence = (evidence / steps).astype(np.float32)
+    back, place = _best_paths(evidence, slopes, bend_penalty)
+    path = np.array(_backtrack(back, *place, slopes))[::-1]
+    middle = (path[:, 1] + 0.5) * merged_bins - 0.5
     return np.array(
         [
             seen.time[path[:, 0]],
-            np.log2(seen.frequency[0]) + middle / STEPS_PER_OCTAVE,
+            np.log2(seen.frequency[0]) + middle / BINS_PER_OCTAVE,
         ]
     )
 
@@ -141,7 +140,7 @@ def _shift(slope, frame):
 
 
 @njit(cache=True, nogil=True)
-def _best_paths(evidence, slopes, bend):
+def _best_paths(evidence, slopes, bend_penalty):
     """Return the previous slope (frames, slopes, bins) of the best path through each
     bin, or -1 if it begins there, and frame, slope and bin of the end of the best path.
 
@@ -167,7 +166,7 @@ def _best_paths(evidence, slopes, bend):
                     for previous in range(max(k - 2, 0), k + 1):
                         before = score[previous, b - shift]
                         if previous < k:
-                            before -= bend
+                            before -= bend_penalty
                         if before > value:
                             value = before
                             back[frame, k, b] = previous
@@ -180,7 +179,7 @@ def _best_paths(evidence, slopes, bend):
 
 
 @njit(cache=True, nogil=True)
-def _followed(back, frame, slope, place, slopes):
+def _backtrack(back, frame, slope, place, slopes):
     """Return pairs of frame and bin of a path, from its end to its beginning."""
     path = [(frame, place)]
     while back[frame, slope, place] >= 0:
@@ -192,7 +191,7 @@ def _followed(back, frame, slope, place, slopes):
     return path
 
 
-def _guesses(ridge, count):
+def _initial_curves(ridge, count):
     """Return the curves near the last part of a ridge (2, r) for 60 ends, the nearest
     `count` for each length of the part.
 
@@ -213,21 +212,27 @@ def _guesses(ridge, count):
     return [np.array(curve) for _, *curve in found]
 
 
-def _best_curve(seen, peaks, guesses):
+def _best_curve(seen, peaks, initial_curves):
     """Return the curve (3,) that explains most octaves of the frequency, of those
     fitted to peaks (3, n) that stand out, and its standard errors (3,); None if none
     stands out.
 
     The tone may have harmonics one and two octaves above. The errors include the
     distance to other curves that explain nearly as many."""
-    fitted = [_fit(peaks, guess, WIDTHS) for guess in guesses]
+    min_strength = 4.0  # dB; sounds without a disk reach 2 dB
+    fitted = [
+        _fit(peaks, initial, FIT_HALF_WIDTHS_OCTAVES) for initial in initial_curves
+    ]
     curves = np.array(
-        [curve for curve in fitted if _strength(seen, curve) >= LEAST_STRENGTH_DB]
+        [curve for curve in fitted if _mean_contrast(seen, curve) >= min_strength]
     )
     if not len(curves):
         return None
     explained = np.array(
-        [curve[1] * _normal_equations(peaks, curve, WIDTHS[-1])[2] for curve in curves]
+        [
+            curve[1] * _normal_equations(peaks, curve, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
+            for curve in curves
+        ]
     )
     best = curves[np.argmax(explained)]
     apart = curves[explained >= 0.85 * explained.max()] - best
@@ -235,31 +240,31 @@ def _best_curve(seen, peaks, guesses):
     square = (
         _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(resolution)
     )
-    return _lowest(peaks, best), np.sqrt(square)
+    return _fundamental(peaks, best), np.sqrt(square)
 
 
-def _strength(seen, curve):
-    """Return the mean level along a curve [dB]."""
-    left = np.geomspace(*TIME_LEFT, 72)
+def _mean_contrast(seen, curve):
+    """Return the mean contrast along a curve [dB]."""
+    left = np.geomspace(*REMAINING_TIME_RANGE_S, 72)
     along = 2 ** (curve[2] - curve[1] * np.log2(left))
-    return float(np.mean(seen.read(curve[0] - left, along)))
+    return float(np.mean(seen.contrast_at(curve[0] - left, along)))
 
 
-def _strongest_line(peaks, curve, reach=0.4):
-    """Return the strongest peak (3, r) within `reach` [octaves] of the curve in each
-    frame; the nutation is 0.3 octaves below the precession."""
+def _strongest_line(peaks, curve, max_distance=0.4):
+    """Return the strongest peak (3, r) within `max_distance` [octaves] of the curve in
+    each frame; the nutation is 0.3 octaves below the precession."""
     inside = peaks[:, _inside(peaks, curve[0])]
-    near = inside[:, np.abs(_residual(inside, curve)) < reach]
+    near = inside[:, np.abs(_residual(inside, curve)) < max_distance]
     near = near[:, np.lexsort((-near[2], near[0]))]
     return near[:, np.unique(near[0], return_index=True)[1]]
 
 
 def _inside(peaks, end):
-    """Return the slice of the peaks within TIME_LEFT before an end [s]."""
+    """Return the slice of the peaks within REMAINING_TIME_RANGE_S before an end [s]."""
     since = peaks[0] - end
     return slice(
-        np.searchsorted(since, -TIME_LEFT[1], "right"),
-        np.searchsorted(since, -TIME_LEFT[0]),
+        np.searchsorted(since, -REMAINING_TIME_RANGE_S[1], "right"),
+        np.searchsorted(since, -REMAINING_TIME_RANGE_S[0]),
     )
 
 
@@ -296,30 +301,38 @@ def _normal_equations(peaks, curve, width):
     residual = residual[near]
     left = curve[0] - peaks[0, near]
     slope = np.array([-curve[1] / left / np.log(2), -np.log2(left), np.ones_like(left)])
-    weight = (1 - (residual / width) ** 2) ** 2 * HOP / left / np.log(2)
+    weight = (1 - (residual / width) ** 2) ** 2 * FRAME_SPACING_S / left / np.log(2)
     return (slope * weight) @ slope.T, (slope * weight) @ residual, weight.sum()
 
 
 def _jackknife(peaks, curve, parts=12):
     """Return the jackknife variances (3,) for parts of equal log remaining time."""
-    left = np.clip(curve[0] - peaks[0], *TIME_LEFT)
+    left = np.clip(curve[0] - peaks[0], *REMAINING_TIME_RANGE_S)
     part = np.floor(
-        parts * np.log(left / TIME_LEFT[0]) / np.log(TIME_LEFT[1] / TIME_LEFT[0])
+        parts
+        * np.log(left / REMAINING_TIME_RANGE_S[0])
+        / np.log(REMAINING_TIME_RANGE_S[1] / REMAINING_TIME_RANGE_S[0])
     )
     moved = np.array(
-        [_fit(peaks[:, part != one], curve, WIDTHS[-1:]) for one in np.unique(part)]
+        [
+            _fit(peaks[:, part != one], curve, FIT_HALF_WIDTHS_OCTAVES[-1:])
+            for one in np.unique(part)
+        ]
     )
     return (len(moved) - 1) * moved.var(axis=0)
 
 
-def _lowest(peaks, curve):
+def _fundamental(peaks, curve):
     """Return the curve of the fundamental, the lowest octave with at least half of the
     largest number of peaks."""
     moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
     peaks = peaks[:, _inside(peaks, curve[0])]
     count = np.array(
         [
-            np.sum((np.abs(_residual(peaks, x)) < WIDTHS[-1]) / np.abs(x[0] - peaks[0]))
+            np.sum(
+                (np.abs(_residual(peaks, x)) < FIT_HALF_WIDTHS_OCTAVES[-1])
+                / np.abs(x[0] - peaks[0])
+            )
             for x in moved
         ]
     )
