@@ -358,6 +358,24 @@ def table_energy(edge, table, own, motion):
 
 
 @kernel
+def damped_work(edge, table, own, motion, gain, step):
+    """Return the work [J] on the modes of the table that their damping takes within a step.
+
+    The impulses that change the speeds by `gain` (t,) represent forces that act during the
+    whole step, in which the displacements decay. The work of these forces is smaller than
+    that of the impulses; the difference is of first order in the decay rates.
+    """
+    decay = edge.decay[own:]
+    frequency = edge.frequency[own:]
+    place = motion.modes[0, own:]
+    lost = table.work
+    for j in range(lost.size):
+        bend = frequency[j] ** 2 * place[j]
+        lost[j] = decay[j] * (gain[j] * step / 4 - bend * step**2 / 12)
+    return scalar_product(gain, lost)
+
+
+@kernel
 def table_swing(edge, table, own, motion):
     """Return a bound [m] of the deflection of the table until the next contact."""
     frequency = edge.frequency[own:]
@@ -841,6 +859,17 @@ def mean_depth(depth, travel):
 
 
 @kernel
+def mean_square_at_ends(depth, travel):
+    """Return the mean square of the positive depths at both ends of a step.
+
+    `depth` is their mean, and `travel` is their difference.
+    """
+    first = max(depth - travel / 2, 0.0)
+    last = max(depth + travel / 2, 0.0)
+    return (first**2 + last**2) / 2
+
+
+@kernel
 def press_patch(
     disk, edge, table, motion, rim, velocity, stiffness, step, left, points, contacts
 ):
@@ -930,7 +959,8 @@ def press_patch(
 def press_rim(
     disk, edge, table, motion, rim, velocity, change, is_changed, now, step, contacts
 ):
-    """Write the forces of all patches and return their elastic energy [J].
+    """Write the forces of all patches and return their elastic energy [J]: that in the middle
+    of the step, or, if `is_changed`, the mean of those at both ends.
 
     `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) its
     change, by which the depths at both ends deviate from uniform motion; it is zero
@@ -1053,10 +1083,12 @@ def press_rim(
             if is_near and m < size:
                 i = begin_of_block + m
                 own = contacts.depth[i]
-                squares += max(own, 0.0) ** 2
+                if not is_changed:
+                    squares += max(own, 0.0) ** 2
                 if own > -travel:
                     if is_changed:
                         own += step / 4 * contacts.change[i]
+                        squares += mean_square_at_ends(own, contacts.speed[i] * step)
                     depth = mean_depth(own, contacts.speed[i] * step)
                     contacts.depth[i] = depth
             if depth > 0:
@@ -1197,6 +1229,22 @@ def write_change(disk, motion, contacts, h, out):
         out[TORQUE + i] += extra * axis[i]
     for j in range(motion.modes.shape[1]):
         out[LOAD_SIZE + j] = h * (contacts.pull[ELASTIC, j] + contacts.pull[DASHPOT, j])
+
+
+@kernel
+def energy_of_change(contacts, change, own, h):
+    """Return the kinetic energy [J] of the velocity changes (6 + m,) of disk and its `own` modes.
+
+    A quarter of it is the mean kinetic energy before and after the change less that of the
+    mean velocity.
+    """
+    energy = 0.0
+    for i in range(LOAD_SIZE):
+        for origin in range(contacts.load.shape[0]):
+            energy += h / 2 * contacts.load[origin, i] * change[i]
+    for j in range(own):
+        energy += change[LOAD_SIZE + j] ** 2 / 2
+    return energy
 
 
 @kernel
@@ -1437,8 +1485,7 @@ def step_rattling_disk(
                             step,
                             contacts.load,
                         )
-                    else:
-                        record[STORED] = energy
+                    record[STORED] = energy
                     if contacts.load[ELASTIC, 2] <= 0:
                         break
             touches = contacts.load[ELASTIC, 2] > 0
@@ -1483,6 +1530,9 @@ def step_rattling_disk(
                 add_sample(motion, 0.5, samples[sample])
             if touches or has_film:
                 write_change(disk, motion, contacts, lasts, change)
+                if done == per_sample:
+                    gain = energy_of_change(contacts, change, disk_modes, lasts)
+                    samples[sample, STATE_SIZE + STORED] += gain / 4
                 kick(disk, motion, contacts, before, change, lasts)
             if table is not None and touches:
                 swing = -1.0
@@ -1491,8 +1541,9 @@ def step_rattling_disk(
                 by_old = scalar_product(old, gain)
                 by_gain = scalar_product(gain, gain)
                 received += by_old + by_gain / 2
-                if done == per_sample:  # the energy at the mean velocity
-                    samples[sample, -1] += by_old / 2 + by_gain / 8
+                received -= damped_work(edge, table, disk_modes, motion, gain, step)
+                if done == per_sample:  # the mean energy before and after the impulse
+                    samples[sample, -1] += by_old / 2 + by_gain / 4
             if done == per_sample:
                 add_sample(motion, 0.5, samples[sample])
             fly(disk, gravity, edge, motion, propagator, lasts / 2)
