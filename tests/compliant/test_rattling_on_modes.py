@@ -47,7 +47,7 @@ def on_modes(*modes, changes=(), restitution=0.5):
 
 
 @pytest.mark.parametrize(
-    ("damping", "restitution", "error"), [(0.01, 0.5, 5e-6), (0.0, 0.999999999, 2e-5)]
+    ("damping", "restitution", "error"), [(0.01, 0.5, 1e-6), (0.0, 0.999999999, 1e-7)]
 )
 def test_energies_and_losses_of_disk_and_table_add_up(damping, restitution, error):
     """The table is as light as two coins; a lossless one gains nothing."""
