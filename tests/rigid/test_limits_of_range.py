@@ -182,7 +182,8 @@ def test_what_a_steady_motion_cannot_tell_is_not_judged():
 def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
     motion = simulate(scene({"time_limit": 6.0}))
     assert len(nutation_frequency(motion)[0]) > 0
-    tone = SimpleNamespace(time=np.linspace(2.5, 4.5, 50), frequency=np.full(50, 10.0))
+    ridge = SimpleNamespace(time=np.linspace(2.5, 4.5, 50), frequency=np.full(50, 10.0))
+    tone = SimpleNamespace(ridge=ridge)
     assert tone_rate_findings(tone, motion, SimpleNamespace(source_end=6.0)) == []
     late = tone_rate_findings(tone, motion, SimpleNamespace(source_end=5.0))
     assert [finding.claim[:18] for finding in late] == ["In the last second"]

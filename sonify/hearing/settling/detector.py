@@ -119,10 +119,10 @@ class SettlingRun:
 
 
 def strongest_tone(sound: Source) -> SettlingRun | None:
-    """Return the event of the kind "tone" with the highest score in the sound of a
-    known disk, or None."""
+    """Return the event of the kind "tone" whose law explains most octaves of frequency in
+    the sound of a known disk, or None."""
     events = settling_events(sound, KNOWN_DISK, kinds=("tone",))
-    return max(events, key=lambda event: event.score, default=None)
+    return max(events, key=lambda event: event.ridge.explained_octaves, default=None)
 
 
 def settling_runs(

@@ -53,6 +53,11 @@ class ToneRidge:
         )
 
     @property
+    def explained_octaves(self) -> float:
+        """Number of octaves of frequency over which the law has peaks."""
+        return float(self.law[1] * self.octaves)
+
+    @property
     def rise(self) -> float:
         """Number of octaves by which the frequency of the law rises along the ridge."""
         end, exponent, _ = self.law
