@@ -31,15 +31,20 @@ from sonify.hearing.settling.prediction_score import (
     independent_samples,
     predicted_gain,
 )
-from sonify.hearing.settling.settings import KNOWN_DISK, SettlingSettings
+from sonify.hearing.settling.settings import KNOWN_DISK_SETTINGS, SettlingSettings
 from sonify.hearing.settling.tone_ridge import ToneRidge, tone_ridge
 from sonify.scene_errors import InputError
 
-SHORTEST = 0.4  # s
-PIECE = 60  # s
-OVERLAP = 10  # s, shared by neighbouring pieces
-LEAD = 8.5  # s; initial part of a piece that only precedes ends
-KINDS = ("tone", "repetition")
+MIN_LENGTH_S = 0.4
+"""Least length of a sound that is searched."""
+PIECE_SPACING_S = 60
+"""Time between the beginnings of the pieces in which a long sound is searched."""
+PIECE_OVERLAP_S = 10
+"""Time shared by neighbouring pieces."""
+PIECE_LEAD_S = 8.5
+"""Initial part of a later piece in which no run may end, because the piece before it
+contains the same end."""
+EVENT_KINDS = ("tone", "repetition")
 
 
 @dataclass(frozen=True)
@@ -121,7 +126,7 @@ class SettlingRun:
 def strongest_tone(sound: Source) -> SettlingRun | None:
     """Return the event of the kind "tone" whose law explains most octaves of frequency in
     the sound of a known disk, or None."""
-    events = settling_events(sound, KNOWN_DISK, kinds=("tone",))
+    events = settling_events(sound, KNOWN_DISK_SETTINGS, kinds=("tone",))
     return max(events, key=lambda event: event.ridge.explained_octaves, default=None)
 
 
@@ -138,7 +143,7 @@ def settling_runs(
 def settling_events(
     sound: Source,
     settings: SettlingSettings | None = None,
-    kinds: tuple[str, ...] = KINDS,
+    kinds: tuple[str, ...] = EVENT_KINDS,
 ) -> list[SettlingRun]:
     """Return the events of disks and coins that come to rest in a sound of any length.
 
@@ -166,20 +171,25 @@ def settling_events(
     settings = settings or SettlingSettings()
     rate = sound.sample_rate
     length = sound.frames / rate
-    if length < SHORTEST:
+    if length < MIN_LENGTH_S:
         return []
     channel = _loudest_channel(sound)
     runs = []
-    for number, piece in enumerate(pieces(sound, PIECE * rate, OVERLAP * rate)):
-        begin = number * PIECE
+    for number, piece in enumerate(
+        pieces(sound, PIECE_SPACING_S * rate, PIECE_OVERLAP_S * rate)
+    ):
+        begin = number * PIECE_SPACING_S
         samples = piece[: sound.frames - begin * rate, channel]
         if not np.isfinite(samples).all():
             raise InputError(
                 f"the sound contains samples that are not finite, after {begin} s"
             )
-        last = (begin + PIECE + OVERLAP) * rate >= sound.frames
-        span = (LEAD if number else 0, math.inf if last else PIECE + LEAD)
-        if len(samples) >= SHORTEST * rate:
+        last = (begin + PIECE_SPACING_S + PIECE_OVERLAP_S) * rate >= sound.frames
+        span = (
+            PIECE_LEAD_S if number else 0,
+            math.inf if last else PIECE_SPACING_S + PIECE_LEAD_S,
+        )
+        if len(samples) >= MIN_LENGTH_S * rate:
             found = []
             if "tone" in kinds:
                 found += tones(samples, rate, settings, span)
@@ -237,9 +247,9 @@ def tones(
     after = int((end + 0.1) * rate)
     found = [run] if span[0] <= end < span[1] else []
     found += (
-        tones(before, rate, settings, span) if len(before) > SHORTEST * rate else []
+        tones(before, rate, settings, span) if len(before) > MIN_LENGTH_S * rate else []
     )
-    if len(samples) - after > SHORTEST * rate:
+    if len(samples) - after > MIN_LENGTH_S * rate:
         later = (span[0] - after / rate, span[1] - after / rate)
         found += [
             run.later(after / rate)

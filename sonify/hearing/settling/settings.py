@@ -157,7 +157,7 @@ class SettlingSettings:
     """Largest time between a bouncing body and the runs that it explains."""
 
 
-KNOWN_DISK = SettlingSettings(
+KNOWN_DISK_SETTINGS = SettlingSettings(
     heard_score=-inf,
     least_rising_margin=-inf,
     clear_score=-inf,
