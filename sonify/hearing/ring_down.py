@@ -11,7 +11,8 @@ from scipy.linalg import hankel, svd
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 from scipy.signal import firwin, oaconvolve
 
-LOWEST = 300.0  # Hz
+from sonify.hearing.spectral_lines import MIN_LINE_FREQUENCY_HZ
+
 HALF_BAND = 120.0  # Hz; closer lines are resolved in a common band
 MODULATED_PARTS = 4  # parts of a modulated line in the jackknife
 EXPLAINED = 0.9  # least fraction of the power of a band that its lines explain
@@ -69,7 +70,7 @@ def decaying_lines(
     )
     reach = int(HALF_BAND / spacing)
     above[smooth < maximum_filter1d(smooth, reach + 1)] = 0  # the flanks of a line
-    above[: int(LOWEST / spacing)] = 0
+    above[: int(MIN_LINE_FREQUENCY_HZ / spacing)] = 0
     above[int(0.45 * rate / spacing) :] = 0
     found: list[tuple[float, DecayingLine]] = []
     for _ in range(most):
