@@ -70,14 +70,14 @@ def to_typst(markdown: str) -> str:
 
 def build_article(numbers: Numbers) -> Path:
     """Write the PDF of the article; return its path. Raises ArticleError."""
-    import typst
-
     abstract = article_text(text_of("abstract"), numbers)
     words = len(abstract.split())
     if words > MAX_ABSTRACT_WORDS:
         raise ArticleError(
             f"the abstract has {words} words, at most {MAX_ABSTRACT_WORDS} are allowed"
         )
+    import typst
+
     body = to_typst(article_text(text_of("article"), numbers))
     source = (HERE / "template.typ").read_text("utf-8")
     for word, text in (
