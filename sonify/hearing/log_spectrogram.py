@@ -7,7 +7,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.ndimage import map_coordinates, maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.mains_hum import without_hum
+from sonify.hearing.mains_hum import vertex, without_hum
 
 FRAME_SPACING_S = 0.005
 """Spacing of the frames."""
@@ -17,17 +17,19 @@ BINS_PER_OCTAVE = 48
 
 @dataclass(frozen=True, kw_only=True)
 class LogSpectrogram:
-    """Level (t, f) [dB] at `time` (t,) [s] and at log-spaced `frequency` (f,) [Hz].
+    """Contrast (t, f) [dB] at `time` (t,) [s] and at log-spaced `frequency` (f,) [Hz],
+    and its peaks.
 
-    `contrast` (t, f) [dB] is the level above its median over time and its mean over an
-    octave. It is limited to the range from -6 to 20 dB, so that no single frame
-    dominates.
+    The contrast is the level above its median over time and its mean over an octave. It
+    is limited to the range from -6 to 20 dB, so that no single frame dominates. `peaks`
+    (3, n) are ascending times [s], log2 frequencies and contrasts [dB] of the local
+    maxima of the level in each frame whose contrast exceeds 6 dB.
     """
 
     time: np.ndarray
     frequency: np.ndarray
-    level: np.ndarray
     contrast: np.ndarray
+    peaks: np.ndarray
 
     def contrast_at(self, t, frequency) -> np.ndarray:
         """Return the interpolated contrast at times t [s] and frequencies [Hz]; 0
@@ -52,6 +54,7 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
         (1500.0, 8000.0, 0.01),
     )
     max_hum_frequency = 1500.0  # Hz
+    min_peak_contrast = 6.0  # dB
     time = np.arange(0, len(samples) / rate, FRAME_SPACING_S)
     frequency = bands[0][0] * 2 ** (
         np.arange(0, np.log2(bands[-1][1] / bands[0][0]), 1 / BINS_PER_OCTAVE)
@@ -69,22 +72,39 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
         rate = rate / down
         samples = without_hum(samples, rate) if high == max_hum_frequency else samples
         level[:, here] = _levels(samples, rate, time, frequency[here], window)
+    row, column, offset = _local_maxima(level)
+    pitch = np.log2(frequency[0]) + (column + offset) / BINS_PER_OCTAVE
+    contrast = _contrast(level)
+    height = contrast[row, column]
+    high = height > min_peak_contrast
+    peaks = np.array([time[row[high]], pitch[high], height[high]])
     return LogSpectrogram(
-        time=time, frequency=frequency, level=level, contrast=_contrast(level)
+        time=time, frequency=frequency, contrast=contrast, peaks=peaks
     )
 
 
+def _local_maxima(level):
+    """Return the row, the column and the offset from the column, each (n,), of the local
+    maxima in each row of levels (t, f) [dB]."""
+    below, top, above = level[:, :-2], level[:, 1:-1], level[:, 2:]
+    here = row, column = np.nonzero((top >= below) & (top > above))
+    return row, column + 1, vertex(below[here], top[here], above[here])
+
+
 def _contrast(level):
-    """Return the contrast (t, f) [dB] of levels (t, f) [dB]."""
+    """Replace levels (t, f) [dB] by their contrast [dB] and return it."""
     dynamic_range = 60.0  # dB below the maximum at the same frequency
     min_contrast = -6.0  # dB
     max_contrast = 20.0  # dB
     octave = BINS_PER_OCTAVE + 1  # bins, centred
     level = np.maximum(level, level.max(axis=0) - dynamic_range)
-    level -= np.median(level, axis=0)
-    level += np.minimum(max_contrast - maximum_filter1d(level, octave, axis=1), 0)
-    level = np.clip(level, min_contrast, max_contrast)
-    return np.maximum(level - uniform_filter1d(level, octave, axis=1), min_contrast)
+    level -= np.array([np.median(column) for column in level.T])
+    excess = maximum_filter1d(level, octave, axis=1)
+    excess -= max_contrast
+    level -= np.maximum(excess, 0, out=excess)
+    np.clip(level, min_contrast, max_contrast, out=level)
+    level -= uniform_filter1d(level, octave, axis=1)
+    return np.maximum(level, min_contrast, out=level)
 
 
 def _levels(samples, rate, time, frequency, window):

@@ -2,7 +2,7 @@
 
 The tone is tracked as a ridge of the spectrogram that rises ever faster; the law is
 then fitted to the peaks near the ridge. Peaks (3, n) are ascending times [s], log2
-frequencies and levels [dB]. A curve is (end [s], exponent, log2 of a)."""
+frequencies and contrasts [dB]. A curve is (end [s], exponent, log2 of a)."""
 
 from dataclasses import dataclass, replace
 
@@ -15,7 +15,6 @@ from sonify.hearing.log_spectrogram import (
     LogSpectrogram,
     log_spectrogram,
 )
-from sonify.hearing.mains_hum import vertex
 
 REMAINING_TIME_RANGE_S = (0.02, 8.0)
 """Range of the remaining time in which the law is fitted."""
@@ -72,70 +71,54 @@ def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
     if not np.any(samples):
         return None
     seen = log_spectrogram(samples / np.abs(samples).max(), rate)
-    peaks = _peaks(seen)
-    if seen.time[-1] < 4 * REMAINING_TIME_RANGE_S[0] or not peaks.size:
+    if seen.time[-1] < 4 * REMAINING_TIME_RANGE_S[0] or not seen.peaks.size:
         return None
     ridge = _best_ridge(seen)
-    best = _best_curve(seen, peaks, _initial_curves(ridge, 8))
-    best = best or _best_curve(seen, peaks, _initial_curves(ridge, 60))
+    best = _best_curve(seen, _initial_curves(ridge, 8))
+    best = best or _best_curve(seen, _initial_curves(ridge, 60))
     if best is None:
         return None
     law, errors = best
-    time, pitch, _ = _strongest_line(peaks, law)
+    time, pitch, _ = _strongest_line(seen.peaks, law)
     return ToneRidge(
         law=law,
         errors=errors,
         time=time,
         frequency=2**pitch,
-        octaves=float(_normal_equations(peaks, law, FIT_HALF_WIDTHS_OCTAVES[-1])[2]),
-    )
-
-
-def _peaks(seen):
-    """Return times [s], log2 frequencies and levels [dB] (3, n) of the peaks of all
-    frames that are 6 dB above the median level at their frequency."""
-    below = seen.level[:, :-2]
-    top = seen.level[:, 1:-1]
-    above = seen.level[:, 2:]
-    contrast = seen.contrast[:, 1:-1]
-    here = row, column = np.nonzero((contrast > 6.0) & (top >= below) & (top > above))
-    column = column + 1 + vertex(below[here], top[here], above[here])
-    return np.array(
-        [
-            seen.time[row],
-            np.log2(seen.frequency[0]) + column / BINS_PER_OCTAVE,
-            contrast[here],
-        ]
+        octaves=float(
+            _normal_equations(seen.peaks, law, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
+        ),
     )
 
 
 def _best_ridge(seen: LogSpectrogram):
-    """Return times [s] and log2 frequencies (2, r) of the ridge with the most evidence.
-
-    The evidence is the weighted sum of the levels of three harmonics above that of
-    noise, integrated over the octaves that the tone rises."""
-    noise_level = 6.0  # dB; mean weighted sum along a ridge in noise
-    merged_bins = 2  # bins of the spectrogram per bin of the ridge
+    """Return times [s] and log2 frequencies (2, r) of the ridge with the most evidence,
+    integrated over the octaves that the tone rises."""
     slopes = np.geomspace(0.015, 8.0, 18)  # bins per frame
     bend_penalty = 1.5  # dB octaves per change of the slope
-    steps = BINS_PER_OCTAVE // merged_bins
-    width = seen.contrast.shape[1] // merged_bins
-    level = seen.contrast[:, : width * merged_bins]
-    level = level.reshape(-1, width, merged_bins).max(axis=2)
-    evidence = level - noise_level
-    for harmonic in (2, 3):
-        bins = round(steps * np.log2(harmonic))
-        evidence[:, :-bins] += np.maximum(level[:, bins:], 0) / 2
-    evidence = (evidence / steps).astype(np.float32)
-    back, place = _best_paths(evidence, slopes, bend_penalty)
+    back, place = _best_paths(_evidence(seen.contrast), slopes, bend_penalty)
     path = np.array(_backtrack(back, *place, slopes))[::-1]
-    middle = (path[:, 1] + 0.5) * merged_bins - 0.5
+    middle = 2 * path[:, 1] + 0.5
     return np.array(
         [
             seen.time[path[:, 0]],
             np.log2(seen.frequency[0]) + middle / BINS_PER_OCTAVE,
         ]
     )
+
+
+def _evidence(contrast):
+    """Return the evidence per octave [dB] in pairs of bins of the contrast (t, f) [dB].
+
+    It is the weighted sum of three harmonics above that of noise."""
+    noise_level = 6.0  # dB; mean weighted sum along a ridge in noise
+    steps = BINS_PER_OCTAVE // 2
+    level = np.maximum(contrast[:, :-1:2], contrast[:, 1::2])
+    evidence = level - noise_level
+    for harmonic in (2, 3):
+        bins = round(steps * np.log2(harmonic))
+        evidence[:, :-bins] += np.maximum(level[:, bins:], 0) / 2
+    return evidence / steps
 
 
 @njit(cache=True, nogil=True)
@@ -152,8 +135,10 @@ def _best_paths(evidence, slopes, bend_penalty):
     The slope of a path does not decrease, and increases by at most two steps per frame.
     `evidence` (frames, bins) is per octave."""
     frames, bins = evidence.shape
+    penalty = np.float32(bend_penalty)
     score = np.zeros((len(slopes), bins), np.float32)
     updated = np.zeros_like(score)
+    highest = np.zeros(bins, np.float32)
     back = np.full((frames, len(slopes), bins), -1, np.int8)
     best = np.float32(0)
     place = (0, 0, 0)
@@ -161,26 +146,47 @@ def _best_paths(evidence, slopes, bend_penalty):
     for frame in range(frames):
         for b in range(bins):
             sums[b + 1] = sums[b] + evidence[frame, b]
+        highest[:] = 0
         for k in range(len(slopes)):
             shift = _shift(slopes[k], frame)
+            crossed = max(shift, 1)
+            weight = np.float32(slopes[k] / crossed)
+            for b in range(min(shift, bins)):
+                updated[k, b] = weight * sums[b + 1]
+            reached = updated[k, shift:]
+            _best_predecessors(score, k, penalty, reached, back[frame, k, shift:])
+            low, high = sums[shift + 1 - crossed :], sums[shift + 1 :]
+            for i in range(len(reached)):
+                reached[i] += weight * (high[i] - low[i])
             for b in range(bins):
-                first = max(b - max(shift, 1) + 1, 0)
-                gained = slopes[k] * (sums[b + 1] - sums[first]) / max(shift, 1)
-                value = np.float32(0)
-                if b >= shift:
-                    for previous in range(max(k - 2, 0), k + 1):
-                        before = score[previous, b - shift]
-                        if previous < k:
-                            before -= bend_penalty
-                        if before > value:
-                            value = before
-                            back[frame, k, b] = previous
-                updated[k, b] = value + gained
-                if updated[k, b] > best:
-                    best = updated[k, b]
-                    place = (frame, k, b)
+                highest[b] = max(highest[b], updated[k, b])
+        if highest.max() > best:
+            best = highest.max()
+            for k in range(len(slopes)):
+                for b in range(bins):
+                    if updated[k, b] == best:
+                        place = (frame, k, b)
         score, updated = updated, score
     return back, place
+
+
+@njit(cache=True, nogil=True)
+def _best_predecessors(score, k, penalty, best, slope):
+    """Write the score of the best path that reaches each bin with slope k, and its
+    previous slope, to `best` and `slope` (n,).
+
+    A path of negative score begins anew, with slope -1. The loops have no branch, so
+    that they compile to vector instructions."""
+    same = score[k, : len(best)]
+    for i in range(len(best)):
+        best[i] = max(same[i], np.float32(0))
+        slope[i] = k if same[i] > 0 else -1
+    for previous in range(max(k - 2, 0), k):
+        bent = score[previous, : len(best)]
+        for i in range(len(best)):
+            before = bent[i] - penalty
+            slope[i] = previous if before > best[i] else slope[i]
+            best[i] = max(best[i], before)
 
 
 @njit(cache=True, nogil=True)
@@ -217,16 +223,16 @@ def _initial_curves(ridge, count):
     return [np.array(curve) for _, *curve in found]
 
 
-def _best_curve(seen, peaks, initial_curves):
+def _best_curve(seen, initial_curves):
     """Return the curve (3,) that explains most octaves of the frequency, of those
-    fitted to peaks (3, n) that stand out, and its standard errors (3,); None if none
+    fitted to the peaks that stand out, and its standard errors (3,); None if none
     stands out.
 
     The tone may have harmonics one and two octaves above. The errors include the
     distance to other curves that explain nearly as many."""
     min_strength = 4.0  # dB; sounds without a disk reach 2 dB
     fitted = [
-        _fit(peaks, initial, FIT_HALF_WIDTHS_OCTAVES) for initial in initial_curves
+        _fit(seen.peaks, initial, FIT_HALF_WIDTHS_OCTAVES) for initial in initial_curves
     ]
     curves = np.array(
         [curve for curve in fitted if _mean_contrast(seen, curve) >= min_strength]
@@ -235,7 +241,8 @@ def _best_curve(seen, peaks, initial_curves):
         return None
     explained = np.array(
         [
-            curve[1] * _normal_equations(peaks, curve, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
+            curve[1]
+            * _normal_equations(seen.peaks, curve, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
             for curve in curves
         ]
     )
@@ -243,9 +250,11 @@ def _best_curve(seen, peaks, initial_curves):
     apart = curves[explained >= 0.85 * explained.max()] - best
     resolution = (0.0005, 0.001, 0.0)  # hop, and curvature of the tone within a window
     square = (
-        _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(resolution)
+        _jackknife(seen.peaks, best)
+        + np.square(apart).mean(axis=0)
+        + np.square(resolution)
     )
-    return _fundamental(peaks, best), np.sqrt(square)
+    return _fundamental(seen.peaks, best), np.sqrt(square)
 
 
 def _mean_contrast(seen, curve):
@@ -266,10 +275,10 @@ def _strongest_line(peaks, curve, max_distance=0.4):
 
 def _inside(peaks, end):
     """Return the slice of the peaks within REMAINING_TIME_RANGE_S before an end [s]."""
-    since = peaks[0] - end
+    nearest, farthest = REMAINING_TIME_RANGE_S
     return slice(
-        np.searchsorted(since, -REMAINING_TIME_RANGE_S[1], "right"),
-        np.searchsorted(since, -REMAINING_TIME_RANGE_S[0]),
+        np.searchsorted(peaks[0], end - farthest, "right"),
+        np.searchsorted(peaks[0], end - nearest),
     )
 
 
