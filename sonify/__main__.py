@@ -266,13 +266,14 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
 @TO_OPTION
 def listen(recording, out, scene, begin, end):
     """Detect settling disks or coins and spectral lines in the sound file RECORDING."""
-    from sonify.report.recording import write_recording_report
+    from sonify.console import Console
 
-    def warn(line):
-        click.echo(line, err=True)
+    with Console(times=False) as stages:
+        from sonify.report.recording import write_recording_report
 
-    for line in write_recording_report(recording, out, scene, warn, (begin, end)):
-        click.echo(line)
+        span = (begin, end)
+        for line in write_recording_report(recording, out, scene, stages, span):
+            click.echo(line)
 
 
 @main.command()

@@ -16,15 +16,15 @@ if TYPE_CHECKING:
 
 
 class Console(Stages, AbstractContextManager):
-    """Show the progress of running stages and the time of finished ones on standard
+    """Show the progress of running stages and the `times` of finished ones on standard
     error.
 
     A terminal shows one bar per stage; other outputs receive one line on all running
     stages every `interval` [s]."""
 
-    def __init__(self, interval: float = 10.0):
+    def __init__(self, interval: float = 10.0, times: bool = True):
         super().__init__()
-        self._shown = True
+        self._shown = times
         self._console = RichConsole(stderr=True, highlight=False)
         in_terminal = self._console.is_terminal
         self._bars = Progress(

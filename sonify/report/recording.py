@@ -1,7 +1,6 @@
 """Report the analysis of a user's sound file in words, numbers and pictures."""
 
 import json
-from collections.abc import Callable
 from dataclasses import asdict
 from math import inf
 from pathlib import Path
@@ -24,21 +23,22 @@ from sonify.report.settling import (
     settling_run_record,
 )
 from sonify.runtime.files import atomic_write, create_folder, first_matching_folder
+from sonify.runtime.progress import Stages
 
 
 def write_recording_report(
     recording: str | Path,
     out: str | Path | None = None,
     scene: str | Path | None = None,
-    warn: Callable[[str], None] = lambda line: None,
+    stages: Stages | None = None,
     span: tuple[float, float] = (0.0, inf),
 ) -> list[str]:
     """Analyse a recording and return the results as lines of text.
 
     The files heard.json and spectrogram.png are written to `out`, and settling.png if a
     settling disk is detected. If a `scene` is given, spectral lines are matched to its
-    resonances. `warn` is called with a message if the file is truncated. Only the part
-    within the `span` [s] is analysed.
+    resonances. `stages` shows the progress, and a notice if the file is truncated. Only
+    the part within the `span` [s] is analysed.
 
     Raises RecordingError and SceneError before anything is written, and OutputError if
     `out` cannot be written.
@@ -48,13 +48,15 @@ def write_recording_report(
     whole_sound = source_of(recording)
     begin = max(span[0], 0.0)
     part = excerpt(whole_sound, *span)
-    runs = [run.later(begin) for run in settling_runs(part)]
+    stages = stages or Stages()
+    with stages.stage("detection") as watch:
+        runs = [run.later(begin) for run in settling_runs(part, watch=watch)]
     heard = listen(
         part, runs[-1].t_end.value - begin if runs else None, tones=False, begin=begin
     )
     truncation = truncation_of(whole_sound)
     if truncation:
-        warn(f"{recording}: {truncation}")
+        stages.notice(f"{recording}: {truncation}")
     samples, rate, _, _ = read(part)
     ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = create_folder(out or default_report_folder(recording))

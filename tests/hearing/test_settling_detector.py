@@ -192,6 +192,14 @@ def test_runs_in_one_long_file_keep_the_times_they_have_alone():
     )
 
 
+def test_the_searched_share_of_a_sound_grows_to_all_of_it():
+    """The sound is searched in two pieces, 60 s apart."""
+    noise = np.random.default_rng(0).normal(size=(80 * 4000, 1))
+    shares: list[float] = []
+    settling_runs(Samples(noise.astype(np.float32), 4000), watch=shares.append)
+    assert shares == [0.75, 1.0]
+
+
 def test_the_loudest_channel_is_heard():
     take = settling_sounds.settling_take(4)
     both = np.stack(

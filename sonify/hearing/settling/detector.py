@@ -1,7 +1,10 @@
 """Detect disks and coins that come to rest in a recording, and their rate laws."""
 
 import math
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -44,7 +47,6 @@ PIECE_OVERLAP_S = 10
 PIECE_LEAD_S = 8.5
 """Initial part of a later piece in which no run may end, because the piece before it
 contains the same end."""
-EVENT_KINDS = ("tone", "repetition")
 
 
 @dataclass(frozen=True)
@@ -131,19 +133,23 @@ def strongest_tone(sound: Source) -> SettlingRun | None:
 
 
 def settling_runs(
-    sound: Source, settings: SettlingSettings | None = None
+    sound: Source,
+    settings: SettlingSettings | None = None,
+    watch: Callable[[float], None] = lambda share: None,
 ) -> list[SettlingRun]:
     """Return the disks and coins that come to rest in a sound of any length.
 
     They are the `settling_events` that overlap none of higher score, in order of time.
     """
-    return sorted(apart(settling_events(sound, settings)), key=lambda run: run.start)
+    events = settling_events(sound, settings, watch=watch)
+    return sorted(apart(events), key=lambda run: run.start)
 
 
 def settling_events(
     sound: Source,
     settings: SettlingSettings | None = None,
-    kinds: tuple[str, ...] = EVENT_KINDS,
+    kinds: tuple[str, ...] = ("tone", "repetition"),
+    watch: Callable[[float], None] = lambda share: None,
 ) -> list[SettlingRun]:
     """Return the events of disks and coins that come to rest in a sound of any length.
 
@@ -157,6 +163,8 @@ def settling_events(
         Thresholds.
     kinds : tuple of str, optional
         Kinds of the events that are searched.
+    watch : callable, optional
+        Called with the share of the sound that is searched.
 
     Returns
     -------
@@ -170,11 +178,32 @@ def settling_events(
     """
     settings = settings or SettlingSettings()
     rate = sound.sample_rate
-    length = sound.frames / rate
-    if length < MIN_LENGTH_S:
+    if sound.frames < MIN_LENGTH_S * rate:
         return []
-    channel = _loudest_channel(sound)
     runs = []
+    with ThreadPoolExecutor(1) as pool:  # the array code releases the GIL
+        for begin, samples, span in _searched_pieces(sound):
+            here, *others = (
+                partial(SEARCHES[kind], samples, rate, settings, span) for kind in kinds
+            )
+            beside = [pool.submit(search) for search in others]
+            found = [here(), *(search.result() for search in beside)]
+            runs += [run.later(begin) for group in found for run in group]
+            watch(min((begin + PIECE_SPACING_S) * rate / sound.frames, 1.0))
+    hours = sound.frames / rate / 3600
+    return [
+        replace(run, false_alarm=false_alarms_per_hour(run.score, settings) * hours)
+        for run in runs
+    ]
+
+
+def _searched_pieces(
+    sound: Source,
+) -> Iterator[tuple[float, np.ndarray, tuple[float, float]]]:
+    """Yield the beginning [s] and the samples (n,) of each piece of a sound, and the
+    time span in the piece [s] in which its runs end."""
+    rate = sound.sample_rate
+    channel = _loudest_channel(sound)
     for number, piece in enumerate(
         pieces(sound, PIECE_SPACING_S * rate, PIECE_OVERLAP_S * rate)
     ):
@@ -185,24 +214,12 @@ def settling_events(
                 f"the sound contains samples that are not finite, after {begin} s"
             )
         last = (begin + PIECE_SPACING_S + PIECE_OVERLAP_S) * rate >= sound.frames
-        span = (
-            PIECE_LEAD_S if number else 0,
-            math.inf if last else PIECE_SPACING_S + PIECE_LEAD_S,
-        )
+        first_end = PIECE_LEAD_S if number else 0
+        last_end = math.inf if last else PIECE_SPACING_S + PIECE_LEAD_S
         if len(samples) >= MIN_LENGTH_S * rate:
-            found = []
-            if "tone" in kinds:
-                found += tones(samples, rate, settings, span)
-            if "repetition" in kinds:
-                found += repetitions(frames_of(samples, rate, settings), settings, span)
-            runs += [run.later(begin) for run in found]
+            yield begin, samples, (first_end, last_end)
         if last:
             break
-    hours = length / 3600
-    return [
-        replace(run, false_alarm=false_alarms_per_hour(run.score, settings) * hours)
-        for run in runs
-    ]
 
 
 def _loudest_channel(sound):
@@ -290,13 +307,17 @@ def _tone_run(samples, rate, ridge, settings):
 
 
 def repetitions(
-    frames: Frames, settings: SettlingSettings, span: tuple[float, float]
+    samples: np.ndarray,
+    rate: float,
+    settings: SettlingSettings,
+    span: tuple[float, float],
 ) -> list[SettlingRun]:
-    """Return the runs of the kind "repetition" in frames of a sound that end within a
-    time span [s].
+    """Return the runs of the kind "repetition" in samples (n,) that end within a time
+    span [s].
 
     Their false alarms are per hour.
     """
+    frames = frames_of(samples, rate, settings)
     onsets = onset_strength(frames, settings)
     candidates = candidates_of(frames, onsets, settings, span)
     bouncing = [
@@ -310,6 +331,10 @@ def repetitions(
     ]
     runs = [_run(group, frames, onsets, settings) for group in _groups(heard)]
     return [run for run in runs if run is not None]
+
+
+SEARCHES = {"tone": tones, "repetition": repetitions}
+"""Search for each kind of event."""
 
 
 def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
