@@ -70,7 +70,9 @@ FLIGHT_LIFT = 13
 """Impulse of the film pressure since the loss of contact [N s]."""
 TABLE_LOSS = 14
 """Energy lost by the damping of the table modes [J]."""
-RECORD_SIZE = 15
+FILM_IMPULSE = 15
+"""Vertical impulse of the film pressure [N s]."""
+RECORD_SIZE = 16
 TORQUE = 3
 """Index of the first of three torques about the centre in a sum of contact forces."""
 LOAD_SIZE = 6
@@ -1268,6 +1270,7 @@ def kick(disk, motion, contacts, before, change, h):
             state[VELOCITY + i] += h / disk.mass * load[origin, i]
             state[MOMENTUM + i] += h * load[origin, TORQUE + i]
             record[IMPULSE + i] += h * load[origin, i]
+    record[FILM_IMPULSE] += h * load[FILM, 2]
     pull = contacts.pull[DASHPOT]
     record[CONTACT_LOSS] -= h * (
         scalar_product(pull, before[LOAD_SIZE:])
@@ -1378,7 +1381,7 @@ def step_rattling_disk(
         place.
     begin : float
         Time [s] of the first step.
-    samples : ndarray, shape (n, 31 + 2 d)
+    samples : ndarray, shape (n, 32 + 2 d)
         Receives state, record, modes of the disk and energy of those of the table.
     flights : ndarray, shape (f, 3)
         Output: start [s], duration [s] and height [m] of each loss of contact that

@@ -7,6 +7,7 @@ from math import ceil, pi, radians
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynamics.compliant.compliant_motion import (
     FORCE_RATE,
@@ -191,12 +192,15 @@ class RattlingMotion(CompliantMotion):
     ringing : ndarray, shape (n, 2 m)
         Displacement and velocity of each disk mode of unit modal mass, at the times of the
         impulses.
+    film_impulses : ndarray, shape (n,)
+        Vertical impulse of the pressure in the air film [N s], a part of the impulses.
     open_time : float
         Time without contact [s].
     """
 
     model: RattlingModel  # type: ignore[assignment]
     ringing: np.ndarray
+    film_impulses: np.ndarray
     open_time: float
 
     @property
@@ -223,6 +227,17 @@ class RattlingMotion(CompliantMotion):
     def impact_rate(self) -> float:
         """Number of impacts per second."""
         return len(self.contact_losses) / self._end
+
+    def contact_force(self, t: ArrayLike) -> np.ndarray:
+        """Return the normal force of the contact (k,) [N] at t (k,) [s], without the
+        pressure in the air film, which may be below that of the room.
+
+        It is 0 below 1e-9 of the weight, the rounding error of the impulses.
+        """
+        contact = self.impulses[:, 2] - self.film_impulses
+        place = self._row_positions(t) * FORCES_PER_ROW
+        force = interpolate_rows(contact[:, None], place, True)[:, 0] / self.dt
+        return np.where(force > 1e-9 * self.disk.weight, force, 0.0)
 
     def contact_resonance(self, inclination) -> np.ndarray:
         """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""
@@ -548,7 +563,7 @@ def static_deflection(
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion from samples (n, 31 + 2 d) at FORCE_RATE."""
+    """Return the motion from samples (n, 32 + 2 d) at FORCE_RATE."""
     state = samples[:, : layout.STATE_SIZE]
     record = samples[:, layout.STATE_SIZE : layout.STATE_SIZE + layout.RECORD_SIZE]
     ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE : -1]
@@ -585,6 +600,7 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         max_friction_excess=0.0,
         outcome=outcome,
         ringing=np.ascontiguousarray(ringing),
+        film_impulses=record[:, layout.FILM_IMPULSE].copy(),
         open_time=float(record[-1, layout.OPEN_TIME]),
     )
 

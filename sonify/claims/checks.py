@@ -135,7 +135,7 @@ def pushing_contact(motion: Motion):
     resolution = 1e-5  # s; averaging interval of the forces
     t = motion.t[:-1]
     around = [
-        motion.force(np.clip(t + shift, 0.0, t[-1]))[:, 2]
+        _contact_force(motion, np.clip(t + shift, 0.0, t[-1]))
         for shift in (-resolution, 0.0, resolution)
     ]
     losses = np.reshape(
@@ -150,6 +150,16 @@ def pushing_contact(motion: Motion):
     )
     pulls = (np.min(around, axis=0) < 0) | ((np.max(around, axis=0) <= 0) & ~in_a_loss)
     return np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]
+
+
+def _contact_force(motion, t):
+    """Return the normal force of the contact (k,) [N] at t (k,) [s].
+
+    The force of a rattling motion also contains the pressure in the air film, which
+    pulls while the disk rises."""
+    if isinstance(motion, RattlingMotion):
+        return motion.contact_force(t)
+    return motion.force(t)[:, 2]
 
 
 @check(

@@ -44,6 +44,7 @@ from dynamics.rattling.rattling_motion import (
 )
 from modal import eigenmodes
 from sonify import SceneError, load_scene, solve
+from sonify.claims.checks import pushing_contact
 from sonify.claims.rattling import (
     fitted_exponent,
     free_modes_are_heard,
@@ -302,6 +303,20 @@ def test_the_film_slows_a_rolling_disk_as_it_does_with_a_rigid_contact():
     total = motion.energy(motion.t) + motion.state[:, -1]
     assert np.abs(total / total[0] - 1).max() < 1e-6
     assert motion.energy_lost(motion.t[-1:])["film"][0] > 0.8 * total[0]
+
+
+def test_the_table_presses_where_the_film_pulls():
+    """The film pulls a disk that rises; the contact itself never does, up to rounding."""
+    changes = ("air.film=acts", "contact.young=3e8", "numerics.time_limit=0.1")
+    motion = simulate(coin(1e-5, 1.0, 0.9, 1, 0.05, *changes))
+    t = motion.dt * (np.arange(len(motion.impulses) - 1) + 0.5)
+    total = np.diff(motion.impulses[:, 2]) / motion.dt
+    contact = np.diff(motion.impulses[:, 2] - motion.film_impulses) / motion.dt
+    weight = motion.disk.weight
+    assert contact.min() > -1e-9 * weight
+    assert np.sum((total < 0) & (contact > 1e-4 * weight)) > 50
+    assert motion.contact_force(t)[total < 0].max() > 1e-3 * weight
+    assert pushing_contact(motion).value == 0
 
 
 def test_the_film_acts_on_a_coin_that_impacts_stop_before_the_time_limit():
