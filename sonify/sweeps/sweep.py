@@ -4,6 +4,7 @@ import json
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
+from hashlib import sha256
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -79,11 +80,16 @@ class Sweep:
     @property
     def identity(self) -> dict[str, Any]:
         """Plain values that identify the sweep; sweeps with equal identity can share a
-        table."""
+        table.
+
+        A mesh is identified by the content of its file, which may have any path."""
+        scene = deepcopy(self.document)
+        if mesh := scene.get("surface", {}).get("file"):
+            scene["surface"]["file"] = sha256(Path(mesh).read_bytes()).hexdigest()
         drawn = asdict(self.samples) if self.samples else None
         if drawn and not drawn["total"]:
             del drawn["total"]  # tables of earlier versions lack it
-        same = {"scene": self.document, "axes": self.axes, "samples": drawn}
+        same = {"scene": scene, "axes": self.axes, "samples": drawn}
         return json.loads(
             json.dumps(
                 same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str

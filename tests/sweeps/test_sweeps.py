@@ -16,6 +16,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner
+from paths import ROOT
 from scipy.stats import qmc
 from sweep_files import QUICK, found
 
@@ -398,6 +399,25 @@ def test_the_same_sweep_again_runs_nothing_and_another_is_refused(done, monkeypa
     with pytest.raises(InputError, match="the table of another sweep"):
         sonify.sweep(QUICK | {"axes": {AXIS: [0.3]}}, out=done.parent)
     assert done.read_bytes() == before
+
+
+def test_a_table_may_move_with_its_mesh_but_not_to_another_mesh(tmp_path):
+    """A sweep is the same wherever its mesh is, and another one if a byte of it differs."""
+    mesh = (ROOT / "sonify" / "scenes" / "wood-table.msh").read_bytes()
+    identities = []
+    for name, content in (("a", mesh), ("b", mesh), ("c", mesh + b"\n")):
+        file = tmp_path / name / "table.msh"
+        file.parent.mkdir()
+        file.write_bytes(content)
+        document = {
+            "name": "mesh",
+            "scene": "wood-table",
+            "set": [f"surface.file='{file.as_posix()}'"],
+            "find": ["motion"],
+            "axes": {"friction.mu_static": [0.3, 0.4]},
+        }
+        identities.append(load_sweep(document).identity)
+    assert identities[0] == identities[1] != identities[2]
 
 
 def test_maps_are_drawn_from_the_table_alone(done, tmp_path):
