@@ -29,6 +29,9 @@ class Share(NamedTuple):
             )
             return f"{self.holds} of {self.draws} draws ({bound})"
         percent = 100 * self.holds / self.draws
+        if round(percent) in (0, 100):
+            bounds = f"{self.low:.1%} to {self.high:.1%}"
+            return f"{self.holds} of {self.draws} draws ({bounds})"
         return (
             f"{percent:.0f}({50 * (self.high - self.low):.0f}) % of {self.draws} draws"
         )

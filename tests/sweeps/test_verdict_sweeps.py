@@ -11,6 +11,7 @@ from scipy.stats import qmc
 from verdict_ranges import ranges_table
 
 from sonify import load_scene
+from sonify.claims.shares import share_of
 from sonify.claims.verdict import contact_breaks_before_end, simplest_scene
 from sonify.plan.preflight import solve_motion
 from sonify.runtime.toml_files import read_toml
@@ -84,6 +85,19 @@ def test_a_share_of_all_or_none_has_a_bound():
     sweep = load_sweep("verdict-paper-vacuum")
     table = made_table(sweep, lambda columns: [False] * sweep.points.count)
     assert "0 of 512 draws (at most 0.7%)" in verdict_conclusion(table, sweep)[0]
+
+
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [
+        (1, "1 of 512 draws (0.0% to 1.1%)"),
+        (3, "1(1) % of 512 draws"),
+        (509, "99(1) % of 512 draws"),
+        (511, "511 of 512 draws (98.9% to 100.0%)"),
+    ],
+)
+def test_a_share_of_nearly_all_is_not_rounded_to_all(count, words):
+    assert str(share_of(np.arange(512) < count)) == words
 
 
 def with_total(total, **changes):
