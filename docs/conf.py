@@ -43,12 +43,15 @@ myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
 
 default_role = "code"
+smartquotes_action = "qe"  # not of dashes: options begin with two
 autosummary_generate = True
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
 
 html_theme = "pydata_sphinx_theme"
+html_static_path = ["sounds.js"]
+html_js_files = [("sounds.js", {"defer": "defer"})]
 html_sidebars = {
     page: []
     for page in (
