@@ -1,11 +1,12 @@
 """Estimate the fraction of a motion that has been solved."""
 
-from math import inf
+from math import inf, radians
 
 from dynamics.film.activation import non_contact_loads
 from dynamics.quasi_steady import time_to_flat
 from dynamics.scene_constants import scene_constants
 from dynamics.sections import MotionScene
+from dynamics.simulation import contact_model
 
 
 class MotionProgress:
@@ -13,7 +14,8 @@ class MotionProgress:
 
     The remaining time is predicted from the current inclination as for quasi-steady
     motion; it ends at the time limit at the latest. The transient after the release and
-    the nutation are neglected, so early fractions are too low.
+    the nutation are neglected, so early fractions are too low. The impacts of a rattling
+    disk reduce its inclination at a constant rate, which is that since the release.
     """
 
     def __init__(self, scene: MotionScene) -> None:
@@ -21,19 +23,24 @@ class MotionProgress:
         self._law = scene_constants(scene)
         self._loads = non_contact_loads(scene)
         self._time_limit = scene.numerics.time_limit
+        self._rattles = contact_model(scene) == "many"
+        self._released = radians(scene.release.inclination_deg)
         self._share = 0.0
 
     def solved_fraction(self, t: float, inclination: float) -> float:
         """Return the solved fraction at time t [s] and inclination [rad]."""
-        end = min(t + self._time_left(inclination), self._time_limit)
+        end = min(t + self._time_left(t, inclination), self._time_limit)
         last_shown = 0.999
         if end > 0:
             self._share = max(self._share, min(t / end, last_shown))
         return self._share
 
-    def _time_left(self, inclination: float) -> float:
+    def _time_left(self, t: float, inclination: float) -> float:
         if inclination <= 0:
             return 0.0
+        if self._rattles:
+            decrease = self._released - inclination
+            return t * inclination / decrease if decrease > 0 else inf
         try:
             return time_to_flat(inclination, self._disk, self._law, self._loads)
         except ValueError:  # the disk is too steep for a steady motion

@@ -59,6 +59,15 @@ def test_a_disk_too_steep_for_a_steady_motion_has_its_time_limit():
     assert MotionProgress(scene).solved_fraction(2.0, 1.5) == 0.25
 
 
+def test_impacts_reduce_the_inclination_of_a_rattling_disk_at_a_constant_rate():
+    progress = MotionProgress(load_scene("coin"))
+    release = np.radians(33.0)
+    shares = [
+        progress.solved_fraction(t, s * release) for t, s in ((0.4, 0.75), (0.5, 0.8))
+    ]
+    assert shares == pytest.approx([0.25, 0.25])
+
+
 @pytest.mark.parametrize("support", ["patch", "free"])
 def test_modes_report_every_step_up_to_the_last(scene, support):
     told = []
