@@ -146,7 +146,10 @@ class NonEmptyText(click.ParamType):
 
 PATH = NonEmptyText("path")
 TEXT = NonEmptyText("text")
+NUMBER = click.FloatRange()
+NUMBER.name = "number"
 SECONDS = click.FloatRange(min=0.0)
+SECONDS.name = "number"
 FROM_OPTION = click.option(
     "--from",
     "begin",
@@ -398,13 +401,13 @@ def chart(name, quick, out, redraw):
 )
 @click.option(
     "--strike",
-    type=float,
+    type=NUMBER,
     metavar="ANGLE",
     help="Angle of the strike in the Faust program [degrees]; default 180, opposite the patch.",
 )
 @click.option(
     "--rate",
-    type=float,
+    type=NUMBER,
     metavar="HZ",
     help="For a motion, frames or rows per second; default 60 for gltf, and one row per solver "
     "step for parquet and csv. For a sound, the sample rate, 48000 or 96000; default that of the "

@@ -140,8 +140,8 @@ def _verdict(decline, exponent):
     if decline.neglected:
         return "cannot tell", found
     return "impacts", (
-        f"{found}: contour friction, 1/3, is excluded; impacts give (2 - H)/(4 - H), so H is "
-        f"between {slopes[1]:.1f} and {slopes[0]:.1f}"
+        f"{found}: contour friction, 1/3, is excluded; impacts give n = (2 - H)/(4 - H), "
+        f"so the Hurst exponent H of the heights is between {slopes[1]:.1f} and {slopes[0]:.1f}"
     )
 
 

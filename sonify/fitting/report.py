@@ -292,7 +292,7 @@ def comparison_sentences(fits: Fits, simulated: dict[str, Any] | None) -> list[s
         if fitted.measured
     ]
     return [
-        f"{name}: turns per second one second before the end "
+        f"{name}: one second before the end, or at the start if it is later, turns per second "
         f"{_interval(numbers['turns_at_1s'])}, bursts {_interval(numbers['rate_at_1s'])}, "
         f"exponent {_interval(numbers['exponent'])}"
         for name, numbers in [*rows, ("simulated", simulated)]

@@ -169,7 +169,7 @@ def analysis_sentences(heard: Heard, known=()) -> list[str]:
         f"{heard.duration:.3f} s at {heard.sample_rate} Hz, sound from {heard.start:.3f} s on"
     ]
     return lines + [
-        f"carrier: {spectral_line_description(c)}{match_clause(matching_resonance(c, known))}"
+        f"spectral line: {spectral_line_description(c)}{match_clause(matching_resonance(c, known))}"
         for c in heard.carriers
     ]
 

@@ -19,7 +19,7 @@ def replaced_results(scene: Scene, folder: Path) -> str:
     try:
         earlier = load_scene(record)
     except SceneError as error:
-        return f"{folder}: replaces results of a run that cannot be read ({error})"
+        return f"{folder}: will replace results of a run that cannot be read ({error})"
     values = differing_values(scene_record(earlier), scene_record(scene))
     differing = [key for key in values if key != "name"]
     if not differing and earlier.name == scene.name:
@@ -28,5 +28,5 @@ def replaced_results(scene: Scene, folder: Path) -> str:
     more = (
         [f"{len(differing) - len(shown)} more"] if len(differing) > len(shown) else []
     )
-    keys = f", which differs in {', '.join([*shown, *more])}" if differing else ""
-    return f"{folder}: replaces the results of {earlier.name}{keys}"
+    keys = f" (different: {', '.join([*shown, *more])})" if differing else ""
+    return f"{folder}: will replace the results of {earlier.name}{keys}"

@@ -152,7 +152,7 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
             axes[1], (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3)
         )
         axes[0].set(ylabel="frequency [Hz]", xlabel="time [s]")
-        axes[0].set_title("Contact rates", loc="left")
+        axes[0].set_title("Low frequencies", loc="left")
         for panel, seen, unit, floor in zip(
             axes, (low, high), (1.0, 1e3), floors, strict=True
         ):
@@ -180,7 +180,7 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
         if runs:
             draw_legend(axes[0])
         axes[1].set(ylabel="frequency [kHz]", xlabel="time [s]")
-        axes[1].set_title("Modes", loc="left")
+        axes[1].set_title("High frequencies", loc="left")
 
 
 def draw_settling(path, source, begin, runs):
@@ -188,7 +188,7 @@ def draw_settling(path, source, begin, runs):
 
     The source starts at the time `begin` [s]. In the upper panels each row is one turn
     of the fitted law, drawn twice side by side: bursts that follow the law form
-    vertical lines. The lower panels show the scores of the laws.
+    vertical lines; bright parts are loud. The lower panels show the scores of the laws.
     """
     shown = sorted(runs, key=lambda run: -run.score)[:3]
     size = (max(5.5 * len(shown), 7), 9)
@@ -215,7 +215,10 @@ def draw_settling(path, source, begin, runs):
                 extent=extent,
                 cmap="magma",
             )
-            above.set(xlabel="turn", ylabel="turns left until the end")
+            above.set(
+                xlabel="fraction of a turn (bright: loud), drawn twice",
+                ylabel="turns left until the end",
+            )
             above.set_title(
                 f"{run.kind} in {low:.0f} to {high:.0f} Hz, turn by turn", loc="left"
             )
@@ -225,8 +228,11 @@ def draw_settling(path, source, begin, runs):
             names = [LAW_NAMES.get(name, name) for name in run.law_scores]
             below.barh(names, list(run.law_scores.values()), color=colours)
             below.invert_yaxis()
-            below.set(xlabel="log likelihood of held-out parts")
-            below.set_title(f"law of the rate; Q = {run.score:.0f}", loc="left")
+            below.set(xlabel="log likelihood of held-out parts, gain over a constant")
+            certainty = "certain" if run.certain else "probable"
+            below.set_title(
+                f"law of the rate; Q = {run.score:.0f}, {certainty}", loc="left"
+            )
 
 
 def set_log_frequency_axis(axes, band):
@@ -378,6 +384,7 @@ def draw_stems(path, stems, end: float, duration: float):
     `stems` contains times (t,) [s] and both levels (t,) [dB] by name. `end` is the end
     of the motion [s], and `duration` that of the sound [s].
     """
+    faintest = -20.0  # dB, lower limit of the panel
     with png_figure(path, 2, 1, (11, 8.6)) as (_, (weighted, above)):
         for (name, (time, a_weighted, above_threshold)), (color, style) in zip(
             stems.items(), cycle(STEM_STYLES)
@@ -388,9 +395,11 @@ def draw_stems(path, stems, end: float, duration: float):
                 "lw": 1.4,
                 "label": name.replace("_", " "),
             }
+            if np.max(a_weighted, initial=-np.inf) < faintest:
+                options["label"] += " (fainter)"
             weighted.plot(time, a_weighted, **options)
             above.plot(time, above_threshold, **options)
-        weighted.set(ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None))
+        weighted.set(ylabel="A-weighted level [dB re 20 µPa]", ylim=(faintest, None))
         weighted.set_title("Causes of sound", loc="left")
         above.axhspan(-30, 0, color="0.9", label="inaudible")
         above.set(ylabel="above the threshold [dB]", ylim=(-30, None))

@@ -330,8 +330,8 @@ def test_a_run_ends_with_its_files_and_answers_and_tells_what_it_replaces(tmp_pa
         answers = [line.split(": ", 1) for line in ran.stdout.splitlines()[-4:]]
         assert [question for question, _ in answers] == QUESTIONS
         assert all(answer for _, answer in answers)
-    assert "replaces" not in first.stderr + again.stderr
-    line = f"{tmp_path}: replaces the results of published, which differs in friction.mu_static"
+    assert "will replace" not in first.stderr + again.stderr
+    line = f"{tmp_path}: will replace the results of published (different: friction.mu_static)"
     assert other.stderr.splitlines()[0] == line
 
 
@@ -339,7 +339,7 @@ def test_a_run_tells_that_it_replaces_what_cannot_be_read(tmp_path):
     (tmp_path / "run.json").write_text("{}")
     told = replaced_results(load_scene("published"), tmp_path)
     assert told.startswith(
-        f"{tmp_path}: replaces results of a run that cannot be read ("
+        f"{tmp_path}: will replace results of a run that cannot be read ("
     )
     assert replaced_results(load_scene("published"), tmp_path / "new") == ""
 

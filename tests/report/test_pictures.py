@@ -168,6 +168,17 @@ def test_causes_of_sound_are_drawn_beside_their_legend(drawn):
     ]
 
 
+def test_the_legend_marks_a_cause_of_sound_below_the_axis(drawn):
+    time = np.linspace(0, 10, 50)
+    stems = {
+        name: (time, np.full(50, level), np.full(50, level - 20))
+        for name, level in (("heave", -19.0), ("ringing_smooth", -21.0))
+    }
+    one = drawn(sound.draw_stems, stems=stems, end=9.0, duration=10.0)
+    shown = [text.get_text() for text in one.axes[0].get_legend().get_texts()]
+    assert shown == ["heave", "ringing smooth (fainter)", "end of the motion"]
+
+
 def test_energies_are_drawn_beside_their_legend(drawn):
     left = np.geomspace(1, 1e-4, 50)
     held = dict.fromkeys(("disk", "modes of the table", "modes of the disk"), left)
