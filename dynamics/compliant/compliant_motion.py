@@ -295,7 +295,7 @@ class CompliantMotion(MotionBase):
         return self._interpolate_linearly(self._row_positions(t))[:, DISK_ENERGY_COLUMN]
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of any energy loss between two rows."""
+        """Return the largest decrease [J] of the energy lost to one cause; see `Motion`."""
         lost = self.rows[:, LOSS_COLUMNS]
         return float((np.maximum.accumulate(lost, axis=0) - lost).max())
 

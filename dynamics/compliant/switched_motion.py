@@ -182,7 +182,10 @@ class SwitchedMotion(MotionBase):
         return offset
 
     def _time_since_switch(self, t: np.ndarray) -> np.ndarray:
-        """Return times t (k,) [s] since the switch, rounded into the coupled part."""
+        """Return the times (k,) [s] since the switch for times t (k,) [s].
+
+        Rounding does not move a time beyond the end of the coupled part.
+        """
         since = t - self.switch_time
         return np.where(
             t <= self.t[-1], np.minimum(since, self.coupled_part.t[-1]), since

@@ -80,8 +80,9 @@ def must_compute_table_modes(scene: Any) -> bool:
 def table_modes(scene: "MotionScene", given: Any = None) -> Any:
     """Return the table modes required by the motion of a scene, or None.
 
-    They are those `given`, or those contained in the scene. Raises ValueError if modes
-    are missing, or if the requested two-way coupling is impossible.
+    They are the `given` modes, or else those that the scene specifies by numbers.
+    Raises ValueError if modes are missing, or if the requested two-way coupling is
+    impossible.
     """
     if not may_be_two_way(scene):
         return None

@@ -19,7 +19,7 @@ def advance(
     span: float,
     tolerance: float,
 ) -> Arc:
-    """Integrate from y within `regime` until a guard falls, at most for `span`.
+    """Integrate from y within `regime` until a guard falls, for at most `span`.
 
     It takes at most MAX_STEPS_PER_CALL steps and is thread-safe. Raises StalledError if
     no step is short enough.

@@ -179,7 +179,7 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 
 
 def integrate_dop853(flow, y, p, count, span, tolerance):
-    """Integrate from y (k,) until one of `count` guards falls, at most for `span`.
+    """Integrate from y (k,) until one of `count` guards falls, for at most `span`.
 
     It takes at most MAX_STEPS_PER_CALL steps. Returns the end times of the steps (n,),
     their Taylor coefficients (n, 8, k), the last state (k,) and the index of the guard

@@ -77,7 +77,7 @@ def compile_polar_slip(branch):
 
 
 def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
-    """Integrate a stiff slide until a guard falls, at most for `span`.
+    """Integrate a stiff slide until a guard falls, for at most `span`.
 
     It takes at most MAX_STEPS_PER_CALL steps and ends early if the slide is no longer
     stiff. It continues through clear reversals of the nutation. Returns None if the

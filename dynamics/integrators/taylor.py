@@ -73,7 +73,7 @@ class CompiledTaylor:
             [1.0] * len(y),
             tol=tolerance,
             compact_mode=any(branch.stuck)
-            or not is_common_load(branch.loads)
+            or not has_standard_loads_only(branch.loads)
             or (
                 branch.sliding
                 and not branch.loads
@@ -104,8 +104,8 @@ class CompiledTaylor:
         self._idle.append(borrowed)
 
 
-def is_common_load(loads) -> bool:
-    """Return True if there are no loads, or an air film with or without a Resistance."""
+def has_standard_loads_only(loads) -> bool:
+    """Return True if there are no loads, or only an air film and perhaps a Resistance."""
     laws = getattr(loads, "laws", (loads,))
     return loads is None or (
         bool(find_film(loads))
@@ -138,7 +138,7 @@ def advance(
     span: float,
     tolerance: float,
 ) -> Arc:
-    """Integrate from y within `regime` until a guard falls, at most for `span`.
+    """Integrate from y within `regime` until a guard falls, for at most `span`.
 
     It takes at most MAX_STEPS_PER_CALL steps and is thread-safe. A rolling disk
     continues through simple reversals of a rotation. DOP853 replaces the Taylor method

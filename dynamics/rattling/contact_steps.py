@@ -27,7 +27,11 @@ from dynamics.compliant.stepping.table_modes import (
     store_table_slopes,
 )
 from dynamics.numba_kernels import kernel, outermost
-from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT, friction_limited_arm
+from dynamics.pivoting import (
+    COEFFICIENT_COUNT,
+    INCLINATION_ROOT_DEGREE,
+    friction_limited_arm,
+)
 from dynamics.rattling import film_force
 from dynamics.rattling.film_force import AirFilm, film_capacity, film_pressure
 
@@ -52,23 +56,23 @@ SLIP_LOSS = 4
 """Energy lost to friction [J]."""
 MOMENT_LOSS = 5
 """Energy lost to the resisting moment [J]."""
-STORED = 6
+SPRING_ENERGY = 6
 """Elastic energy of the springs [J]."""
 OPEN_TIME = 7
 """Time without contact [s]."""
-BODY_LOSS = 8
+DISK_MODE_LOSS = 8
 """Energy lost by the damping of the modes [J]."""
-OPEN_SINCE = 9
+FLIGHT_START = 9
 """Time at which the contact was last lost [s]; negative while there is contact."""
-GREATEST_GAP = 10
+MAX_FLIGHT_HEIGHT = 10
 """Largest height of the lowest rim point above the table since the loss of contact [m]."""
 FILM_LOSS = 11
 """Energy lost to the air film [J]."""
 COMPRESSED_AIR_ENERGY = 12
 """Energy of the compressed air in the film [J]."""
-FLIGHT_LIFT = 13
+FLIGHT_FILM_IMPULSE = 13
 """Impulse of the film pressure since the loss of contact [N s]."""
-TABLE_LOSS = 14
+TABLE_MODE_LOSS = 14
 """Energy lost by the damping of the table modes [J]."""
 FILM_IMPULSE = 15
 """Vertical impulse of the film pressure [N s]."""
@@ -98,7 +102,7 @@ MIN_AIRBORNE_TIME = 2e-3
 MIN_AIRBORNE_LIFT = 0.5
 """Mean film force during a loss of contact, divided by the weight, above which the film
 supports the disk."""
-CONTINUES, LIES_FLAT, STANDS_UPRIGHT, JUMPS, FLOATS = range(5)
+CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF, IS_AIRBORNE = range(5)
 """Reasons for ending the time steps."""
 
 
@@ -324,23 +328,23 @@ def fly(disk, gravity, edge, motion, propagator, h):
 def record_mode_losses(motion):
     """Move the energies lost by the modes of the disk since the last sample to the record."""
     for j in range(motion.mode_loss.size):
-        motion.record[BODY_LOSS] += motion.mode_loss[j]
+        motion.record[DISK_MODE_LOSS] += motion.mode_loss[j]
         motion.mode_loss[j] = 0.0
 
 
 @kernel
-def fly_table(table, own, motion, propagator):
+def fly_table(table, disk_modes, motion, propagator):
     """Advance the modes of the table exactly without contact.
 
-    `propagator` (4, m) is that of all modes; the first `own` are those of the disk.
+    `propagator` (4, m) is that of all modes; the first `disk_modes` are those of the disk.
     """
-    place = motion.modes[0, own:]
-    speed = motion.modes[1, own:]
-    by_place, by_speed = propagator[0, own:], propagator[1, own:]
+    place = motion.modes[0, disk_modes:]
+    speed = motion.modes[1, disk_modes:]
+    by_place, by_speed = propagator[0, disk_modes:], propagator[1, disk_modes:]
     later = table.work
     for j in range(later.size):
         later[j] = by_place[j] * place[j] + by_speed[j] * speed[j]
-    by_place, by_speed = propagator[2, own:], propagator[3, own:]
+    by_place, by_speed = propagator[2, disk_modes:], propagator[3, disk_modes:]
     for j in range(later.size):
         speed[j] = by_place[j] * place[j] + by_speed[j] * speed[j]
     for j in range(later.size):
@@ -348,11 +352,11 @@ def fly_table(table, own, motion, propagator):
 
 
 @kernel
-def table_energy(edge, table, own, motion):
+def table_energy(edge, table, disk_modes, motion):
     """Return the energy [J] of the modes of the table."""
-    frequency = edge.frequency[own:]
-    place = motion.modes[0, own:]
-    speed = motion.modes[1, own:]
+    frequency = edge.frequency[disk_modes:]
+    place = motion.modes[0, disk_modes:]
+    speed = motion.modes[1, disk_modes:]
     rate = table.work
     for j in range(rate.size):
         rate[j] = frequency[j] * place[j]
@@ -360,16 +364,16 @@ def table_energy(edge, table, own, motion):
 
 
 @kernel
-def damped_work(edge, table, own, motion, gain, step):
-    """Return the work [J] on the modes of the table that their damping takes within a step.
+def work_lost_to_damping(edge, table, disk_modes, motion, gain, step):
+    """Return the part [J] of the work on the table modes that damping dissipates in a step.
 
     The impulses that change the speeds by `gain` (t,) represent forces that act during the
     whole step, in which the displacements decay. The work of these forces is smaller than
     that of the impulses; the difference is of first order in the decay rates.
     """
-    decay = edge.decay[own:]
-    frequency = edge.frequency[own:]
-    place = motion.modes[0, own:]
+    decay = edge.decay[disk_modes:]
+    frequency = edge.frequency[disk_modes:]
+    place = motion.modes[0, disk_modes:]
     lost = table.work
     for j in range(lost.size):
         bend = frequency[j] ** 2 * place[j]
@@ -378,16 +382,16 @@ def damped_work(edge, table, own, motion, gain, step):
 
 
 @kernel
-def table_swing(edge, table, own, motion):
-    """Return a bound [m] of the deflection of the table until the next contact."""
-    frequency = edge.frequency[own:]
-    place = motion.modes[0, own:]
-    speed = motion.modes[1, own:]
-    swing = table.work
-    for j in range(swing.size):
-        swing[j] = speed[j] / frequency[j]
-    squares = scalar_product(place, place) + scalar_product(swing, swing)
-    return edge.highest[1 + own] * np.sqrt(squares)
+def table_deflection_bound(edge, table, disk_modes, motion):
+    """Return an upper amplitude [m] of the table deflection until the next contact."""
+    frequency = edge.frequency[disk_modes:]
+    place = motion.modes[0, disk_modes:]
+    speed = motion.modes[1, disk_modes:]
+    amplitude = table.work
+    for j in range(amplitude.size):
+        amplitude[j] = speed[j] / frequency[j]
+    squares = scalar_product(place, place) + scalar_product(amplitude, amplitude)
+    return edge.highest[1 + disk_modes] * np.sqrt(squares)
 
 
 @kernel
@@ -652,9 +656,9 @@ def move_nodes(disk, edge, table, motion, rim, now, begin, count):
     """Evaluate the deflection of the table at `count` nodes from `begin` on, and clear their
     forces; return the greatest deflection [m].
     """
-    own = edge.axial.shape[0]
-    factor = edge.place_factor[own:]
-    place = motion.modes[0, own:]
+    disk_modes = edge.axial.shape[0]
+    factor = edge.place_factor[disk_modes:]
+    place = motion.modes[0, disk_modes:]
     for m in range(place.size):
         table.displacement[m] = factor[m] * place[m]
     basis_x = np.empty((3, 4))
@@ -679,11 +683,21 @@ def move_nodes(disk, edge, table, motion, rim, now, begin, count):
 
 @kernel
 def write_node_speeds(
-    disk, table, own, motion, rim, velocity, change, is_changed, now, begin, count
+    disk,
+    table,
+    disk_modes,
+    motion,
+    rim,
+    velocity,
+    change,
+    is_changed,
+    now,
+    begin,
+    count,
 ):
     """Evaluate slopes and speed of the table at `count` nodes from `begin` on.
 
-    `own` is the number of modes of the disk, which come first. A speed that was evaluated
+    The first `disk_modes` modes are those of the disk. A speed that was evaluated
     before the change is corrected by half of it.
     """
     for n in range(begin, begin + count):
@@ -695,29 +709,29 @@ def write_node_speeds(
             for i in range(2):
                 incline[i] = scalar_product(table.slopes[node, i], table.displacement)
             table.motion[SPEED, node] = node_speed(
-                disk, table, own, motion, rim, velocity, node
+                disk, table, disk_modes, motion, rim, velocity, node
             )
         if is_changed:
-            gain = node_speed(disk, table, own, motion, rim, change, node)
+            gain = node_speed(disk, table, disk_modes, motion, rim, change, node)
             table.motion[CHANGE, node] = gain
             if is_known:
                 table.motion[SPEED, node] += gain / 2
 
 
 @kernel
-def node_speed(disk, table, own, motion, rim, velocity, node):
+def node_speed(disk, table, disk_modes, motion, rim, velocity, node):
     """Return the speed [m/s] at which the table rises under a node of the moving rim."""
     x, y, z = node_arm(disk, table, motion, rim, node)
     moved_x, moved_y = horizontal_velocity(velocity, table.is_fixed, x, y, z)
     return (
-        scalar_product(table.shapes[node], velocity[LOAD_SIZE + own :])
+        scalar_product(table.shapes[node], velocity[LOAD_SIZE + disk_modes :])
         + table.incline[node, 0] * moved_x
         + table.incline[node, 1] * moved_y
     )
 
 
 @kernel
-def push_table(disk, table, motion, rim, own, begin, count, contacts):
+def push_table(disk, table, motion, rim, disk_modes, begin, count, contacts):
     """Add the forces on `count` nodes from `begin` on to those on the modes of the table, and their
     horizontal parts to those on the disk.
     """
@@ -727,7 +741,7 @@ def push_table(disk, table, motion, rim, own, begin, count, contacts):
             force = table.force[origin, node]
             if force == 0:
                 continue
-            pull = contacts.pull[origin, own:]
+            pull = contacts.pull[origin, disk_modes:]
             shapes = table.shapes[node]
             for m in range(shapes.size):
                 pull[m] -= force * shapes[m]
@@ -743,9 +757,10 @@ def push_table(disk, table, motion, rim, own, begin, count, contacts):
 
 @kernel
 def write_depths(disk, edge, motion, rim, first, size, contacts):
-    """Write the depths [m] of `size` points of a block, from `first` on, below a table at rest.
+    """Write the depths [m] of the points of a block below a table at rest.
 
-    They are negative above it.
+    The block has `size` points and begins at the point `first`. Depths are negative
+    above the table.
     """
     points = slice(first, first + size)
     heights = edge.heights[points]
@@ -1168,7 +1183,7 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
     arms = disk.arms
     if disk.spin_friction[0] > 0:
         travel = np.hypot(velocity[3], velocity[4]) / rim.sine
-        root = rim.sine ** (1 / INCLINATION_ROOT)
+        root = rim.sine ** (1 / INCLINATION_ROOT_DEGREE)
         unit_arm = 0.0
         creep = 0.0
         for i in range(COEFFICIENT_COUNT, 0, -1):
@@ -1234,8 +1249,8 @@ def write_change(disk, motion, contacts, h, out):
 
 
 @kernel
-def energy_of_change(contacts, change, own, h):
-    """Return the kinetic energy [J] of the velocity changes (6 + m,) of disk and its `own` modes.
+def energy_of_change(contacts, change, disk_modes, h):
+    """Return the kinetic energy [J] of the velocity changes (6 + m,) of the disk and its modes.
 
     A quarter of it is the mean kinetic energy before and after the change less that of the
     mean velocity.
@@ -1244,7 +1259,7 @@ def energy_of_change(contacts, change, own, h):
     for i in range(LOAD_SIZE):
         for origin in range(contacts.load.shape[0]):
             energy += h / 2 * contacts.load[origin, i] * change[i]
-    for j in range(own):
+    for j in range(disk_modes):
         energy += change[LOAD_SIZE + j] ** 2 / 2
     return energy
 
@@ -1296,21 +1311,21 @@ def write_propagator(edge, h, out):
 
 
 @kernel
-def floats(record, now, weight):
+def is_carried_by_film(record, now, weight):
     """Return True if the air film has supported the disk since the loss of contact."""
-    lasts = now - record[OPEN_SINCE]
-    if record[OPEN_SINCE] < 0 or lasts < MIN_AIRBORNE_TIME:
+    duration = now - record[FLIGHT_START]
+    if record[FLIGHT_START] < 0 or duration < MIN_AIRBORNE_TIME:
         return False
-    return record[FLIGHT_LIFT] > MIN_AIRBORNE_LIFT * weight * lasts
+    return record[FLIGHT_FILM_IMPULSE] > MIN_AIRBORNE_LIFT * weight * duration
 
 
 @kernel
-def stays_clear(disk, edge, swing, gravity, motion, rim, contacts, duration):
+def stays_clear(disk, edge, max_deflection, gravity, motion, rim, contacts, duration):
     """Return True if no point of the rim can touch the table within `duration` [s].
 
     The amplitudes of the modes bound their displacements; those of the table deflect it
-    by `swing` [m] at most. The lowest point of the rim
-    falls at its present rate, accelerated by gravity, the rotation and the air film.
+    by at most `max_deflection` [m]. The lowest point of the rim falls at its present
+    rate, accelerated by gravity, the rotation and the air film.
     """
     state = motion.disk
     lean = state[MOMENTUM] * state[AXIS + 1] - state[MOMENTUM + 1] * state[AXIS]
@@ -1327,7 +1342,7 @@ def stays_clear(disk, edge, swing, gravity, motion, rim, contacts, duration):
     for j in range(edge.axial.shape[0]):
         speed = motion.modes[1, j] / edge.frequency[j]
         reach += edge.highest[1 + j] * np.hypot(motion.modes[0, j], speed)
-    reach += swing
+    reach += max_deflection
     room = edge.highest[0] + reach - rim.height + rim.tilt
     if room <= 0:
         return True
@@ -1350,7 +1365,7 @@ def step_rattling_disk(
     edge,
     table,
     gravity,
-    last_tilt,
+    final_tilt,
     step,
     per_sample,
     motion,
@@ -1370,7 +1385,7 @@ def step_rattling_disk(
         Modes of the table; None compiles a separate version without them.
     gravity : float
         Acceleration of gravity [m/s^2].
-    last_tilt : float
+    final_tilt : float
         `RimGeometry.tilt` [m] below which the disk lies flat.
     step : float
         Time step [s].
@@ -1421,7 +1436,7 @@ def step_rattling_disk(
     if table is not None:
         stored = table_energy(edge, table, disk_modes, motion)
     received = 0.0
-    swing = -1.0
+    max_deflection = -1.0
     waiting = 0
     losses = 0
     for sample in range(samples.shape[0]):
@@ -1429,20 +1444,29 @@ def step_rattling_disk(
         while done < per_sample:
             merged = 1
             left = per_sample - 1 - done
-            if record[OPEN_SINCE] >= 0 and left > 1:
+            if record[FLIGHT_START] >= 0 and left > 1:
                 rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
-                if swing < 0:
-                    swing = 0.0
+                if max_deflection < 0:
+                    max_deflection = 0.0
                     if table is not None:
-                        swing = table_swing(edge, table, disk_modes, motion)
+                        max_deflection = table_deflection_bound(
+                            edge, table, disk_modes, motion
+                        )
                 if stays_clear(
-                    disk, edge, swing, gravity, motion, rim, contacts, left * step
+                    disk,
+                    edge,
+                    max_deflection,
+                    gravity,
+                    motion,
+                    rim,
+                    contacts,
+                    left * step,
                 ):
                     merged = left
             done += merged
-            lasts = merged * step
+            duration = merged * step
             propagator = propagators[merged - 1]
-            fly(disk, gravity, edge, motion, propagator, lasts / 2)
+            fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
             if table is not None and merged == 1:
                 fly_table(table, disk_modes, motion, propagators[waiting - 1])
@@ -1454,7 +1478,7 @@ def step_rattling_disk(
                 change[i] = 0.0
                 mean[i] = before[i]
             clear(contacts)
-            record[STORED] = 0.0
+            record[SPRING_ENERGY] = 0.0
             if merged == 1:
                 for is_changed in (False, True):
                     if is_changed:
@@ -1484,17 +1508,17 @@ def step_rattling_disk(
                             motion,
                             rim,
                             mean,
-                            record[STORED],
+                            record[SPRING_ENERGY],
                             step,
                             contacts.load,
                         )
-                    record[STORED] = energy
+                    record[SPRING_ENERGY] = energy
                     if contacts.load[ELASTIC, 2] <= 0:
                         break
             touches = contacts.load[ELASTIC, 2] > 0
             if has_film:
                 work = add_film(
-                    disk, motion, rim, before, lasts, contacts.load, pressure
+                    disk, motion, rim, before, duration, contacts.load, pressure
                 )
                 left = max(record[COMPRESSED_AIR_ENERGY] - work, 0.0)
                 rate = np.hypot(before[3], before[4]) / rim.sine
@@ -1506,63 +1530,67 @@ def step_rattling_disk(
                 and contacts.load[ELASTIC, 2] + contacts.load[DASHPOT, 2]
                 > 1e-6 * weight
             ):
-                if record[OPEN_SINCE] >= 0:
-                    flights[losses, 0] = record[OPEN_SINCE]
-                    flights[losses, 1] = now - record[OPEN_SINCE]
-                    flights[losses, 2] = record[GREATEST_GAP]
+                if record[FLIGHT_START] >= 0:
+                    flights[losses, 0] = record[FLIGHT_START]
+                    flights[losses, 1] = now - record[FLIGHT_START]
+                    flights[losses, 2] = record[MAX_FLIGHT_HEIGHT]
                     losses += 1
-                    record[OPEN_SINCE] = -1.0
+                    record[FLIGHT_START] = -1.0
             else:
-                if record[OPEN_SINCE] < 0:
-                    record[OPEN_SINCE] = now
-                    record[GREATEST_GAP] = 0.0
-                    record[FLIGHT_LIFT] = 0.0
-                record[OPEN_TIME] += lasts
-                record[FLIGHT_LIFT] += lasts * contacts.load[FILM, 2]
-                record[GREATEST_GAP] = max(record[GREATEST_GAP], rim.height - rim.tilt)
+                if record[FLIGHT_START] < 0:
+                    record[FLIGHT_START] = now
+                    record[MAX_FLIGHT_HEIGHT] = 0.0
+                    record[FLIGHT_FILM_IMPULSE] = 0.0
+                record[OPEN_TIME] += duration
+                record[FLIGHT_FILM_IMPULSE] += duration * contacts.load[FILM, 2]
+                record[MAX_FLIGHT_HEIGHT] = max(
+                    record[MAX_FLIGHT_HEIGHT], rim.height - rim.tilt
+                )
             if done == per_sample:
                 record_mode_losses(motion)
                 for i in range(samples.shape[1]):
                     samples[sample, i] = 0.0
                 if table is not None:
                     energy = table_energy(edge, table, disk_modes, motion)
-                    record[TABLE_LOSS] += stored + received - energy
+                    record[TABLE_MODE_LOSS] += stored + received - energy
                     samples[sample, -1] = energy
                     stored = energy
                     received = 0.0
                 add_sample(motion, 0.5, samples[sample])
             if touches or has_film:
-                write_change(disk, motion, contacts, lasts, change)
+                write_change(disk, motion, contacts, duration, change)
                 if done == per_sample:
-                    gain = energy_of_change(contacts, change, disk_modes, lasts)
-                    samples[sample, STATE_SIZE + STORED] += gain / 4
-                kick(disk, motion, contacts, before, change, lasts)
+                    gain = energy_of_change(contacts, change, disk_modes, duration)
+                    samples[sample, STATE_SIZE + SPRING_ENERGY] += gain / 4
+                kick(disk, motion, contacts, before, change, duration)
             if table is not None and touches:
-                swing = -1.0
+                max_deflection = -1.0
                 old = before[LOAD_SIZE + disk_modes :]
                 gain = change[LOAD_SIZE + disk_modes :]
                 by_old = scalar_product(old, gain)
                 by_gain = scalar_product(gain, gain)
                 received += by_old + by_gain / 2
-                received -= damped_work(edge, table, disk_modes, motion, gain, step)
+                received -= work_lost_to_damping(
+                    edge, table, disk_modes, motion, gain, step
+                )
                 if done == per_sample:  # the mean energy before and after the impulse
                     samples[sample, -1] += by_old / 2 + by_gain / 4
             if done == per_sample:
                 add_sample(motion, 0.5, samples[sample])
-            fly(disk, gravity, edge, motion, propagator, lasts / 2)
+            fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
-            if rim.tilt < last_tilt:
+            if rim.tilt < final_tilt:
                 return sample, losses, LIES_FLAT
             if rim.upright < UPRIGHT_COSINE_LIMIT:
                 return sample, losses, STANDS_UPRIGHT
-            if record[OPEN_SINCE] >= 0 and record[GREATEST_GAP] > max(
+            if record[FLIGHT_START] >= 0 and record[MAX_FLIGHT_HEIGHT] > max(
                 rim.tilt, 10 * highest
             ):
-                return sample, losses, JUMPS
-            if floats(record, now, weight):
-                return sample, losses, FLOATS
+                return sample, losses, LIFTS_OFF
+            if is_carried_by_film(record, now, weight):
+                return sample, losses, IS_AIRBORNE
     if table is not None:
         fly_table(table, disk_modes, motion, propagators[waiting - 1])
         energy = table_energy(edge, table, disk_modes, motion)
-        record[TABLE_LOSS] += stored + received - energy
+        record[TABLE_MODE_LOSS] += stored + received - energy
     return samples.shape[0], losses, CONTINUES

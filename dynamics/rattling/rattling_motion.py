@@ -54,14 +54,14 @@ NODES_PER_KNOT = 2
 """Number of rim nodes per spline knot of the table modes."""
 MIN_TABLE_NODES = 64
 """Minimum number of nodes around the rim at which the table is evaluated."""
-CHUNK = 0.02
+PROGRESS_INTERVAL = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
     layout.CONTINUES: Outcome.TIME_LIMIT,
     layout.LIES_FLAT: Outcome.SETTLED,
     layout.STANDS_UPRIGHT: Outcome.UPRIGHT,
-    layout.JUMPS: Outcome.LIFTED_OFF,
-    layout.FLOATS: Outcome.AIRBORNE,
+    layout.LIFTS_OFF: Outcome.LIFTED_OFF,
+    layout.IS_AIRBORNE: Outcome.AIRBORNE,
 }
 """Outcome of a motion for each reason for ending `step_rattling_disk`."""
 
@@ -409,7 +409,7 @@ def effective_restitution(
     state[layout.MOMENTUM : layout.MOMENTUM + 3] = np.cross(contact, kick)
     before = _edge_speed(fixed, state)
     # gravity is not 0, because losses are divided by the weight
-    simulate_rattling(smooth, state, CHUNK / 2, 0.0, gravity=1e-9)
+    simulate_rattling(smooth, state, PROGRESS_INTERVAL / 2, 0.0, gravity=1e-9)
     return -_edge_speed(fixed, state) / before
 
 
@@ -465,23 +465,23 @@ def solve_rattling_motion(
     inclination = radians(scene.release.inclination_deg)
     state = rolling_state_at_release(model, inclination, scene.release.omega)
     last = scene.numerics.final_inclination or 0.0
-    last_tilt = max(
+    final_tilt = max(
         MIN_RIM_HEIGHT_RATIO * model.roughness_rms,
         model.disk.radius * last,
         model.depth(0.1),
     )
-    return simulate_rattling(model, state, scene.numerics.time_limit, last_tilt, watch)
+    return simulate_rattling(model, state, scene.numerics.time_limit, final_tilt, watch)
 
 
 def simulate_rattling(
     model: RattlingModel,
     state: np.ndarray,
     time_limit: float,
-    last_tilt: float,
+    final_tilt: float,
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
     gravity: float = GRAVITY,
 ) -> RattlingMotion:
-    """Advance a state (15,) in place to a time [s] or a height of the rim [m].
+    """Advance a state (15,) in place until a time [s] or a final tilt of the rim [m].
 
     A table with modes is initially at rest and deflected by the weight of the disk,
     which is lowered accordingly.
@@ -494,10 +494,10 @@ def simulate_rattling(
         bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
         state[layout.CENTRE + 2] += bend
     record = np.zeros(layout.RECORD_SIZE)
-    record[layout.OPEN_SINCE] = -1.0
+    record[layout.FLIGHT_START] = -1.0
     motion = MotionState(state, ring, record, np.zeros(disk_modes))
     per_sample = round(model.rate / FORCE_RATE)
-    chunk = round(CHUNK * FORCE_RATE)
+    chunk = round(PROGRESS_INTERVAL * FORCE_RATE)
     width = layout.STATE_SIZE + layout.RECORD_SIZE + 2 * disk_modes + 1
     blocks = []
     flights = [np.zeros((0, 3))]
@@ -511,7 +511,7 @@ def simulate_rattling(
             edge,
             table,
             gravity,
-            last_tilt,
+            final_tilt,
             1 / model.rate,
             per_sample,
             motion,
@@ -528,10 +528,10 @@ def simulate_rattling(
     count = (len(samples) - 1) // FORCES_PER_ROW * FORCES_PER_ROW + 1
     if count < 2 * FORCES_PER_ROW:
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
-    if record[layout.OPEN_SINCE] >= 0:
-        since = record[layout.OPEN_SINCE]
+    if record[layout.FLIGHT_START] >= 0:
+        since = record[layout.FLIGHT_START]
         flights.append(np.array([[since, begin + 1 / FORCE_RATE - since, 0.0]]))
-        flights[-1][0, 2] = record[layout.GREATEST_GAP]
+        flights[-1][0, 2] = record[layout.MAX_FLIGHT_HEIGHT]
     lost = np.concatenate(flights)
     lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
     return _motion_of_samples(
@@ -573,11 +573,11 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     lost[:, CAUSES.index("contact")] = record[:, layout.CONTACT_LOSS]
     lost[:, CAUSES.index("slip")] = record[:, layout.SLIP_LOSS]
     lost[:, CAUSES.index("moments")] = record[:, layout.MOMENT_LOSS]
-    lost[:, CAUSES.index("body")] = record[:, layout.BODY_LOSS]
+    lost[:, CAUSES.index("body")] = record[:, layout.DISK_MODE_LOSS]
     lost[:, CAUSES.index("film")] = record[:, layout.FILM_LOSS]
-    lost[:, CAUSES.index("table")] = record[:, layout.TABLE_LOSS]
+    lost[:, CAUSES.index("table")] = record[:, layout.TABLE_MODE_LOSS]
     internal = modal_energy(model.rim.squared, ringing)
-    stored = record[:, layout.STORED] + record[:, layout.COMPRESSED_AIR_ENERGY]
+    stored = record[:, layout.SPRING_ENERGY] + record[:, layout.COMPRESSED_AIR_ENERGY]
     energy = rigid_energy(model, state, gravity) + stored + internal + in_table
     rows = np.column_stack([columns, energy, lost, in_table, internal])
     impulse = record[:, layout.IMPULSE : layout.IMPULSE + 3]

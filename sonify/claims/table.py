@@ -64,8 +64,7 @@ def table_findings(
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return the findings that follow from the motion alone; empty without a wavy
-    table."""
+    """Return the findings that follow from the motion alone: none on a plane table."""
     return [waves_break_contact(scene, motion)] if scene.imperfection else []
 
 

@@ -33,7 +33,7 @@ def steps_of(model, state, seconds, per_sample=1):
     several."""
     count = round(seconds * model.rate / per_sample)
     record = np.zeros(layout.RECORD_SIZE)
-    record[layout.OPEN_SINCE] = -1.0
+    record[layout.FLIGHT_START] = -1.0
     samples = np.empty((count, layout.STATE_SIZE + layout.RECORD_SIZE))
     motion = MotionState(state, np.zeros((2, 0)), record, np.zeros(0))
     flights = np.empty((count * per_sample, 3))

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.special import ellipe
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw
-from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT
+from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT_DEGREE
 
 
 def slip_arm(law: ContactLaw, inclination, load):
@@ -56,7 +56,7 @@ def pivoting_polynomials(law: ContactLaw) -> tuple[float, ...]:
         slip_arm(law, beta, weight) / radius * np.cbrt(sine),
         spin_creep_moment_coefficient(law, beta, weight) / radius**2 * np.cbrt(sine),
     )
-    powers = sine[:, None] ** (np.arange(COEFFICIENT_COUNT) / INCLINATION_ROOT)
+    powers = sine[:, None] ** (np.arange(COEFFICIENT_COUNT) / INCLINATION_ROOT_DEGREE)
     fits = [
         np.linalg.lstsq(powers / value[:, None], np.ones(len(sine)), rcond=None)[0]
         for value in scaled

@@ -265,9 +265,15 @@ def positive_interpolants(grid: np.ndarray, columns: np.ndarray) -> PPoly:
     return PPoly(np.where(leaps, monotone.c, smooth.c), grid)
 
 
-def dynamic_flexibility(squared: np.ndarray, square: np.ndarray) -> np.ndarray:
-    """Return w^2/(w_i^2 (w_i^2 - w^2)) (k, m); `squared` is w_i^2, `square` is w^2."""
-    return square[:, None] / (squared * (squared - square[:, None]))
+def dynamic_flexibility(
+    mode_frequency_squared: np.ndarray, frequency_squared: np.ndarray
+) -> np.ndarray:
+    """Return w^2/(w_i^2 (w_i^2 - w^2)) (k, m) for modes w_i (m,) at frequencies w (k,).
+
+    It is the flexibility of a mode at w minus its static flexibility.
+    """
+    w2 = frequency_squared[:, None]
+    return w2 / (mode_frequency_squared * (mode_frequency_squared - w2))
 
 
 def bounded_flexibility(flexibility: np.ndarray, stiffness: np.ndarray) -> np.ndarray:
