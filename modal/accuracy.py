@@ -10,12 +10,14 @@ from typing import Any, NamedTuple
 
 from modal.mesh.half_disk import MeshSize
 
-COARSE_MESH = MeshSize(width=pi / 4, depth=0.5, rings=1, lead_ratio=0.25, leg_blocks=1)
-WIDE_MESH = MeshSize(width=pi / 5, depth=0.5, rings=1, lead_ratio=0.4)
-ROUGH_MESH = MeshSize(width=pi / 6, depth=0.45, rings=2)
-MIDDLE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=2)
-NARROW_MESH = MeshSize(width=pi / 10, depth=0.32, rings=4, ring_ratio=0.5)
-FINE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=3, split=2)
+DRAFT_MESH = MeshSize(width=pi / 6, depth=0.45, rings=2)
+COARSE_DRAFT_MESH = MeshSize(
+    width=pi / 4, depth=0.5, rings=1, box_ratio=0.25, upper_edge_blocks=1
+)
+STANDARD_MESH = MeshSize(width=pi / 10, depth=0.32, rings=4, ring_ratio=0.5)
+COARSE_STANDARD_MESH = MeshSize(width=pi / 5, depth=0.5, rings=1, box_ratio=0.4)
+REFERENCE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=3, split=2)
+COARSE_REFERENCE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=2)
 
 
 class AccuracyLevel(NamedTuple):
@@ -38,8 +40,11 @@ class AccuracyLevel(NamedTuple):
 ACCURACY_LEVELS = {
     "draft": AccuracyLevel(
         free_error=1e-4,
-        patch_meshes=(ROUGH_MESH, COARSE_MESH),
-        low_patch_meshes=(replace(ROUGH_MESH, rings=1), replace(COARSE_MESH, rings=0)),
+        patch_meshes=(DRAFT_MESH, COARSE_DRAFT_MESH),
+        low_patch_meshes=(
+            replace(DRAFT_MESH, rings=1),
+            replace(COARSE_DRAFT_MESH, rings=0),
+        ),
         basis_sizes={
             "size": (9, 6),
             "circumferential_tractions": 4,
@@ -49,15 +54,18 @@ ACCURACY_LEVELS = {
     ),
     "standard": AccuracyLevel(
         free_error=3e-6,
-        patch_meshes=(NARROW_MESH, WIDE_MESH),
-        low_patch_meshes=(MIDDLE_MESH, replace(COARSE_MESH, lead_ratio=0.15)),
+        patch_meshes=(STANDARD_MESH, COARSE_STANDARD_MESH),
+        low_patch_meshes=(
+            COARSE_REFERENCE_MESH,
+            replace(COARSE_DRAFT_MESH, box_ratio=0.15),
+        ),
         basis_sizes={},
         max_table_unknowns=60_000,
     ),
     "reference": AccuracyLevel(
         free_error=1e-8,
-        patch_meshes=(FINE_MESH, MIDDLE_MESH),
-        low_patch_meshes=(FINE_MESH, MIDDLE_MESH),
+        patch_meshes=(REFERENCE_MESH, COARSE_REFERENCE_MESH),
+        low_patch_meshes=(REFERENCE_MESH, COARSE_REFERENCE_MESH),
         basis_sizes={
             "size": (12, 8),
             "circumferential_tractions": 9,

@@ -24,7 +24,7 @@ from benchmarks.timed_runs import (
     works_over,
 )
 from modal import Material, Plate, Support
-from modal.accuracy import COARSE_MESH, ROUGH_MESH
+from modal.accuracy import COARSE_DRAFT_MESH, DRAFT_MESH
 from modal.elements.elastic import assemble_solid, inverse_at, lowest_eigenpairs
 from modal.elements.patch import eigenvalue_shift, solve_symmetry_classes
 from modal.mesh.half_disk import MeshSize, half_disk
@@ -233,14 +233,14 @@ def square_patch_frequencies(half_angle: float) -> np.ndarray:
     [degrees]."""
     height = 2 * np.deg2rad(half_angle) * disk().radius
     return supported_frequencies(
-        Support(half_angle_deg=half_angle, height=height), COARSE_MESH
+        Support(half_angle_deg=half_angle, height=height), COARSE_DRAFT_MESH
     )
 
 
 def refined_patch_frequencies(rings: int) -> np.ndarray:
     """Return the two frequencies [Hz] on the published patch with `rings` nested
     refinements at its edges."""
-    return supported_frequencies(Support(), replace(ROUGH_MESH, rings=rings))
+    return supported_frequencies(Support(), replace(DRAFT_MESH, rings=rings))
 
 
 def size_exponent(frequencies, which: int, coarse, fine, ratio: float) -> Answer:
@@ -342,14 +342,14 @@ def support_works(quick: bool) -> list[Work]:
                 )
             )
         for rings in selected_values(EDGE_RINGS, quick):
-            edge_size = 5.0 * ROUGH_MESH.ring_ratio**rings
+            edge_size = 5.0 * DRAFT_MESH.ring_ratio**rings
             call = partial(
                 size_exponent,
                 refined_patch_frequencies,
                 which,
                 rings,
                 rings + 1,
-                1 / ROUGH_MESH.ring_ratio,
+                1 / DRAFT_MESH.ring_ratio,
             )
             method = f"patch of 5 degrees, {name}"
             runs.append(

@@ -27,10 +27,10 @@ class MeshSize:
     `singular_edge_blocks`."""
     ring_ratio: float = 0.3
     """Width ratio of successive rings, smaller to larger."""
-    lead_ratio: float = 0.6
+    box_ratio: float = 0.6
     """Size ratio of successive nested boxes between patch and disk, smaller to
     larger."""
-    leg_blocks: int = 2
+    upper_edge_blocks: int = 2
     """Minimum number of blocks along the upper edge of a partial-height patch."""
     split: int = 1
     """Number of cells per block in each direction."""
@@ -171,7 +171,7 @@ def short_arc_blocks(half_angle, size):
 
     They lead from the angles [0, 2 `half_angle`] to the angles [0, 2 width]; both
     ranges are split in the middle."""
-    count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead_ratio)))
+    count = max(1, round(np.log(half_angle / size.width) / np.log(size.box_ratio)))
     share = np.arange(count + 1) / count
     widths = size.width * (half_angle / size.width) ** share
     depths = size.depth * (edge_box_depth(half_angle, size) / size.depth) ** share

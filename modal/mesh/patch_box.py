@@ -53,28 +53,31 @@ def nested_boxes(angle, height, top, size):
     at the edges is limited by that of the free strip above the patch; wider ones would
     reach the face. A long patch has more cells along its upper edge than a short one.
     """
-    max_tube_share = 4  # ratio of the width of a tube to that of the strip
-    max_leg_factor = 3
+    max_tube_strip_ratio = 4  # ratio of the width of a tube to that of the strip
+    # factor on `upper_edge_blocks` for a patch that is long compared with its height
+    max_upper_edge_factor = 3
     width = size.width
     rest = top - height
     beyond = min(pi - angle, max(angle, width / 4) + width - angle)
     above = rest if rest < 1.5 * max_layer_height(size) else max_layer_height(size)
-    tube = min(angle, height, size.depth / 3, max_tube_share * above)
+    tube = min(angle, height, size.depth / 3, max_tube_strip_ratio * above)
     innermost = np.minimum([0.75 * angle, 0.75 * height], width)
-    inwards = graded_distances(np.full(2, tube / 2), innermost, size.lead_ratio)[::-1]
+    inwards = graded_distances(np.full(2, tube / 2), innermost, size.box_ratio)[::-1]
     depths = tube * 0.5 ** np.arange(len(inwards), 0.0, -1.0)
     inside = np.column_stack(
         [angle - inwards[:, 0] * (beyond > 0), depths, height - inwards[:, 1]]
     )
     first = np.array([min(tube, beyond), 2 * tube, min(tube, above)])
     outwards = graded_distances(
-        first, np.array([beyond, size.depth, above]), size.lead_ratio
+        first, np.array([beyond, size.depth, above]), size.box_ratio
     )
     outside = np.array([angle, 0.0, height]) + outwards
-    leg_cells = ceil(
-        size.leg_blocks * min(max_leg_factor, max(1, angle / (3 * height))) - 1e-9
+    upper_edge_cells = ceil(
+        size.upper_edge_blocks
+        * min(max_upper_edge_factor, max(1, angle / (3 * height)))
+        - 1e-9
     )
-    around = max(leg_cells, ceil((angle + beyond) / width - 1e-9))
+    around = max(upper_edge_cells, ceil((angle + beyond) / width - 1e-9))
     covers_circumference = angle + beyond > pi - 1e-9
     return NestedBoxes(
         corners=np.vstack([inside, [angle, tube, height], outside]),

@@ -71,7 +71,7 @@ def solve_free_order(
     because rim and faces meet at a corner.
     """
     # ratio of the flexibility beyond the basis to that of the highest polynomials
-    missing_share = 2.6
+    omitted_flexibility_ratio = 2.6
     is_highest = np.zeros((len(p.terms), *size), bool)
     is_highest[:, -1] = True
     is_highest[:, :, -1] = True
@@ -94,7 +94,9 @@ def solve_free_order(
     highest = half[-np.count_nonzero(is_highest) :]
     weighted = shapes / np.where(values > 0, values, limit)
     from_highest = highest.T @ highest
-    static = half.T @ half - weighted @ shapes.T + missing_share * from_highest
+    static = (
+        half.T @ half - weighted @ shapes.T + omitted_flexibility_ratio * from_highest
+    )
     other_modes = (
         solve_triangular(factor, half, lower=True, trans=1) - vectors @ weighted.T
     )

@@ -15,7 +15,13 @@ from arithmetic import gamma
 from skfem.quadrature import get_quadrature
 
 from modal import Material, Plate, Support
-from modal.accuracy import COARSE_MESH, MIDDLE_MESH, NARROW_MESH, ROUGH_MESH, WIDE_MESH
+from modal.accuracy import (
+    COARSE_DRAFT_MESH,
+    COARSE_REFERENCE_MESH,
+    COARSE_STANDARD_MESH,
+    DRAFT_MESH,
+    STANDARD_MESH,
+)
 from modal.elements.patch import resolving_mesh_size
 from modal.elements.sample import (
     locate_in_cells,
@@ -57,8 +63,8 @@ def interpolation_errors(block, power):
 
 
 def test_squared_cells_hold_the_square_root_exactly():
-    ring = singular_edge_blocks(NARROW_MESH)[:4]
-    inner = singular_edge_blocks(NARROW_MESH)[4:]
+    ring = singular_edge_blocks(STANDARD_MESH)[:4]
+    inner = singular_edge_blocks(STANDARD_MESH)[4:]
     assert max(interpolation_errors(block, 0.5)[1] for block in inner) < 1
     assert max(interpolation_errors(block, 1)[1] for block in inner) < 1
     assert 1e-3 < max(interpolation_errors(block, 0.5)[0] for block in ring) < 0.03
@@ -72,7 +78,7 @@ def test_squared_cells_hold_the_square_root_exactly():
 
 def test_squared_cells_touch_the_edge_and_the_sides_it_parts():
     """On the sides of a half turn z is real: free to the right of the edge, held to the left."""
-    blocks = singular_edge_blocks(MIDDLE_MESH)
+    blocks = singular_edge_blocks(COARSE_REFERENCE_MESH)
     edge = [block(np.zeros(1), np.zeros(1)) for block in blocks]
     assert np.abs(edge).sum(axis=2).min() == 0
     corners = np.concatenate(
@@ -99,14 +105,17 @@ DISK = Plate(
 )
 THIN = {
     f"thin, {name}": resolving_mesh_size(size, DISK, 2e4)
-    for name, size in (("narrow", NARROW_MESH), ("wide", WIDE_MESH))
+    for name, size in (
+        ("standard", STANDARD_MESH),
+        ("coarse standard", COARSE_STANDARD_MESH),
+    )
 }
 SIZES = {
-    "middle": MIDDLE_MESH,
-    "narrow": NARROW_MESH,
-    "wide": WIDE_MESH,
-    "rough": ROUGH_MESH,
-    "coarse": COARSE_MESH,
+    "coarse reference": COARSE_REFERENCE_MESH,
+    "standard": STANDARD_MESH,
+    "coarse standard": COARSE_STANDARD_MESH,
+    "draft": DRAFT_MESH,
+    "coarse draft": COARSE_DRAFT_MESH,
     **THIN,
 }
 WHOLE = [
@@ -147,7 +156,7 @@ def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(
         assert (on_rim | on_plane | on_face).all()
 
 
-LARGE = {((180, 1.2, 0.96), "thin, narrow"), ((0.5, 2, 0.05), "thin, narrow")}
+LARGE = {((180, 1.2, 0.96), "thin, standard"), ((0.5, 2, 0.05), "thin, standard")}
 """Meshes that need seconds to compute a volume; the slow test suite includes them."""
 MESHES = [
     pytest.param(
@@ -167,7 +176,7 @@ def test_no_cell_folds_and_the_volume_is_that_of_the_disk(
         assert volume.min() > 0
         filled = part.mirror_image_count * (volume @ weights).sum()
         assert filled == pytest.approx(
-            np.pi * aspect, rel=4e-3 if size == "coarse" else 5e-4
+            np.pi * aspect, rel=4e-3 if size == "coarse draft" else 5e-4
         )
 
 

@@ -21,14 +21,14 @@ from skfem.helpers import dot
 from skfem.models.elasticity import linear_elasticity
 
 from modal import Material
-from modal.accuracy import COARSE_MESH
+from modal.accuracy import COARSE_DRAFT_MESH
 from modal.elements.elastic import assemble_solid, lame_constants
 from modal.mesh.half_disk import half_disk
 from modal.mesh.sector import extrude, hexahedra
 
 STEEL, DENSITY, ORDER = Material(young=195e9, poisson=0.28), 7737.27, 4
 CURVED = hexahedra(
-    extrude(half_disk(np.pi, COARSE_MESH)[:6] * 0.03755, np.array([0.0, 0.0128]))
+    extrude(half_disk(np.pi, COARSE_DRAFT_MESH)[:6] * 0.03755, np.array([0.0, 0.0128]))
 )
 STRAIGHT = MeshHex(CURVED.doflocs[:, : CURVED.t.max() + 1], CURVED.t)
 MESHES = [

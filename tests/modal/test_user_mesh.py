@@ -37,7 +37,7 @@ def curved(rings=2):
     cells = (
         half_disk(
             np.deg2rad(5),
-            MeshSize(width=np.pi / 8, depth=0.38, rings=rings, lead_ratio=0.5),
+            MeshSize(width=np.pi / 8, depth=0.38, rings=rings, box_ratio=0.5),
         )
         * RADIUS
     )
