@@ -15,7 +15,7 @@ from scipy.signal import find_peaks, firwin, oaconvolve, stft
 
 from modal import eigenmodes
 from sonify import load_scene, solve
-from sonify.hearing.audio_source import Source, source_of, stretch
+from sonify.hearing.audio_source import Source, read_samples, source_of
 from sonify.hearing.settling.detector import settling_runs
 
 BAND_LIMITS = (
@@ -94,7 +94,7 @@ def show(
     """Print the numbers of a sound from `begin` to `end` [s]."""
     print(name)
     rate = source.sample_rate
-    samples = stretch(source, int(begin * rate), int((end - OMITTED_END) * rate))[
+    samples = read_samples(source, int(begin * rate), int((end - OMITTED_END) * rate))[
         :, 0
     ].astype(float)
     length = int(SEGMENT_LENGTH * rate)

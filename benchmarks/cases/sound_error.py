@@ -3,7 +3,7 @@ reference."""
 
 import numpy as np
 
-from sonify.hearing.audio_source import source_of, stretch
+from sonify.hearing.audio_source import read_samples, source_of
 from sonify.hearing.loudness import (
     HEARING_THRESHOLD_DB,
     LEVEL_WINDOW_S,
@@ -27,7 +27,8 @@ def audible_error(sound, reference, weighted: bool = True) -> float:
             f"sample rates differ: {one.sample_rate} Hz and {true.sample_rate} Hz"
         )
     a, b = (
-        stretch(source, 0, source.frames)[:, 0].astype(float) for source in (one, true)
+        read_samples(source, 0, source.frames)[:, 0].astype(float)
+        for source in (one, true)
     )
     size = max(len(a), len(b))
     weight = (

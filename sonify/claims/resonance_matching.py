@@ -48,11 +48,11 @@ def nearest_resonance(
 ) -> Match | None:
     """Return the resonance nearest to a spectral line; None if it is beyond
     MAX_MATCH_DISTANCE."""
-    apart = [
+    matches = [
         Match(of, float(f), float(1200 * np.log2(line.frequency / f)))
         for of, f in known
     ]
-    best = min(apart, key=lambda match: abs(match.cents), default=None)
+    best = min(matches, key=lambda match: abs(match.cents), default=None)
     return best if best is not None and abs(best.cents) < MAX_MATCH_DISTANCE else None
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
 
-SURFACES = {
+SURFACE_BY_SCENE = {
     "published": "rigid table",
     "glass-plate": "glass, 6 mm",
     "wood-table": "wooden table",
@@ -218,7 +218,7 @@ def answer_table(
     rows = [
         [
             f"`{name}`",
-            SURFACES[name],
+            SURFACE_BY_SCENE[name],
             *complete_answers(findings).values(),
             answer_in_air(in_air[name]),
         ]

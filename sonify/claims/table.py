@@ -35,10 +35,10 @@ def table_findings(
     found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
-    apart = (
+    has_pure_table_stem = (
         scene.roughness is None or scene.contact.law == "rigid"
     )  # otherwise the contact stem includes sound of the table
-    found += [table_is_louder(motion, sound, error)] if apart else []
+    found += [table_is_louder(motion, sound, error)] if has_pure_table_stem else []
     found += [radiation_takes_little(motion, sound, listener, error)]
     found += (
         [waves_become_heat(motion, sound, listener)]
@@ -57,7 +57,7 @@ def table_findings(
         return found
     carries = (
         [table_carries_the_tone(sound, tone, error)]
-        if tone is not None and apart
+        if tone is not None and has_pure_table_stem
         else []
     )
     return [*found, table_tone_rises(sound), *carries]

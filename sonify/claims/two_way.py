@@ -40,7 +40,7 @@ MAX_RESONANCE_DEVIATION = 0.2
 resonant."""
 
 
-CHAOTIC_WITH_LOSSES = ("loss_at_resonance", "waves_make_the_halt")
+FINDINGS_CHAOTIC_AFTER_LOSS = ("loss_at_resonance", "waves_make_the_halt")
 """Keys of findings that are chaotic once contact is lost: a change of the release by
 1e-5 may change them."""
 
@@ -163,7 +163,7 @@ def with_variation_margin(
         [found.margin, *(abs(value - found.value) for value in values.values())]
     )
     lost = any(losses_above_flat(one) for one in (motion, *others.values()))
-    chaotic = "chaotic" if lost and found.key in CHAOTIC_WITH_LOSSES else ""
+    chaotic = "chaotic" if lost and found.key in FINDINGS_CHAOTIC_AFTER_LOSS else ""
     return replace(
         found,
         details={**found.details, **values},

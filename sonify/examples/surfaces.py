@@ -9,7 +9,7 @@ from dynamics.compliant.two_way_onset import must_compute_table_modes
 from sonify import load_scene, solve
 from sonify.claims import air, two_way
 from sonify.claims.finding import Finding
-from sonify.claims.surface_summary import SURFACES, answer_table
+from sonify.claims.surface_summary import SURFACE_BY_SCENE, answer_table
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, solve_motion
 from sonify.plan.table import with_table
@@ -30,7 +30,9 @@ def findings_in_air(name: str, accuracy: str) -> list[Finding]:
     ]
 
 
-def main(accuracy: str = "standard", names: tuple[str, ...] = tuple(SURFACES)) -> str:
+def main(
+    accuracy: str = "standard", names: tuple[str, ...] = tuple(SURFACE_BY_SCENE)
+) -> str:
     """Solve the scenes one after another and return the table in Markdown."""
     runs = {name: solve(name, accuracy).findings for name in names}
     in_air = {

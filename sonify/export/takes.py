@@ -11,7 +11,7 @@ from modal.blas_threads import one_blas_thread
 from sonify import __version__
 from sonify.export.motion import solved_motion
 from sonify.export.scene_source import scene_or_run_record
-from sonify.hearing.audio_source import stretch
+from sonify.hearing.audio_source import read_samples
 from sonify.pipeline import cached_modes
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes
@@ -155,7 +155,7 @@ def write_take(sound: Sound, path: Path, note: str) -> None:
     """
     copy = sound.playback_copy
     first, last = audible_range(copy)
-    samples = stretch(copy, first, last)
+    samples = read_samples(copy, first, last)
     apply_fades(samples, sound.sample_rate)
     if samples.size * BYTES_PER_SAMPLE["PCM_24"] > MAX_RIFF_BYTES:
         raise InputError(f"{path.name}: the sound is too long for a WAV file of 4 GiB")

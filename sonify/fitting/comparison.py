@@ -9,7 +9,7 @@ from scipy.stats import t as student
 
 from dynamics.observables import precession_frequency
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Source, stretch
+from sonify.hearing.audio_source import Source, read_samples
 from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.spectrogram import spectrogram
@@ -115,7 +115,7 @@ def sound_numbers(source, start, end):
     """Return band levels, lines, decays and levels over time between `start` and `end`
     [s]."""
     rate = source.sample_rate
-    sound = stretch(source, int(max(start, 0.0) * rate), int(end * rate))
+    sound = read_samples(source, int(max(start, 0.0) * rate), int(end * rate))
     channel = np.argmax(np.square(sound, dtype=float).sum(axis=0))
     parts = np.array_split(sound[:, channel].astype(float), FIT.comparison_parts)
     length = min(int(0.1 * rate), len(parts[-1]))

@@ -81,7 +81,7 @@ def judge_bursts(decline: Decline, sound: Sound) -> Judged:
     draws[:, 3] = _draws(best, low, high, random)
     ridge = sound.ridges[0]
     heard = LineRates(0, with_impacts, ridge, ridge.frequency)
-    remaining = np.maximum(region.best_end - ridge.time, FIT.unused_end)
+    remaining = np.maximum(region.best_end - ridge.time, FIT.unused_end_duration)
     fitted = Fit(
         free=(2,),
         ends=np.array([region.best_end]),
@@ -120,7 +120,7 @@ def _verdict(decline, exponent):
         for n in (exponent.low, exponent.high)
     ]
     found = f"n is between {exponent.low:.2f} and {exponent.high:.2f}"
-    if exponent.high - exponent.low > SettlingSettings().widest_exponent or (
+    if exponent.high - exponent.low > SettlingSettings().max_exponent_interval or (
         exponent.low <= FIT.contour_exponent <= exponent.high
     ):
         return (

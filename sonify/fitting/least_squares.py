@@ -103,7 +103,7 @@ def measured_rates(
     Further arguments are those of `rates`.
     """
     remaining, turned, frequency = decline.course(shares)
-    here = remaining > FIT.unused_end
+    here = remaining > FIT.unused_end_duration
     course = np.array([end - remaining, -turned, frequency])[:, here][:, ::-1]
     return rates(
         sound.samples,
@@ -124,11 +124,11 @@ def fit(
     lengths=FIT.block_lengths,
     least=0.05,
 ) -> Fit:
-    """Return the fit of a line of a decay to sounds.
+    """Fit a decay to the rates of a spectral line in sounds.
 
-    `ends` [s] and `shares` (3,) are the initial guess; each fitted share is initially
-    at least `least` times its unit. Raises ValueError if fewer than eight blocks of the
-    sounds have a clear tone."""
+    `ends` [s] and `shares` (3,) are the initial guess; each fitted share starts at no
+    less than `least` times its unit. Raises ValueError if fewer than eight blocks of
+    the sounds have a clear tone."""
     ends = np.array(ends, float)
     shares = np.array(shares, float)
     filtered = all(sound.filtered for sound in sounds)
@@ -213,7 +213,7 @@ def _residual(x, heard, sounds, shares, free, unit):
     ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
     for i, line, h, steady in heard:
-        remaining = np.maximum(ends[i] - h.time, FIT.unused_end / 10)
+        remaining = np.maximum(ends[i] - h.time, FIT.unused_end_duration / 10)
         model = _through_high_pass(
             partial(line.frequency, shares=full), remaining, corner
         )
@@ -253,7 +253,7 @@ def _solved(
     last = np.full(len(ends), -np.inf)
     for i, _, h, _ in heard:
         last[i] = max(last[i], h.time.max(initial=-np.inf))
-    lower = np.append(last + FIT.unused_end / 5, others)
+    lower = np.append(last + FIT.unused_end_duration / 5, others)
     upper = np.full(len(x), np.inf)
     upper[len(ends) + len(free) :] = FIT.max_corner_factor
     x = np.maximum(x, lower + 1e-9)
@@ -286,8 +286,8 @@ def _with_intervals(heard, ends, shares, free, solution):
     random = np.random.default_rng(0)
     count = len(sigma)
     run = max(FIT.min_bootstrap_run_blocks, count // FIT.max_bootstrap_run_count)
-    apart = count / FIT.block_overlap
-    leverage = np.sqrt(apart / max(apart - len(solved.x), 1))
+    independent_count = count / FIT.block_overlap
+    leverage = np.sqrt(independent_count / max(independent_count - len(solved.x), 1))
     runs = -(-count // run)
     drawn = (
         random.integers(0, count, (FIT.bootstrap_draws, runs, 1)) + np.arange(run)
@@ -343,7 +343,9 @@ def pool_fits(fits: list[Fit]) -> Fit:
     spread = np.maximum(draws.std(axis=1), TINY)
     weight = spread**-2 / np.sum(spread**-2, axis=0)
     mean = np.sum(weight * values, axis=0)
-    apart = np.sqrt(np.sum(((values - mean) / spread) ** 2, axis=0) / (len(fits) - 1))
+    scatter_ratio = np.sqrt(
+        np.sum(((values - mean) / spread) ** 2, axis=0) / (len(fits) - 1)
+    )
     random = np.random.default_rng(0)
     away = np.sum(
         [
@@ -357,7 +359,7 @@ def pool_fits(fits: list[Fit]) -> Fit:
         free=fits[0].free,
         ends=np.concatenate([one.ends for one in fits]),
         shares=mean,
-        draws=np.hstack([ends, mean + away * np.maximum(apart, 1.0)]),
+        draws=np.hstack([ends, mean + away * np.maximum(scatter_ratio, 1.0)]),
         heard=tuple(
             h._replace(sound=i) for i, one in enumerate(fits) for h in one.heard
         ),

@@ -28,7 +28,11 @@ from sonify.hearing.recording import (
     envelope,
     read,
 )
-from sonify.hearing.settling.detector import SettlingRun, apart, settling_events
+from sonify.hearing.settling.detector import (
+    SettlingRun,
+    non_overlapping_runs,
+    settling_events,
+)
 
 MAIN_LINES = ("precession", "its double", "nutation")
 """Spectral lines that may be the loudest tone."""
@@ -109,7 +113,7 @@ def detect_run(
             f"{name}: too short, {duration:.3g} s; at least {FIT.min_recording_length:g} s are required"
         )
     heard = settling_events(source)
-    runs = apart(heard)
+    runs = non_overlapping_runs(heard)
     if not runs:
         raise RecordingError(f"{name}: no disk or coin that comes to rest was detected")
     if (
@@ -225,15 +229,14 @@ def fit_same_disk(
 class Track:
     """Fit of a decay to one line in one signal of the sounds.
 
-    The score includes the other lines, both in this signal and in the other signals
-    `beside`."""
+    The score includes the other lines, both in this signal and in `other_signals`."""
 
     signal: str
     line: str
     model: str
     lines: dict[str, Decline]
     streams: list[ToneSignal]
-    beside: list[list[ToneSignal]]
+    other_signals: list[list[ToneSignal]]
     fit: Fit
 
     @property
@@ -249,7 +252,7 @@ class Track:
         agreement of this line with its decay and a bonus for the precession line, minus
         a penalty for an implausible film."""
         one = self.fit
-        signals = product((self.streams, *self.beside), self.lines.values())
+        signals = product((self.streams, *self.other_signals), self.lines.values())
         seen = sum(
             _evidence(
                 line,
@@ -357,9 +360,9 @@ def _track(decline, streams, signal, line, ends, shares):
         return None
     if np.abs(one.ends - ends).max() > FIT.max_fitted_end_distance:
         return None
-    beside = [sounds for other, sounds in streams.items() if other != signal]
+    other_signals = [sounds for other, sounds in streams.items() if other != signal]
     head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
-    return Track(**head, streams=streams[signal], beside=beside, fit=one)
+    return Track(**head, streams=streams[signal], other_signals=other_signals, fit=one)
 
 
 def _fitted_laws(decline):
@@ -402,7 +405,7 @@ def _ridge_of(event):
         frequency = event.ridge.frequency
     else:
         end = event.t_end.value
-        time = end - np.geomspace(end - event.start, FIT.unused_end, 200)
+        time = end - np.geomspace(end - event.start, FIT.unused_end_duration, 200)
         frequency = event.rate(time)
     return Rates(time, frequency, FIT.ridge_error * frequency, 1 + 0 * time, 0 * time)
 

@@ -56,15 +56,17 @@ def rates(
     length = max(
         length, FIT.block_overlap * len(heard[0]) / FIT.bins_per_turn / FIT.max_blocks
     )
-    told, *found = _clear_blocks(heard, length, noise_of)
-    return Rates(*(x[told] for x in found))
+    is_clear, *found = _clear_blocks(heard, length, noise_of)
+    return Rates(*(x[is_clear] for x in found))
 
 
-def _first_clear_block(told):
+def _first_clear_block(is_clear):
     """Return the index of the first of the blocks (b,) after the unclear beginning."""
     return (
-        len(told) - 1 - np.argmax(np.cumsum(told[::-1] - FIT.min_clear_share))
-        if len(told)
+        len(is_clear)
+        - 1
+        - np.argmax(np.cumsum(is_clear[::-1] - FIT.min_clear_block_share))
+        if len(is_clear)
         else 0
     )
 
@@ -86,10 +88,10 @@ def _clear_blocks(heard, length, noise_of):
     )
     middle, mean, missed, error, clear = _block_rates(*blocks, noise_of)
     expected = np.interp(middle, t, frequency)
-    told = (clear > FIT.min_tone_to_noise) & (
+    is_clear = (clear > FIT.min_tone_to_noise) & (
         np.abs(missed) < FIT.max_rate_deviation * expected
     )
-    return told, middle, expected + missed, error, clear, missed / mean
+    return is_clear, middle, expected + missed, error, clear, missed / mean
 
 
 def _demodulated_bins(samples, rate, first, course):
@@ -129,8 +131,10 @@ def _block_rates(still, t, noise_of):
     seen = window * still
     tone = seen.sum(axis=1)
     slope = np.sum(since * seen, axis=1)
-    beside = np.abs(seen @ np.exp(-2j * np.pi * np.outer(phase, NOISE_OFFSETS))) ** 2
-    noise = np.maximum(noise_of(beside, axis=1), TINY_POWER)
+    beside_the_tone = (
+        np.abs(seen @ np.exp(-2j * np.pi * np.outer(phase, NOISE_OFFSETS))) ** 2
+    )
+    noise = np.maximum(noise_of(beside_the_tone, axis=1), TINY_POWER)
     spread = since**2 @ window / window.sum()
     mean = (
         since

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from sonify.hearing.audio_source import BLOCK, SoundFile, Source
+from sonify.hearing.audio_source import BLOCK_SIZE, SoundFile, Source
 from sonify.hearing.recording import RecordingError
 
 RECORDING_SUFFIXES = (
@@ -29,9 +29,9 @@ RECORDING_SUFFIXES = (
     ".csv",
 )
 """Suffixes of the files that are read from a folder."""
-TIME = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
-LEAST_ROWS = 100
-OWN_NOTE = "eulers-disk-sonify"
+TIME_COLUMN_PATTERN = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
+MIN_ROW_COUNT = 100
+OWN_SOFTWARE_NOTE = "eulers-disk-sonify"
 """Start of the software note in sound files written by this program
 (`sonify.sound.wav`)."""
 
@@ -50,8 +50,8 @@ class Recording:
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Yield blocks (k, 1) of samples, from the sample `start` on."""
-        for first in range(start, self.frames, BLOCK):
-            yield self.samples[first : first + BLOCK, None]
+        for first in range(start, self.frames, BLOCK_SIZE):
+            yield self.samples[first : first + BLOCK_SIZE, None]
 
 
 def recording_files(paths) -> list[Path]:
@@ -106,7 +106,7 @@ def is_recorded(path: Path) -> bool:
     filter."""
     try:
         with SoundFile(path).open() as file:
-            return not file.software.startswith(OWN_NOTE)
+            return not file.software.startswith(OWN_SOFTWARE_NOTE)
     except (soundfile.LibsndfileError, OSError):
         return True
 
@@ -126,7 +126,14 @@ def _table_samples(text, path):
     separator = max(",;\t", key=text.partition("\n")[0].count)
     rows = csv.reader(io.StringIO(text), delimiter=separator)
     head = [name.strip() for name in next(rows, [])]
-    unit = next((TIME.match(name) for name in head if TIME.match(name)), None)
+    unit = next(
+        (
+            TIME_COLUMN_PATTERN.match(name)
+            for name in head
+            if TIME_COLUMN_PATTERN.match(name)
+        ),
+        None,
+    )
     if unit is None or len(head) < 2:
         return None
     time = head.index(unit.string)
@@ -150,9 +157,9 @@ def _table_samples(text, path):
         raise RecordingError(
             f"{path}: its times do not increase from row to row, or a cell is not finite"
         )
-    if len(t) < LEAST_ROWS:
+    if len(t) < MIN_ROW_COUNT:
         raise RecordingError(
-            f"{path}: too few rows, {len(t)}; at least {LEAST_ROWS} are required"
+            f"{path}: too few rows, {len(t)}; at least {MIN_ROW_COUNT} are required"
         )
     even = np.linspace(t[0], t[-1], len(t))
     second = 1e3 if unit[1].lower() == "ms" else 1.0

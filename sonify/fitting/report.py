@@ -39,7 +39,9 @@ def write_fits(
         with atomic_write(folder / "fit.md") as temporary:
             temporary.write_text(page(fits), encoding="utf-8")
         if simulated:
-            write_json(json_safe(compared(fits, simulated)), folder / "compare.json")
+            write_json(
+                json_safe(comparison_record(fits, simulated)), folder / "compare.json"
+            )
             with atomic_write(folder / "compare.png") as temporary:
                 draw_comparison(fits, simulated, temporary)
     return folder
@@ -57,14 +59,14 @@ def new_folder(file: str) -> Path:
 def as_json(fits: Fits) -> dict[str, Any]:
     """Return the content of fit.json."""
     end = asdict(fits.pool.value(0)) if len(fits.files) == 1 else None
-    pool = {"t_end": end} | _values(fits.values()) | {"verdict": fits.verdict}
+    pool = {"t_end": end} | _values_of_laws(fits.values()) | {"verdict": fits.verdict}
     shares = {
         name: list(share)
         for name, share in shares_of_power(
             fits.files[0].judged.decline, fits.pool
         ).items()
     }
-    files = [_one(f, fits.resonances) for f in fits.files]
+    files = [_record_of_recording(f, fits.resonances) for f in fits.files]
     return {
         "scene": fits.scene.name,
         "neglected": neglected_parts(fits.scene),
@@ -73,12 +75,13 @@ def as_json(fits: Fits) -> dict[str, Any]:
     }
 
 
-def _one(fitted: Fitted, known) -> dict[str, Any]:
+def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
     judged = fitted.judged
     rates = fitted.judged.fit.heard[0].rates
-    head = {"file": fitted.file, "t_end": asdict(judged.fit.value(0))} | _values(
-        judged.values()
-    )
+    head = {
+        "file": fitted.file,
+        "t_end": asdict(judged.fit.value(0)),
+    } | _values_of_laws(judged.values())
     return head | {
         "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
@@ -111,7 +114,7 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
     }
 
 
-def _values(values) -> dict[str, Any]:
+def _values_of_laws(values) -> dict[str, Any]:
     """Return the values by name, including `rolling` and `air` in any case."""
     return dict.fromkeys(("rolling", "air"), ABSENT_LAW) | {
         name: asdict(v) for name, v in values.items()
@@ -144,7 +147,7 @@ def table(fits: Fits, separator: str = " | ") -> list[str]:
     for name, end, values, verdict in rows:
         numbers = [
             f"{x:.6g}"
-            for v in (_values(values)[k] for k in ("rolling", "air"))
+            for v in (_values_of_laws(values)[k] for k in ("rolling", "air"))
             for x in (v["value"], v["low"], v["high"])
         ]
         lines.append(
@@ -162,7 +165,7 @@ def table(fits: Fits, separator: str = " | ") -> list[str]:
 
 def sentences(fits: Fits) -> list[str]:
     """Return the results as sentences."""
-    said = [line for fitted in fits.files for line in _of_one(fitted)]
+    said = [line for fitted in fits.files for line in _sentences_of_recording(fitted)]
     if len(fits.files) > 1:
         said.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
     if not has_film(fits.scene):
@@ -170,7 +173,7 @@ def sentences(fits: Fits) -> list[str]:
     return said + neglected_parts(fits.scene)
 
 
-def _of_one(fitted):
+def _sentences_of_recording(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
     told = (
@@ -213,7 +216,7 @@ def _of_one(fitted):
         )
 
 
-def _carriers(fits: Fits) -> list[str]:
+def _line_table(fits: Fits) -> list[str]:
     """Return a header and a row for each spectral line in the first recordings."""
     head = (
         "recording",
@@ -229,10 +232,10 @@ def _carriers(fits: Fits) -> list[str]:
         for f in fits.files[:MAX_PANELS]
         for carrier in f.carriers
     ]
-    return [" | ".join(head)] + [_carrier(Path(name).name, c) for name, c in rows]
+    return [" | ".join(head)] + [_line_row(Path(name).name, c) for name, c in rows]
 
 
-def _carrier(name, c):
+def _line_row(name, c):
     near = (
         ["{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"])]
         if c["matched"]
@@ -260,7 +263,7 @@ def page(fits: Fits) -> str:
     lines += ["![measured and fitted rates](fit.png)", "", *_as_markdown(table(fits))]
     if any(fitted.carriers for fitted in fits.files[:MAX_PANELS]):
         lines += ["", "Spectral lines and the nearest resonances of the scene:", ""]
-        lines += _as_markdown(_carriers(fits))
+        lines += _as_markdown(_line_table(fits))
     return "\n".join(lines) + "\n"
 
 
@@ -273,7 +276,7 @@ def _as_markdown(rows):
     ]
 
 
-def compared(fits: Fits, simulated: dict[str, Any]) -> dict[str, Any]:
+def comparison_record(fits: Fits, simulated: dict[str, Any]) -> dict[str, Any]:
     """Return the content of compare.json: the numbers of the recordings and of the
     simulation."""
     files = [
@@ -322,7 +325,7 @@ def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
                 "color": "k" if name == "simulated" else f"C{offset}",
             }
             remaining = np.array(numbers["loudness"]["time_left"])
-            remaining = remaining[remaining > FIT.unused_end]
+            remaining = remaining[remaining > FIT.unused_end_duration]
             exponent = numbers["exponent"]
             steepness = exponent["value"] or (exponent["low"] + exponent["high"]) / 2
             reference = min(1.0, remaining.max())
@@ -436,5 +439,5 @@ def _draw_one(above, below, fitted):
 def _rate_of_draw(decline, one, draw, at):
     """Return the rates (k,) of a draw of ends and shares at times `at` (k,) [s] before
     the fitted end."""
-    remaining = np.maximum(at + draw[0] - one.ends[0], FIT.unused_end)
+    remaining = np.maximum(at + draw[0] - one.ends[0], FIT.unused_end_duration)
     return decline.frequency(remaining, np.maximum(draw[len(one.ends) :], 0))

@@ -98,7 +98,7 @@ class FitSettings:
     max_bootstrap_run_count: int = 8
     """Number of runs into which the residuals are divided if the runs are long
     enough."""
-    unused_end: float = 0.01
+    unused_end_duration: float = 0.01
     """Length of the final part of the motion that is not used [s]."""
     high_pass_corner: float = 50.0
     """Corner frequency of the high-pass filter of a recorder, and its uncertainty
@@ -122,7 +122,7 @@ class FitSettings:
     """Largest number of blocks of a sound."""
     block_overlap: int = 2
     """Number of blocks that cover each instant."""
-    min_clear_share: float = 0.5
+    min_clear_block_share: float = 0.5
     """Least share of clear blocks in a tone; in noise and speech, a tenth of the
     blocks are clear."""
 
@@ -141,9 +141,9 @@ class FitSettings:
     nutation_inclinations: tuple[float, ...] = (0.005, 0.02, 0.08, 0.3)
     """Inclinations at which the nutation rate is computed [rad]."""
     min_rolling_share: float = 1e-12
-    """Share of contour friction that replaces a smaller total dissipation."""
+    """Least total dissipation, as a share of contour friction."""
     min_film_power_share: float = 1e-7
-    """Share of contour friction that replaces a smaller film power; without it, the
+    """Least power of the film, as a share of contour friction; without this limit, the
     disk would never reach the table, and the end would depend on inaudible
     details."""
     min_air_share: float = 1e-3

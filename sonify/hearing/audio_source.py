@@ -16,14 +16,16 @@ import soundfile
 from sonify.hearing.mp3 import read_mp3
 from sonify.scene_errors import InputError
 
-PROMISED = re.compile(r"(?:data|SSND|Data Size) *: *(\d+) \(should be (\d+)\)")
+LENGTH_MISMATCH_NOTE = re.compile(
+    r"(?:data|SSND|Data Size) *: *(\d+) \(should be (\d+)\)"
+)
 """Note of libsndfile on WAV, AIFF and AU files whose length differs from that in their
 header [bytes]."""
-UNKNOWN = 0x7FFF0000
+UNKNOWN_LENGTH = 0x7FFF0000
 """Length [bytes] in the header of a file that was written with an unknown length."""
-BLOCK = 1 << 16
+BLOCK_SIZE = 1 << 16
 """Number of samples read from a file at a time."""
-SMALL_BLOCK = 1 << 10
+SEARCH_BLOCK_SIZE = 1 << 10
 """Number of samples read at a time in the search for the last decodable sample."""
 
 
@@ -101,7 +103,7 @@ class SoundFile:
         with self.open() as file:
             held = 0
             with suppress(soundfile.LibsndfileError):  # end of the decodable samples
-                while part := len(file.read(SMALL_BLOCK)):
+                while part := len(file.read(SEARCH_BLOCK_SIZE)):
                     held += part
         return held
 
@@ -123,7 +125,7 @@ class SoundFile:
         if self._mp3 is not None:
             missing = (
                 (self._mp3.announced - self._mp3.frames) * self._mp3.samples / rate
-                if self._mp3.cut
+                if self._mp3.is_truncated
                 else 0.0
             )
             return Truncation(held, held + missing) if missing else None
@@ -131,11 +133,11 @@ class SoundFile:
             return None if ends_with_its_stream(self.path) else Truncation(held, None)
         if self.frames < announced:
             return Truncation(held, announced / rate)
-        noted = PROMISED.search(notes)
+        noted = LENGTH_MISMATCH_NOTE.search(notes)
         said, found = map(int, noted.groups()) if noted else (0, 0)
         return (
             Truncation(held, held * said / found)
-            if 0 < found < said < UNKNOWN
+            if 0 < found < said < UNKNOWN_LENGTH
             else None
         )
 
@@ -145,7 +147,9 @@ class SoundFile:
         with self.open() as file:
             file.seek(min(start, self.frames))
             while left > 0:
-                block = file.read(min(BLOCK, left), dtype="float32", always_2d=True)
+                block = file.read(
+                    min(BLOCK_SIZE, left), dtype="float32", always_2d=True
+                )
                 left -= len(block)
                 yield block
                 if not len(block):
@@ -224,7 +228,7 @@ def excerpt(source: Source, begin: float, end: float) -> Source:
     )
 
 
-def stretch(source: Source, start: int, stop: int) -> np.ndarray:
+def read_samples(source: Source, start: int, stop: int) -> np.ndarray:
     """Return the samples (stop - start, channels) from `start` up to `stop` or the last
     sample."""
     parts = []
@@ -237,7 +241,7 @@ def stretch(source: Source, start: int, stop: int) -> np.ndarray:
     return np.concatenate(parts) if parts else np.zeros((0, 1))
 
 
-def pieces(
+def overlapping_pieces(
     source: Source, step: int, overlap: int = 0, start: int = 0
 ) -> Iterator[np.ndarray]:
     """Yield the samples from `start` on in overlapping pieces (step + overlap,

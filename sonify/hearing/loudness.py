@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.signal import resample_poly
 
-from sonify.hearing.audio_source import Source, source_of, stretch
+from sonify.hearing.audio_source import Source, read_samples, source_of
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, Spectrogram, spectrogram
 
 # fmt: off
@@ -116,7 +116,7 @@ def loudness_lufs(sound: Source | str | Path) -> float:
         raise ValueError("the loudness requires at least 0.4 s of sound")
     return float(
         Meter(rate).integrated_loudness(
-            stretch(source, max(frames - 600 * rate, 0), frames)[:, :5]
+            read_samples(source, max(frames - 600 * rate, 0), frames)[:, :5]
         )
     )
 
@@ -152,7 +152,7 @@ def roughness(
         raise ValueError(
             f"the roughness requires at least {window_length:g} s of sound"
         )
-    samples = stretch(source, first, last).mean(axis=1)
+    samples = read_samples(source, first, last).mean(axis=1)
     common = gcd(rate, model_rate)
     samples = (
         resample_poly(samples, model_rate // common, rate // common)

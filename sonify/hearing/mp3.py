@@ -23,13 +23,13 @@ SAMPLE_RATES = {
 
 
 class FrameHeader(NamedTuple):
-    """Length [bytes], samples, sample rate [Hz] and side data [bytes] of a layer III
-    frame."""
+    """Length [bytes], samples, sample rate [Hz] and size of the side data [bytes] of a
+    layer III frame."""
 
     length: int
     samples: int
     sample_rate: int
-    side: int
+    side_size: int
 
     @property
     def kind(self) -> tuple[int, int]:
@@ -42,8 +42,8 @@ class Mp3:
     """Number of complete frames in a file, number of `announced` frames, and samples
     per frame.
 
-    `announced` is the number in the header, or None if the header states none. `content` is a copy of
-    the file with the true number in its header."""
+    `announced` is the number in the header, or None if the header states none.
+    `content` is a copy of the file with the true number in its header."""
 
     frames: int
     announced: int | None
@@ -51,7 +51,7 @@ class Mp3:
     content: bytes
 
     @property
-    def cut(self) -> bool:
+    def is_truncated(self) -> bool:
         """True if frames are missing; some encoders count the header as a frame."""
         return self.announced is not None and self.frames < self.announced - 1
 
@@ -62,24 +62,24 @@ def read_mp3(path: str | Path) -> Mp3 | None:
     Raises OSError if the file is unreadable.
     """
     data = Path(path).read_bytes()
-    first = _after_tag(data)
+    first = _first_frame_position(data)
     header = frame_header(data, first)
     if header is None:
         return None
-    place = _information(data, first, header)
+    place = _find_length_header(data, first, header)
     begin = first if place is None else first + header.length
-    frames, end = _count(data, begin, header.kind)
+    frames, end = _count_frames(data, begin, header.kind)
     announced = None
     if place is None:
         content = (
             data[:first]
-            + _information_frame(data[first : first + 4], header, frames)
+            + _length_header_frame(data[first : first + 4], header, frames)
             + data[first:end]
         )
     else:
         flags = unpack_from(">I", data, place + 4)[0]
         announced = unpack_from(">I", data, place + 8)[0] if flags & 1 else None
-        content = _announcing(data[:end], place, flags, frames, end - first)
+        content = _with_lengths(data[:end], place, flags, frames, end - first)
     return Mp3(frames, announced, header.samples, content)
 
 
@@ -105,15 +105,21 @@ def frame_header(data: bytes, at: int) -> FrameHeader | None:
     sample_rate = SAMPLE_RATES[version][frequency]
     bits = 1000 * KILOBITS[1 if first else 2][rate]
     mono = word >> 6 & 3 == 3
-    side = {(True, False): 32, (True, True): 17, (False, False): 17, (False, True): 9}[
-        first, mono
-    ]
+    side_size = {
+        (True, False): 32,
+        (True, True): 17,
+        (False, False): 17,
+        (False, True): 9,
+    }[first, mono]
     return FrameHeader(
-        samples // 8 * bits // sample_rate + (word >> 9 & 1), samples, sample_rate, side
+        samples // 8 * bits // sample_rate + (word >> 9 & 1),
+        samples,
+        sample_rate,
+        side_size,
     )
 
 
-def _after_tag(data):
+def _first_frame_position(data):
     """Return the position of the first frame, which may follow an ID3 version 2 tag."""
     if data[:3] != b"ID3" or len(data) < 10:
         return 0
@@ -121,10 +127,10 @@ def _after_tag(data):
     return 10 + (a << 21 | b << 14 | c << 7 | d)
 
 
-def _information(data, first, header):
+def _find_length_header(data, first, header):
     """Return the position of the Xing or LAME header in the first frame, or None if
     there is none."""
-    place = first + 4 + header.side
+    place = first + 4 + header.side_size
     return (
         place
         if data[place : place + 4] in (b"Xing", b"Info") and place + 12 <= len(data)
@@ -132,7 +138,7 @@ def _information(data, first, header):
     )
 
 
-def _count(data, begin, kind):
+def _count_frames(data, begin, kind):
     """Return the number of complete frames of a kind after `begin`, and the end of the
     last one."""
     frames = 0
@@ -151,15 +157,17 @@ def _count(data, begin, kind):
     return frames, end
 
 
-def _information_frame(start, header, frames):
+def _length_header_frame(start, header, frames):
     """Return a silent frame that announces a number of frames; it starts with the bytes
     `start`."""
     word = unpack_from(">I", start)[0] | 1 << 16  # without a checksum
-    frame = pack(">I", word) + bytes(header.side) + b"Xing" + pack(">II", 1, frames)
+    frame = (
+        pack(">I", word) + bytes(header.side_size) + b"Xing" + pack(">II", 1, frames)
+    )
     return frame.ljust(header.length, b"\0")
 
 
-def _announcing(data, place, flags, frames, length):
+def _with_lengths(data, place, flags, frames, length):
     """Return the data with the numbers of frames and bytes written into the header at
     `place`.
 

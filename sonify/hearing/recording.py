@@ -11,9 +11,9 @@ from scipy.signal import butter, resample_poly, sosfiltfilt
 from sonify.hearing.audio_source import (
     Source,
     Truncation,
-    pieces,
+    overlapping_pieces,
+    read_samples,
     source_of,
-    stretch,
     truncation_of,
 )
 from sonify.hearing.settling.detector import SettlingRun, strongest_tone
@@ -167,7 +167,7 @@ def read(sound: Source | str | Path, end: float | None = None):
     try:
         rate = source.sample_rate
         start, stop = _analysed_part(source, end)
-        channels = stretch(source, start, stop)
+        channels = read_samples(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
         raise RecordingError(
             f"{name}: not a readable sound file: {_read_failure_reason(name, error)}"
@@ -213,7 +213,7 @@ def _analysed_part(source, end):
             np.argmax(
                 [
                     np.square(second, dtype=float).sum()
-                    for second in pieces(source, rate)
+                    for second in overlapping_pieces(source, rate)
                 ]
             )
         )

@@ -13,9 +13,11 @@ from scipy.signal import firwin, oaconvolve
 
 from sonify.hearing.spectral_lines import MIN_LINE_FREQUENCY_HZ
 
-HALF_BAND = 120.0  # Hz; closer lines are resolved in a common band
-MODULATED_PARTS = 4  # parts of a modulated line in the jackknife
-EXPLAINED = 0.9  # least fraction of the power of a band that its lines explain
+LINE_BAND_HALF_WIDTH = 120.0  # Hz; closer lines are resolved in a common band
+JACKKNIFE_PARTS = 4  # parts of a modulated line in the jackknife
+MIN_EXPLAINED_POWER = (
+    0.9  # least fraction of the power of a band that its lines explain
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,14 +63,14 @@ def decaying_lines(
     power = (
         np.abs(np.fft.rfft(samples * np.hanning(2 * len(samples))[len(samples) :])) ** 2
     )
-    smooth = uniform_filter1d(power, max(int(HALF_BAND / 2 / spacing), 1))
+    smooth = uniform_filter1d(power, max(int(LINE_BAND_HALF_WIDTH / 2 / spacing), 1))
     coarse = 10 * np.log10(smooth[:: max(int(10 / spacing), 1)] + 1e-300)
     floor = median_filter(coarse, 200)  # 2 kHz
     above = (
         10 * np.log10(smooth + 1e-300)
         - np.repeat(floor, max(int(10 / spacing), 1))[: len(smooth)]
     )
-    reach = int(HALF_BAND / spacing)
+    reach = int(LINE_BAND_HALF_WIDTH / spacing)
     above[smooth < maximum_filter1d(smooth, reach + 1)] = 0  # the flanks of a line
     above[: int(MIN_LINE_FREQUENCY_HZ / spacing)] = 0
     above[int(0.45 * rate / spacing) :] = 0
@@ -93,25 +95,25 @@ def decaying_lines(
 
 
 def _lines_of_band(samples, rate, middle):
-    """Return amplitudes and lines within HALF_BAND of a frequency [Hz]."""
-    down = max(int(rate / (4 * HALF_BAND)), 1)
+    """Return amplitudes and lines within LINE_BAND_HALF_WIDTH of a frequency [Hz]."""
+    down = max(int(rate / (4 * LINE_BAND_HALF_WIDTH)), 1)
     taps = 6 * down + 1
     time = np.arange(len(samples)) / rate
     shifted = samples * np.exp(-2j * np.pi * middle * time)
-    low = oaconvolve(shifted, firwin(taps, 1.5 * HALF_BAND, fs=rate), mode="valid")[
-        ::down
-    ]
+    low = oaconvolve(
+        shifted, firwin(taps, 1.5 * LINE_BAND_HALF_WIDTH, fs=rate), mode="valid"
+    )[::down]
     interval = down / rate
     poles = _poles(low)
     decay = -np.log(np.abs(poles)) / interval
     offset = np.angle(poles) / (2 * np.pi * interval)
     amplitude, error, explained = _amplitudes(low, poles, interval)
-    if explained < EXPLAINED:
+    if explained < MIN_EXPLAINED_POWER:
         return [_modulated(low, interval, middle)]
     begin = (taps - 1) / 2 / rate
     kept = (
         (decay > 0)
-        & (np.abs(offset) < HALF_BAND)
+        & (np.abs(offset) < LINE_BAND_HALF_WIDTH)
         & (amplitude > 0.05 * amplitude.max())
     )
     kept &= error < 0.5 * decay
@@ -146,7 +148,7 @@ def _modulated(signal, interval, middle):
     level = level[: max(quiet[0], 4) if len(quiet) else None]
     time = np.arange(len(level)) * hop * interval
     slope, height = np.polyfit(time, level, 1)
-    part = np.arange(len(level)) * MODULATED_PARTS // len(level)
+    part = np.arange(len(level)) * JACKKNIFE_PARTS // len(level)
     without = [
         np.polyfit(time[part != k], level[part != k], 1)[0] for k in np.unique(part)
     ]

@@ -8,7 +8,12 @@ from pathlib import Path
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from sonify.hearing.audio_source import BLOCK, Source, pieces, source_of
+from sonify.hearing.audio_source import (
+    BLOCK_SIZE,
+    Source,
+    overlapping_pieces,
+    source_of,
+)
 
 CONTACT_RATE_BAND_HZ = (5.0, 1000.0)
 """Frequency range of the precession and nutation of the contact."""
@@ -74,11 +79,11 @@ def spectrogram(
     last = int(min(span[1] * rate, source.frames))
     hop = max(size // 4, -(-(last - first) // columns))
     count = max(last - size - first, 0) // hop + 1
-    group_size = max(BLOCK // hop, 1)
+    group_size = max(BLOCK_SIZE // hop, 1)
     weights = 1 - np.cos(2 * np.pi * np.arange(size) / size)
     weights = (weights / weights.sum()).astype(np.float32)
     parts = islice(
-        pieces(source, group_size * hop, max(size - hop, 0), first),
+        overlapping_pieces(source, group_size * hop, max(size - hop, 0), first),
         -(-count // group_size),
     )
     power = np.concatenate([_power(part, weights, hop) for part in parts])[:count]

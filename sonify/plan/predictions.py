@@ -69,8 +69,8 @@ def predicted_sound_error(scene: Scene, modes: Modes, loudness) -> Prediction:
     (m,) [Pa^2 s], and due to omitted modes. The difference of two decaying sines that
     start in phase has the energy 2 D^2/(D^2 + 4 d^2) relative to one of them, where D
     is the difference of their frequencies [rad/s] and d their decay rate [1/s]."""
-    apart = 2 * pi * modes.frequency * mode_frequency_error(scene, modes)
-    square = apart**2
+    detuning = 2 * pi * modes.frequency * mode_frequency_error(scene, modes)
+    square = detuning**2
     lost = 2 * np.divide(
         square,
         square + 4 * modes.decay_rate**2,

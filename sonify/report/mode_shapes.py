@@ -192,7 +192,7 @@ def draw_colour_bar(axis, at, label: str, least: float, colours: str):
 
 def draw_oblique_view(axis, modes: Modes, polygons, i, at):
     """Draw the oblique view of mode i with its centre `at` (x, y) [disk radii]."""
-    radius, _ = face_radii(modes)
+    radius, _ = outer_and_hole_radius(modes)
     stretch = MAX_DRAWN_DISPLACEMENT * radius / np.abs(modes.body.displacement[i]).max()
     places, far, light = projected_polygons(modes.body, polygons, i, stretch)
     colour = colormaps["viridis"](far)
@@ -240,7 +240,7 @@ def draw_table_modes(axis, points, face, captions, count, top):
         axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
-def face_radii(modes: Modes):
+def outer_and_hole_radius(modes: Modes):
     """Return the outer radius and the hole radius [m] of the faces; the latter is 0 if
     there is no hole.
 
@@ -257,7 +257,7 @@ def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
     The view contains axial motion in colour, nodal lines, the rim at rest and
     displaced, and the patch.
     """
-    radius, hole = face_radii(modes)
+    radius, hole = outer_and_hole_radius(modes)
     x, y, w = top_face(modes, i, radius, hole)
     x = x / radius + at[0]
     y = y / radius + at[1]

@@ -347,7 +347,7 @@ def label_frequencies(axes, frequencies, unit):
     heights = np.unique(np.round(frequencies)) / unit  # a degenerate pair is one line
     shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
     text_height = 14  # px
-    apart = text_height / axes.get_window_extent().height
+    min_distance = text_height / axes.get_window_extent().height
     last = -1.0
     leader = {
         "arrowstyle": "-",
@@ -358,8 +358,8 @@ def label_frequencies(axes, frequencies, unit):
         "patchA": None,
     }
     for height, share in zip(heights, shares, strict=True):
-        place = max(share, last + apart)
-        if share < 0 or place > 1 or place - share > 2 * apart:
+        place = max(share, last + min_distance)
+        if share < 0 or place > 1 or place - share > 2 * min_distance:
             continue
         options = {
             "xycoords": axes.get_yaxis_transform(),

@@ -219,7 +219,7 @@ def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
     )
 
 
-def _wedge_coupling():
+def _wedge_coupling_integrals():
     """Return the integrals of ln(1 + cos t) W V for all pairs of waves W and V.
 
     The integral of ln(1 + cos t) cos j t is -2 pi ln 2 for j = 0, and 2 pi (-1)^(j +
@@ -238,7 +238,7 @@ def _wedge_coupling():
     return same_kind * (by_difference + np.where(n < 0, -1, 1) * by_total) / 2
 
 
-WEDGE_COUPLING = _wedge_coupling()
+WEDGE_COUPLING = _wedge_coupling_integrals()
 """Coupling between harmonics of the rim flow, caused by the variation of the gap along
 the rim."""
 

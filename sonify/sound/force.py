@@ -344,8 +344,8 @@ class ForceSampler:
 
 def lagrange_weights(nodes, x) -> np.ndarray:
     """Return the Lagrange interpolation weights (n, k) of `nodes` (n,) at x (k,)."""
-    apart = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
-    ratios = (x - nodes[:, None])[None] / apart[..., None]
+    differences = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
+    ratios = (x - nodes[:, None])[None] / differences[..., None]
     factors = np.where(np.eye(len(nodes), dtype=bool)[..., None], 1.0, ratios)
     return factors.prod(axis=1)
 

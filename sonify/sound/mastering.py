@@ -10,7 +10,7 @@ import numpy as np
 from scipy.ndimage import minimum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.audio_source import BLOCK, Excerpt, pieces
+from sonify.hearing.audio_source import BLOCK_SIZE, Excerpt, overlapping_pieces
 from sonify.hearing.loudness import loudness_lufs
 from sonify.sound.playback import (
     AUDIBLE_COPY_LOUDNESS_LUFS,
@@ -97,10 +97,14 @@ class ProcessedTrack(CachedTrack):
     def computed_blocks(self) -> Iterator[np.ndarray]:
         """Yield the processed pieces (k, channels)."""
         reach = self.context_samples  # shorter than a piece
-        padded = pieces(TrackWithLeadIn(self.track, reach), BLOCK, 2 * reach)
-        for first, samples in zip(range(0, self.frames, BLOCK), padded, strict=False):
+        padded = overlapping_pieces(
+            TrackWithLeadIn(self.track, reach), BLOCK_SIZE, 2 * reach
+        )
+        for first, samples in zip(
+            range(0, self.frames, BLOCK_SIZE), padded, strict=False
+        ):
             yield self.processed(samples)[
-                reach : reach + min(BLOCK, self.frames - first)
+                reach : reach + min(BLOCK_SIZE, self.frames - first)
             ]
 
 
@@ -210,7 +214,7 @@ def windowed_power(samples: np.ndarray, reach: int) -> np.ndarray:
 def loudest_window(track, settings: Mastering) -> float:
     """Return the largest mean square [Pa^2] of the windows of a track."""
     reach = window_reach(track.sample_rate, settings)
-    padded = pieces(TrackWithLeadIn(track, reach), BLOCK, 2 * reach)
+    padded = overlapping_pieces(TrackWithLeadIn(track, reach), BLOCK_SIZE, 2 * reach)
     return max(
         float(windowed_power(piece, reach)[reach:-reach].max()) for piece in padded
     )

@@ -9,7 +9,7 @@ from math import inf
 import numpy as np
 from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
 
-from sonify.hearing.audio_source import BLOCK, pieces
+from sonify.hearing.audio_source import BLOCK_SIZE, overlapping_pieces
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
 from sonify.hearing.spectrogram import spectrogram
 
@@ -160,7 +160,7 @@ def _overlapping_parts(source):
     """Return parts of a source, extended on both sides by the reach of the resampling
     filter [samples]."""
     filter_reach = 32
-    return pieces(source, BLOCK, 2 * filter_reach)
+    return overlapping_pieces(source, BLOCK_SIZE, 2 * filter_reach)
 
 
 def energy_below(track, *limits) -> tuple[float, ...]:

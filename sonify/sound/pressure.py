@@ -11,7 +11,7 @@ from weakref import finalize
 import numpy as np
 
 from dynamics import Outcome
-from sonify.hearing.audio_source import BLOCK
+from sonify.hearing.audio_source import BLOCK_SIZE
 from sonify.hearing.loudness import Audibility, audibility
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import MasteredTrack, master_copy
@@ -63,9 +63,9 @@ class Track:
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Return a new iterator over float32 blocks (k, channels), beginning at sample
         `start`."""
-        for first in range(start, self.frames, BLOCK):
+        for first in range(start, self.frames, BLOCK_SIZE):
             block = np.zeros(
-                (min(BLOCK, self.frames - first), self.channels), np.float32
+                (min(BLOCK_SIZE, self.frames - first), self.channels), np.float32
             )
             for channel, track in enumerate((self, *self.others)):
                 part = track.read(first, first + len(block))
@@ -173,9 +173,9 @@ class Sound:
 
     @cached_property
     def _column_peaks(self):
-        starts = range(0, self.samples, BLOCK)
+        starts = range(0, self.samples, BLOCK_SIZE)
         own = [
-            [np.abs(column).max() for column in self.columns[n : n + BLOCK].T]
+            [np.abs(column).max() for column in self.columns[n : n + BLOCK_SIZE].T]
             for n in starts
         ]
         return np.max(

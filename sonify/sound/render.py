@@ -12,7 +12,7 @@ import numpy as np
 
 from dynamics import Motion
 from modal import Modes, SurfaceModes
-from sonify.hearing.audio_source import BLOCK
+from sonify.hearing.audio_source import BLOCK_SIZE
 from sonify.scene import Scene
 from sonify.sound.absorption import propagation_filter, propagation_latency
 from sonify.sound.audible_modes import modes_below_nyquist
@@ -131,7 +131,7 @@ class Renderer:
             self.scene, self.motion, listener, rigid, elastic, *tables
         ) + tables
 
-    def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
+    def blocks(self, size: int = BLOCK_SIZE, note=lambda name, t, energy: None):
         """Yield the stems (k, s) [Pa] in blocks of k <= size samples.
 
         `note(name, t (e,) [s], energy (e,) [J])` receives the modal energy of each
@@ -185,7 +185,7 @@ class Renderer:
             for i, stems in enumerate(
                 self.blocks(note=lambda name, *energy: noted[name].append(energy))
             ):
-                watch(min((i + 1) * BLOCK / self.samples, 1.0))
+                watch(min((i + 1) * BLOCK_SIZE / self.samples, 1.0))
                 summed = pressure_and_stems(stems[:, :own])
                 listen(summed[:, 0], self.sample_rate, self.samples)
                 yield np.hstack([summed, stems[:, own:].astype(np.float32)])

@@ -16,7 +16,7 @@ from sonify.claims.surface_summary import (
     ANSWERS,
     LOSS_QUESTION,
     SOUND_QUESTION,
-    SURFACES,
+    SURFACE_BY_SCENE,
     answer_in_air,
     answer_table,
     complete_answers,
@@ -89,7 +89,7 @@ def test_an_undecided_answer_without_yes_or_no_says_so_first():
 
 
 def test_every_cell_is_a_finding_of_a_shipped_scene():
-    assert set(SURFACES) <= set(shipped_scenes())
+    assert set(SURFACE_BY_SCENE) <= set(shipped_scenes())
     assert {key for words in ANSWERS.values() for key in words} <= set(
         stage_by_quantity()
     )

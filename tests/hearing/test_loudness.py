@@ -12,7 +12,12 @@ import numpy as np
 import pytest
 import soundfile
 
-from sonify.hearing.audio_source import BLOCK, SoundFile, pieces, stretch
+from sonify.hearing.audio_source import (
+    BLOCK_SIZE,
+    SoundFile,
+    overlapping_pieces,
+    read_samples,
+)
 from sonify.hearing.loudness import (
     ISO_226_THRESHOLD_DB,
     MissingExtraError,
@@ -159,7 +164,7 @@ def test_pieces_are_the_samples_however_they_come(step, overlap, start):
     source = InBlocks(samples)
     padded = np.pad(samples, ((0, 100_000), (0, 0)))
     for reading in range(2):  # the second search finds the results of the first
-        for i, piece in enumerate(pieces(source, step, overlap, start)):
+        for i, piece in enumerate(overlapping_pieces(source, step, overlap, start)):
             assert np.array_equal(
                 piece, padded[start + i * step :][: step + overlap]
             ), reading
@@ -168,21 +173,23 @@ def test_pieces_are_the_samples_however_they_come(step, overlap, start):
         else:
             assert start + (i + 1) * step >= len(samples)
     assert np.array_equal(
-        stretch(source, start, start + step), samples[start : start + step]
+        read_samples(source, start, start + step), samples[start : start + step]
     )
 
 
 def test_a_file_and_its_samples_look_and_sound_the_same(tmp_path):
     samples = (
         np.random.default_rng(1)
-        .normal(scale=0.1, size=(3 * BLOCK + 5, 2))
+        .normal(scale=0.1, size=(3 * BLOCK_SIZE + 5, 2))
         .astype(np.float32)
     )
     soundfile.write(tmp_path / "noise.wav", samples, RATE, "FLOAT")
     file = SoundFile(tmp_path / "noise.wav")
     blocks = InBlocks(samples)
     assert (file.sample_rate, file.frames) == (RATE, len(samples))
-    assert np.array_equal(stretch(file, 100, BLOCK + 200), samples[100 : BLOCK + 200])
+    assert np.array_equal(
+        read_samples(file, 100, BLOCK_SIZE + 200), samples[100 : BLOCK_SIZE + 200]
+    )
     for options in (
         {"window": 0.02},
         {"window": 0.3, "span": (1.0, 2.5)},

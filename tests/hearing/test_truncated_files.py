@@ -17,7 +17,7 @@ from disk_recordings import recording
 from sonify import load_scene
 from sonify.__main__ import main
 from sonify.fitting.decay_model import Decline
-from sonify.hearing.audio_source import SoundFile, ends_with_its_stream, stretch
+from sonify.hearing.audio_source import SoundFile, ends_with_its_stream, read_samples
 from sonify.hearing.mp3 import frame_header, read_mp3
 from sonify.hearing.recording import listen
 
@@ -62,10 +62,10 @@ def test_a_cut_file_has_the_samples_that_are_there(tmp_path, kind, share):
     whole = SoundFile(path)
     assert whole.truncation is None
     assert whole.frames == pytest.approx(LENGTH * 48_000, abs=1)
-    true = stretch(whole, 0, whole.frames)
+    true = read_samples(whole, 0, whole.frames)
     path.write_bytes(data[: int(share * len(data))])
     cut = SoundFile(path)
-    samples = stretch(cut, 0, 10**9)
+    samples = read_samples(cut, 0, 10**9)
     assert len(samples) == cut.frames
     held = cut.frames / 48_000
     assert held == pytest.approx(
@@ -81,7 +81,7 @@ def test_a_cut_file_has_the_samples_that_are_there(tmp_path, kind, share):
         )
     else:
         assert cut.truncation.announced == pytest.approx(LENGTH, abs=0.03)
-    later = stretch(cut, 20_000, 21_000)
+    later = read_samples(cut, 20_000, 21_000)
     assert np.array_equal(later, samples[20_000:21_000])
 
 
@@ -102,7 +102,7 @@ def test_an_mp3_file_without_a_header_is_as_long_as_its_frames(
         assert (found.truncation, read_mp3(path).announced) == (None, None)
         assert found.frames == read_mp3(path).frames * samples - DECODER_DELAY
         assert found.frames / rate == pytest.approx(share * LENGTH, abs=0.15)
-        assert len(stretch(found, 0, 10**9)) == found.frames
+        assert len(read_samples(found, 0, 10**9)) == found.frames
 
 
 def test_a_tag_before_the_first_frame_and_what_is_no_frame_are_left_out(tmp_path):

@@ -17,8 +17,8 @@ from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import rigid_motion_share
 from sonify.report.mode_shapes import (
     draw_modes,
-    face_radii,
     mode_caption,
+    outer_and_hole_radius,
     top_face,
 )
 
@@ -102,9 +102,9 @@ def test_the_skin_of_a_cube_is_its_six_sides(cell, tmp_path):
 
 def test_a_hole_is_left_out(modes, tmp_path):
     ring = plate_modes(Plate(**vars(DISK) | {"inner_radius": 0.02}), 20e3)
-    assert face_radii(ring) == pytest.approx((0.03755, 0.02), rel=1e-3)
-    assert face_radii(modes)[1] == 0
-    x, y, _ = top_face(ring, 0, *face_radii(ring))
+    assert outer_and_hole_radius(ring) == pytest.approx((0.03755, 0.02), rel=1e-3)
+    assert outer_and_hole_radius(modes)[1] == 0
+    x, y, _ = top_face(ring, 0, *outer_and_hole_radius(ring))
     assert (np.hypot(x, y).min(), np.hypot(x, y).max()) == pytest.approx(
         (0.02, 0.03755), rel=1e-3
     )

@@ -16,7 +16,7 @@ from scipy.signal import lfilter, resample
 
 from sonify import load_scene, run, solve
 from sonify.__main__ import main
-from sonify.hearing.audio_source import BLOCK
+from sonify.hearing.audio_source import BLOCK_SIZE
 from sonify.scene_errors import InputError
 from sonify.sound.mastering import (
     CompressedTrack,
@@ -224,7 +224,7 @@ def test_blocks_begin_anew_and_anywhere():
         )
         samples = whole(heard)
         assert len(samples) == 6 * RATE
-        for start in (0, 70_000, BLOCK, 6 * RATE - 1):
+        for start in (0, 70_000, BLOCK_SIZE, 6 * RATE - 1):
             assert np.array_equal(
                 np.concatenate(list(heard.blocks(start))), samples[start:]
             )

@@ -89,9 +89,9 @@ def candidates_of(
     """Return the refined candidates that end within a time span [s], the best first."""
     broadband = frames.power.sum(axis=1)
     drops = end_drops(frames)
-    peaks = drop_peaks(drops, settings.heard_drop_db)
+    peaks = drop_peaks(drops, settings.min_drop_db)
     peaks = peaks[(peaks >= span[0] * FRAME_RATE) & (peaks < span[1] * FRAME_RATE)]
-    block = np.floor(peaks / (settings.block * FRAME_RATE)).astype(int)
+    block = np.floor(peaks / (settings.block_length * FRAME_RATE)).astype(int)
     ends = [
         peaks[block == number][: settings.ends_per_block] for number in np.unique(block)
     ]
@@ -120,9 +120,9 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
             every = range(len(onsets.values))
             distance = settings.coarse_distance
             found = _loudest_channels(onsets, window, settings, distance, every)
-            if found[0][1] >= settings.rivals_from:
+            if found[0][1] >= settings.min_likelihood_for_rivals:
                 channels = [
-                    channel for channel, _ in found[: settings.searched_channels]
+                    channel for channel, _ in found[: settings.searched_channel_count]
                 ]
                 rough.append(
                     (
@@ -133,25 +133,25 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
                 )
     rough.sort(key=lambda entry: -entry[0])
     promising = []
-    for _, window, channels in rough[: settings.searched_windows]:
+    for _, window, channels in rough[: settings.searched_window_count]:
         distance = settings.shape_distance
         channel = _loudest_channels(onsets, window, settings, distance, channels)[0][0]
         estimate = _estimate(onsets, window, channel, settings)
         earlier = _earlier(window, settings)
         promising.append(estimate)
-        if estimate[0] >= settings.refined_from and earlier.first >= 0:
+        if estimate[0] >= settings.min_score_for_refinement and earlier.first >= 0:
             promising.append(_estimate(onsets, earlier, channel, settings))
     promising.sort(key=lambda entry: -entry[0])
     return [
         _refined(onsets, broadband, window, channel, starts, settings)
-        for score, window, channel, starts in promising[: settings.refined_windows]
-        if score >= settings.refined_from
+        for score, window, channel, starts in promising[: settings.refined_window_count]
+        if score >= settings.min_score_for_refinement
     ]
 
 
 def _earlier(window, settings):
-    """Return a window shifted to earlier times by `early_stop`."""
-    frames = round(settings.early_stop * FRAME_RATE)
+    """Return a window shifted to earlier times by `early_stop_time`."""
+    frames = round(settings.early_stop_time * FRAME_RATE)
     return replace(window, first=window.first - frames, stop=window.stop - frames)
 
 

@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from sonify.hearing.audio_source import Source, pieces
+from sonify.hearing.audio_source import Source, overlapping_pieces
 from sonify.hearing.settling.candidates import (
     Candidate,
     candidates_of,
@@ -139,10 +139,11 @@ def settling_runs(
 ) -> list[SettlingRun]:
     """Return the disks and coins that come to rest in a sound of any length.
 
-    They are the `settling_events` that overlap none of higher score, in order of time.
+    They are the `settling_events` that do not overlap an event of higher score, in
+    order of time.
     """
     events = settling_events(sound, settings, watch=watch)
-    return sorted(apart(events), key=lambda run: run.start)
+    return sorted(non_overlapping_runs(events), key=lambda run: run.start)
 
 
 def settling_events(
@@ -184,10 +185,11 @@ def settling_events(
     with ThreadPoolExecutor(1) as pool:  # the array code releases the GIL
         for begin, samples, span in _searched_pieces(sound):
             here, *others = (
-                partial(SEARCHES[kind], samples, rate, settings, span) for kind in kinds
+                partial(SEARCH_BY_KIND[kind], samples, rate, settings, span)
+                for kind in kinds
             )
-            beside = [pool.submit(search) for search in others]
-            found = [here(), *(search.result() for search in beside)]
+            parallel_searches = [pool.submit(search) for search in others]
+            found = [here(), *(search.result() for search in parallel_searches)]
             runs += [run.later(begin) for group in found for run in group]
             watch(min((begin + PIECE_SPACING_S) * rate / sound.frames, 1.0))
     hours = sound.frames / rate / 3600
@@ -205,7 +207,7 @@ def _searched_pieces(
     rate = sound.sample_rate
     channel = _loudest_channel(sound)
     for number, piece in enumerate(
-        pieces(sound, PIECE_SPACING_S * rate, PIECE_OVERLAP_S * rate)
+        overlapping_pieces(sound, PIECE_SPACING_S * rate, PIECE_OVERLAP_S * rate)
     ):
         begin = number * PIECE_SPACING_S
         samples = piece[: sound.frames - begin * rate, channel]
@@ -232,8 +234,8 @@ def _loudest_channel(sound):
     return int(np.argmax(energy))
 
 
-def apart(runs: list[SettlingRun]) -> list[SettlingRun]:
-    """Return the runs that overlap no run of higher score, the best first."""
+def non_overlapping_runs(runs: list[SettlingRun]) -> list[SettlingRun]:
+    """Return the runs that do not overlap a run of higher score, the best first."""
     kept: list[SettlingRun] = []
     for run in sorted(runs, key=lambda run: -run.score):
         if all(
@@ -277,13 +279,18 @@ def tones(
 
 def _tone_run(samples, rate, ridge, settings):
     """Return the run of a ridge, or None if it is not sufficient evidence of a disk."""
-    if ridge.octaves < settings.tone_octaves or ridge.rise < settings.tone_rise:
+    if (
+        ridge.octaves < settings.min_tone_octaves
+        or ridge.rise < settings.min_tone_rise_octaves
+    ):
         return None
     waveform = waveform_of(samples, rate, settings)
     onsets = tone_strength(waveform, settings)
     end, exponent, height = ridge.law
     highest = 0.9 * settings.waveform_band[1]
-    stop = end - max((2**height / highest) ** (1 / exponent), settings.tone_stop)
+    stop = end - max(
+        (2**height / highest) ** (1 / exponent), settings.min_tone_stop_time
+    )
     stop = min(int(stop * FRAME_RATE), len(waveform))
     candidates = tone_candidates(waveform, onsets, stop, settings)
     heard = [
@@ -303,7 +310,7 @@ def _tone_run(samples, rate, ridge, settings):
             region.rates.tolist(),
         )
     )
-    return _event(heard, onsets, region, estimates, settings, ridge)
+    return _run_of_candidates(heard, onsets, region, estimates, settings, ridge)
 
 
 def repetitions(
@@ -327,24 +334,27 @@ def repetitions(
         candidate
         for candidate in candidates
         if is_heard(candidate, settings)
-        and not _explained(candidate, bouncing, settings)
+        and not _is_near_bouncing_body(candidate, bouncing, settings)
     ]
-    runs = [_run(group, frames, onsets, settings) for group in _groups(heard)]
+    runs = [
+        _run_of_group(group, frames, onsets, settings)
+        for group in _groups_of_overlapping(heard)
+    ]
     return [run for run in runs if run is not None]
 
 
-SEARCHES = {"tone": tones, "repetition": repetitions}
+SEARCH_BY_KIND = {"tone": tones, "repetition": repetitions}
 """Search for each kind of event."""
 
 
 def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
     """Return True if a candidate is sufficient evidence of a disk."""
     low, high = settings.pulse_slopes
-    clear = candidate.score > settings.clear_score
-    slow = candidate.first_rate <= settings.fastest_beginning
+    clear = candidate.score > settings.min_clear_score
+    slow = candidate.first_rate <= settings.max_initial_rate
     return (
-        candidate.score > settings.heard_score
-        and candidate.rising_margin > settings.least_rising_margin
+        candidate.score > settings.min_detected_score
+        and candidate.rising_margin > settings.min_rising_margin
         and candidate.slope <= high
         and (clear or (slow and candidate.slope >= low))
     )
@@ -355,15 +365,15 @@ def is_bouncing(candidate: Candidate, settings: SettlingSettings) -> bool:
     body."""
     low, high = settings.bounce_slopes
     return (
-        candidate.exponent >= settings.bounce_exponent
+        candidate.exponent >= settings.min_bounce_exponent
         and low <= candidate.slope <= high
     )
 
 
-def _explained(candidate, bouncing, settings):
+def _is_near_bouncing_body(candidate, bouncing, settings):
     """Return True if a bouncing candidate of higher score overlaps a candidate or is
     close to it."""
-    near = settings.bounce_separation * FRAME_RATE
+    near = settings.max_bounce_distance * FRAME_RATE
     return any(
         other.score > candidate.score
         and other.window.first < candidate.window.end + near
@@ -372,7 +382,7 @@ def _explained(candidate, bouncing, settings):
     )
 
 
-def _groups(candidates: list[Candidate]) -> list[list[Candidate]]:
+def _groups_of_overlapping(candidates: list[Candidate]) -> list[list[Candidate]]:
     """Group the candidates whose windows overlap; each group belongs to a run, best
     candidate first."""
     groups: list[list[Candidate]] = []
@@ -387,7 +397,7 @@ def _groups(candidates: list[Candidate]) -> list[list[Candidate]]:
     return groups
 
 
-def _run(
+def _run_of_group(
     group: list[Candidate],
     frames: Frames,
     onsets: OnsetStrength,
@@ -405,12 +415,12 @@ def _run(
     region = joint_region(onsets, best.channel, knee(power, end), settings)
     if region is None:
         return None
-    run = _event(near, onsets, region, region.estimates(settings), settings)
-    begins_slowly = run.rate(run.start) <= settings.fastest_beginning
-    return run if begins_slowly or best.score > settings.clear_score else None
+    run = _run_of_candidates(near, onsets, region, region.estimates(settings), settings)
+    begins_slowly = run.rate(run.start) <= settings.max_initial_rate
+    return run if begins_slowly or best.score > settings.min_clear_score else None
 
 
-def _event(candidates, onsets, region, estimates, settings, ridge=None):
+def _run_of_candidates(candidates, onsets, region, estimates, settings, ridge=None):
     """Return the run of candidates of one end, the best first."""
     best = candidates[0]
     exponent, t_end, rate = estimates
@@ -422,7 +432,7 @@ def _event(candidates, onsets, region, estimates, settings, ridge=None):
         rate_at_1s=rate,
         events_per_turn=events_per_turn(onsets, best, settings),
         score=float(best.score),
-        certain=_certain(candidates, settings),
+        certain=_is_certain(candidates, settings),
         false_alarm=false_alarms_per_hour(best.score, settings),
         bands=(onsets.bands[best.channel],),
         region=region,
@@ -431,23 +441,25 @@ def _event(candidates, onsets, region, estimates, settings, ridge=None):
     )
 
 
-def _certain(group, settings):
+def _is_certain(group, settings):
     """Return True if a score, or the mean score of two windows of different length,
-    exceeds the scores of other sounds."""
+    exceeds the scores of sounds without a disk."""
     best = group[0]
     others = [
         candidate.score
         for candidate in group
         if abs(candidate.window.seconds - best.window.seconds) > 0.01
     ]
-    agreeing = bool(others) and (best.score + max(others)) / 2 > settings.agreeing_score
-    return bool(best.score > settings.certain_score or agreeing)
+    agreeing = (
+        bool(others) and (best.score + max(others)) / 2 > settings.min_agreeing_score
+    )
+    return bool(best.score > settings.min_certain_score or agreeing)
 
 
 def false_alarms_per_hour(score: float, settings: SettlingSettings) -> float:
     """Return the expected number of events per hour that reach a score in sounds
     without a disk."""
-    above = (score - settings.heard_score) / settings.false_alarm_decay
+    above = (score - settings.min_detected_score) / settings.false_alarm_decay
     return settings.false_alarms_per_hour * math.exp(-above)
 
 
@@ -461,4 +473,4 @@ def events_per_turn(
     half = replace(law, turns=law.turns / 2, harmonics=2 * law.harmonics)
     gain = predicted_gain(values, half) - predicted_gain(values, law)
     gain *= independent_samples(values, onsets.scales_ms[candidate.channel], law)
-    return 2 if gain > settings.alternation_score else 1
+    return 2 if gain > settings.min_alternation_gain else 1

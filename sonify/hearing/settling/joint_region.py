@@ -24,13 +24,13 @@ from sonify.hearing.settling.warped_periodogram import (
 )
 
 EXPONENT_STEP = 0.05
-ENDS = 12
+END_COUNT = 12
 STOPS_BEFORE_KNEE_MS = (5, 50, 100)
-SAME_READING = 0.12
-"""Largest difference of the logarithms of two rates that may be the same."""
-OTHER_READING = 0.5
-"""Least difference of the logarithms of two rates, of which one may count half or twice
-the bursts."""
+MAX_EQUAL_RATE_DEVIATION = 0.12
+"""Maximum difference between the logarithms of two rates that count as equal."""
+MIN_MISCOUNT_DEVIATION = 0.5
+"""Minimum difference between the logarithms of two rates if one of them counts half or
+twice the bursts."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class JointRegion:
         rate = _widened(
             self.best_rate, self.rates, resolution.rate * self.best_rate, factor
         )
-        if exponent.high - exponent.low > settings.widest_exponent:
+        if exponent.high - exponent.low > settings.max_exponent_interval:
             exponent = Estimate(None, exponent.low, exponent.high)
         return exponent, end, rate
 
@@ -143,7 +143,7 @@ def _law_grid(frames: int, before_knee: int, settings: SettlingSettings) -> _Law
     """Return the tested laws of a window that stops `before_knee` frames before the
     knee."""
     earliest, latest = (before_knee + limit for limit in settings.end_range_ms)
-    ends = np.linspace(max(earliest, 3), latest, ENDS)
+    ends = np.linspace(max(earliest, 3), latest, END_COUNT)
     low, high = settings.exponents
     powers = np.arange(low, high + 1e-9, EXPONENT_STEP)
     left, exponents = (
@@ -162,39 +162,48 @@ def joint_region(
 
     The best law is that of a window of `channel` that extends to the knee; earlier
     windows and other channels extend the region."""
-    surfaces = _surfaces(onsets, channel, knee, STOPS_BEFORE_KNEE_MS[0], settings)
+    surfaces = _likelihood_surfaces(
+        onsets, channel, knee, STOPS_BEFORE_KNEE_MS[0], settings
+    )
     if not surfaces:
         return None
-    whole = max(surfaces, key=lambda surface: surface.top)
+    whole = max(surfaces, key=lambda surface: surface.max_likelihood)
     for before_knee in STOPS_BEFORE_KNEE_MS[1:]:
-        surfaces += _surfaces(onsets, channel, knee, before_knee, settings)
+        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, settings)
     for other in range(len(onsets.values)):
         if other != channel:
-            surfaces += _surfaces(
+            surfaces += _likelihood_surfaces(
                 onsets, other, knee, STOPS_BEFORE_KNEE_MS[1], settings
             )
     surfaces, reference = _without_standing(surfaces, whole, settings)
-    top = whole.top if reference is whole else max(surface.top for surface in surfaces)
-    span = min(1.0, reference.longest)
-    weights = np.exp(reference.likelihood - reference.top)
-    own_rates = reference.rates(span)
-    weights *= np.abs(np.log(own_rates / own_rates[np.argmax(weights)])) < SAME_READING
+    max_likelihood = (
+        whole.max_likelihood
+        if reference is whole
+        else max(surface.max_likelihood for surface in surfaces)
+    )
+    span = min(1.0, reference.max_remaining_time)
+    weights = np.exp(reference.likelihood - reference.max_likelihood)
+    reference_rates = reference.rates(span)
+    weights *= (
+        np.abs(np.log(reference_rates / reference_rates[np.argmax(weights)]))
+        < MAX_EQUAL_RATE_DEVIATION
+    )
     weights /= weights.sum()
-    best_rate = float(np.exp(weights @ np.log(own_rates)))
+    best_rate = float(np.exp(weights @ np.log(reference_rates)))
     kept = [
         surface
         for surface in surfaces
-        if surface.top >= settings.admitted_share * top
-        and surface.seconds >= settings.admitted_length * reference.seconds
+        if surface.max_likelihood >= settings.min_admitted_likelihood * max_likelihood
+        and surface.seconds >= settings.min_admitted_length * reference.seconds
     ]
     exponents = np.concatenate([surface.exponents for surface in kept])
     ends = np.concatenate([surface.ends for surface in kept])
     rates = np.concatenate([surface.rates(span) for surface in kept])
-    same_reading = np.abs(np.log(rates / best_rate)) < SAME_READING
+    has_equal_rate = np.abs(np.log(rates / best_rate)) < MAX_EQUAL_RATE_DEVIATION
     return JointRegion(
-        exponents=exponents[same_reading],
-        ends=ends[same_reading],
-        rates=rates[same_reading],
+        exponents=exponents[has_equal_rate],
+        ends=ends[has_equal_rate],
+        rates=rates[has_equal_rate],
         best_exponent=float(weights @ reference.exponents),
         best_end=float(weights @ reference.ends),
         best_rate=best_rate,
@@ -203,42 +212,45 @@ def joint_region(
 
 
 def _without_standing(surfaces, whole, settings):
-    """Return the surfaces of a run and that of its best window, without the times at
-    which the disk is upright."""
+    """Return the likelihood surfaces of a run and that of its best window, without the
+    times at which the disk is upright."""
 
-    def moves_away(surface):
+    def rate_deviation(surface):
         middle = surface.start + surface.seconds / 2
         return abs(np.log(surface.best_rate(middle) / whole.best_rate(middle)))
 
-    if whole.best_rate(whole.start) < settings.fastest_standing:
+    if whole.best_rate(whole.start) < settings.max_upright_rate:
         later = [
             surface
             for surface in surfaces
             if surface.seconds < whole.seconds
-            and surface.top > settings.rivals_from
-            and surface.best_rate(surface.start) > settings.fastest_standing
-            and moves_away(surface) < OTHER_READING
+            and surface.max_likelihood > settings.min_likelihood_for_rivals
+            and surface.best_rate(surface.start) > settings.max_upright_rate
+            and rate_deviation(surface) < MIN_MISCOUNT_DEVIATION
         ]
-        least = settings.admitted_share * max(
-            (surface.top for surface in later), default=0.0
+        least = settings.min_admitted_likelihood * max(
+            (surface.max_likelihood for surface in later), default=0.0
         )
-        likely = [surface for surface in later if surface.top >= least]
+        likely = [surface for surface in later if surface.max_likelihood >= least]
         best = max(
-            likely, key=lambda surface: (surface.seconds, surface.top), default=whole
+            likely,
+            key=lambda surface: (surface.seconds, surface.max_likelihood),
+            default=whole,
         )
-        if moves_away(best) > SAME_READING:
-            return later, _merged(
+        if rate_deviation(best) > MAX_EQUAL_RATE_DEVIATION:
+            return later, _merged_surface(
                 [one for one in likely if one.seconds == best.seconds]
             )
     return surfaces, whole
 
 
-def _merged(surfaces):
-    """Return a surface with the laws of windows of one length that stop at different
-    times."""
+def _merged_surface(surfaces):
+    """Return the common likelihood surface of windows of one length that stop at
+    different times."""
     start = surfaces[0].start
     rates = [
-        one.first_rates * one.shares_left(start) ** -one.exponents for one in surfaces
+        one.first_rates * one.remaining_time_ratios(start) ** -one.exponents
+        for one in surfaces
     ]
     return replace(
         surfaces[0],
@@ -250,7 +262,7 @@ def _merged(surfaces):
 
 
 @dataclass(frozen=True)
-class _Surface:
+class _LikelihoodSurface:
     """Laws that a window admits, with log likelihoods, ends [s] and exponents, each
     (admitted,).
 
@@ -265,20 +277,20 @@ class _Surface:
     seconds: float
 
     @property
-    def top(self):
+    def max_likelihood(self):
         """Largest log likelihood."""
         return float(self.likelihood.max())
 
     @property
-    def longest(self):
-        """Remaining time at the start of the window [s] for the law that ends last."""
+    def max_remaining_time(self):
+        """Longest remaining time [s] at the start of the window."""
         return float(self.ends.max() - self.start)
 
     def rates(self, left):
         """Return the rates (admitted,) at a time [s] before the end."""
         return self.first_rates * (left / (self.ends - self.start)) ** -self.exponents
 
-    def shares_left(self, time):
+    def remaining_time_ratios(self, time):
         """Return the remaining time at a time [s], relative to that at the start of the
         window."""
         return (self.ends - time) / (self.ends - self.start)
@@ -290,22 +302,24 @@ class _Surface:
         return self.rates(left)[best]
 
 
-def _surfaces(onsets, channel, knee, before_knee, settings):
-    """Return the surfaces of all windows of a channel that stop `before_knee` frames
-    before the knee."""
+def _likelihood_surfaces(onsets, channel, knee, before_knee, settings):
+    """Return the likelihood surfaces of all windows of a channel that stop
+    `before_knee` frames before the knee."""
     found = []
     for length in settings.window_lengths:
         frames = round(length * FRAME_RATE)
         first = knee - before_knee - frames
         if first >= 0:
             found.append(
-                _surface(onsets, channel, first, frames, before_knee, settings)
+                _likelihood_surface(
+                    onsets, channel, first, frames, before_knee, settings
+                )
             )
     return found
 
 
-def _surface(onsets, channel, first, frames, before_knee, settings):
-    """Return the surface of the laws that one window admits."""
+def _likelihood_surface(onsets, channel, first, frames, before_knee, settings):
+    """Return the likelihood surface of the laws that one window admits."""
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
     grid = _law_grid(frames, before_knee, settings)
@@ -338,7 +352,7 @@ def _surface(onsets, channel, first, frames, before_knee, settings):
     admitted = np.flatnonzero(likelihood >= likelihood.max() - 2)
     cells = admitted[admitted >= len(near[3])] - len(near[3])
     laws = admitted[admitted < len(near[3])]
-    return _Surface(
+    return _LikelihoodSurface(
         likelihood=likelihood[admitted],
         ends=(first + frames + np.concatenate([near[0][laws], left[cells]]))
         / FRAME_RATE,

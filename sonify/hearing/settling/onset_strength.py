@@ -74,7 +74,7 @@ def waveform_of(
     low_rate = resample_poly(samples, 1, down) if down > 1 else samples
     rate /= down
     low, high = settings.waveform_band
-    band = (low, min(high, settings.highest_share_of_rate * rate))
+    band = (low, min(high, settings.max_frequency_per_rate * rate))
     sos = butter(2, band, "bandpass", fs=rate, output="sos")
     centres = np.round(np.arange(count) * rate / FRAME_RATE).astype(int)
     waveform = sosfilt(sos, without_hum(low_rate, rate))
@@ -87,7 +87,7 @@ def _band_weights(window_length, rate, settings):
     spacing = rate / window_length
     bins = np.arange(window_length // 2 + 1) * spacing
     edges = np.array(settings.band_edges, dtype=float)
-    edges = edges[edges <= settings.highest_share_of_rate * rate]
+    edges = edges[edges <= settings.max_frequency_per_rate * rate]
     low = np.maximum(bins[:, None] - spacing / 2, edges[:-1])
     high = np.minimum(bins[:, None] + spacing / 2, edges[1:])
     return np.maximum(high - low, 0) / spacing, edges
@@ -98,7 +98,7 @@ def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
     power = frames.power.T
     mean = uniform_filter1d(power, 401, axis=1)
     level = np.log(power + 10 ** (-settings.floor_db / 10) * mean + TINY_POWER)
-    bright = frames.edges[:-1] >= settings.bright_from
+    bright = frames.edges[:-1] >= settings.min_bright_frequency
     groups = (
         [np.ones_like(bright), bright]
         if bright.any() and not bright.all()

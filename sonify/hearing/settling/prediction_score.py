@@ -8,7 +8,7 @@ from scipy.fft import irfft, rfft
 
 from sonify.hearing.settling.rate_laws import Law
 
-PARTS = 5
+CROSS_VALIDATION_PARTS = 5
 
 
 def law_phases(count: int, law: Law) -> np.ndarray:
@@ -33,7 +33,7 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
     """
     count = len(values)
     columns = harmonic_columns(law_phases(count, law), law.harmonics)
-    cuts = np.round(np.linspace(0, count, PARTS + 1)).astype(int)
+    cuts = np.round(np.linspace(0, count, CROSS_VALIDATION_PARTS + 1)).astype(int)
     parts = [slice(*pair) for pair in pairwise(cuts)]
     grams = np.array([columns[part].T @ columns[part] for part in parts])
     rights = np.array([columns[part].T @ values[part] for part in parts])
@@ -46,7 +46,9 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
         mean = (right - own_right)[0] / (gram - own_gram)[0, 0]
         residual = np.sum(np.square(values[part] - columns[part] @ fitted))
         variance = np.sum(np.square(values[part] - mean))
-        gain += np.log((variance + 1e-9) / (residual + 1e-9)) / (2 * PARTS)
+        gain += np.log((variance + 1e-9) / (residual + 1e-9)) / (
+            2 * CROSS_VALIDATION_PARTS
+        )
     return float(gain)
 
 

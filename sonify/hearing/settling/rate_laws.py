@@ -126,10 +126,10 @@ def covering_shapes(family: str, ratios, exponents, distance: float) -> list[Sha
     x = np.linspace(0, 1, 257)
     phases = np.array([shape.phase(x) for shape in candidates])
     squares = np.sum(np.square(phases), axis=1)
-    apart = np.sqrt(
+    distances = np.sqrt(
         np.maximum(squares[:, None] + squares - 2 * phases @ phases.T, 0) / len(x)
     )
-    near = apart < distance
+    near = distances < distance
     uncovered = np.ones(len(candidates), dtype=bool)
     chosen = []
     while uncovered.any():
@@ -160,8 +160,8 @@ def families(
     low, high = settings.rate_ratios
     disk_ratios = np.geomspace(low, high, 40)
     exponents = np.linspace(*settings.exponents, 18)
-    rising = np.geomspace(settings.steady_ratio, high, 60)
-    steady = np.geomspace(1 / settings.steady_ratio, settings.steady_ratio, 31)
+    rising = np.geomspace(settings.max_steady_ratio, high, 60)
+    steady = np.geomspace(1 / settings.max_steady_ratio, settings.max_steady_ratio, 31)
     slowing = covering_shapes("slowing disk", disk_ratios, exponents, distance)
     slowing += covering_shapes("slowing linear", rising, [0.0], distance)
     slowing += covering_shapes("slowing exponential", rising, [0.0], distance)

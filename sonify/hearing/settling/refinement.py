@@ -135,9 +135,9 @@ def ratio_range(shape: Shape, settings) -> tuple[float, float]:
     starts from a shape."""
     if shape.family.endswith("disk"):
         return settings.rate_ratios
-    if shape.family == "linear" and shape.ratio < settings.steady_ratio - 1e-9:
-        return 1 / settings.steady_ratio, settings.steady_ratio
-    return settings.steady_ratio, settings.rate_ratios[1]
+    if shape.family == "linear" and shape.ratio < settings.max_steady_ratio - 1e-9:
+        return 1 / settings.max_steady_ratio, settings.max_steady_ratio
+    return settings.max_steady_ratio, settings.rate_ratios[1]
 
 
 def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> Law:
@@ -168,9 +168,9 @@ def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> 
             bounds,
             RANDOM_SEARCH_STEPS,
             widths,
-            settings.least_turns,
-            settings.least_rate,
-            settings.most_harmonics,
+            settings.min_turns,
+            settings.min_initial_rate,
+            settings.max_harmonics,
         )
         if best is None or likelihood > best.likelihood:
             exponent = float(here[1]) if shape.exponent else 0.0
@@ -244,6 +244,6 @@ def laws_near(values: np.ndarray, scale_ms: float, start, left_range, settings):
         np.array(left_range, dtype=float),
         np.array(settings.exponents),
         RANDOM_WALK_STEPS,
-        settings.most_harmonics,
+        settings.max_harmonics,
     )
     return tried[:, 0], tried[:, 1], first_rates, likelihood

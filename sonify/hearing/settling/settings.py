@@ -32,18 +32,18 @@ class SettlingSettings:
         21000,
     )
     """Edges of the bands in which the power is analysed [Hz]."""
-    highest_share_of_rate: float = 0.45
+    max_frequency_per_rate: float = 0.45
     """Highest analysed frequency, relative to the sample rate."""
-    bright_from: float = 4000.0
+    min_bright_frequency: float = 4000.0
     """Frequency [Hz] above which the bands are also averaged separately."""
     waveform_band: tuple[float, float] = (20.0, 450.0)
     """Band of the waveform in which a tone is scored [Hz]."""
-    tone_octaves: float = 2.0
+    min_tone_octaves: float = 2.0
     """Least number of octaves of the remaining time in which a tone has peaks; sounds
     without a disk reach 1.7."""
-    tone_rise: float = 0.5
+    min_tone_rise_octaves: float = 0.5
     """Least number of octaves by which a tone rises."""
-    tone_stop: float = 0.02
+    min_tone_stop_time: float = 0.02
     """Least time between the windows of a tone and its end."""
     floor_db: float = 40.0
     """Level below the running mean at which the power of a band is cut off [dB]."""
@@ -52,15 +52,15 @@ class SettlingSettings:
     waveform_scale_ms: int = 8
     """Time per independent sample of the waveform [ms]."""
 
-    heard_drop_db: float = 8.0
+    min_drop_db: float = 8.0
     """Least drop of the power at the end of a window [dB]."""
     ends_per_block: int = 6
     """Number of ends that are tried in each block; those with the largest drops are
     chosen."""
-    block: float = 5.0
+    block_length: float = 5.0
     """Length of the blocks in which ends are ranked."""
-    early_stop: float = 0.04
-    """Time by which a second window for each end stops earlier."""
+    early_stop_time: float = 0.04
+    """Time by which the second window of each end stops before the first."""
     window_lengths: tuple[float, ...] = (0.3, 0.45, 0.7, 1.05, 1.6, 2.4, 3.6)
     """Lengths of the windows that are tried."""
 
@@ -68,56 +68,56 @@ class SettlingSettings:
     """Range of the exponent n of a disk, rate ~ (t_end - t)^-n."""
     rate_ratios: tuple[float, float] = (1.8, 40.0)
     """Range of the ratio of the last to the first rate within a window."""
-    steady_ratio: float = 1.35
+    max_steady_ratio: float = 1.35
     """Largest factor by which a steady rate may change within a window."""
-    least_turns: float = 8.0
+    min_turns: float = 8.0
     """Least number of turns, or bursts, within a window."""
-    least_rate: float = 5.0
+    min_initial_rate: float = 5.0
     """Least rate at the beginning of a window [Hz]."""
-    most_harmonics: int = 4
+    max_harmonics: int = 4
     """Largest number of fitted harmonics of the rate."""
     shape_distance: float = 0.006
     """Distance of neighbouring shapes in the search, as the rms difference of the
     relative phase."""
     coarse_distance: float = 0.015
     """Distance of neighbouring shapes in a first, coarse search of all windows."""
-    rivals_from: float = 10.0
-    """Least log likelihood of a disk in the coarse search at which rival laws are
-    searched."""
-    searched_windows: int = 12
-    """Number of windows of a block that are searched again, the best ones of the coarse
-    search."""
-    searched_channels: int = 3
+    min_likelihood_for_rivals: float = 10.0
+    """Least log likelihood of a disk in the coarse search for which rival laws are
+    tested."""
+    searched_window_count: int = 12
+    """Number of best windows of the coarse search that are searched again in each
+    block."""
+    searched_channel_count: int = 3
     """Number of channels that are searched again in each of these windows."""
-    refined_from: float = 6.0
-    """Least first estimate of the score of a window that is refined and tried with an
-    earlier stop."""
-    refined_windows: int = 6
+    min_score_for_refinement: float = 6.0
+    """Least estimated score of a window that is refined and tried with an earlier
+    stop."""
+    refined_window_count: int = 6
     """Number of best windows that are refined."""
 
     end_range_ms: tuple[int, int] = (-2, 80)
-    """Range of the tested ends of a disk, relative to the start of the final fall of
-    the level [ms]."""
-    fastest_standing: float = 12.0
+    """Range of the tested end times of a law, measured from the start of the final fall
+    of the level [ms]."""
+    max_upright_rate: float = 12.0
     """Largest rate of an upright disk [Hz], that of a coin with a radius of 7 mm."""
-    admitted_share: float = 0.7
-    """Least log likelihood, relative to the best window, of a window that contributes
-    to the intervals."""
-    admitted_length: float = 0.7
-    """Least length of such a window, relative to the best window; shorter windows
-    contain less information."""
-    widest_exponent: float = 0.3
+    min_admitted_likelihood: float = 0.7
+    """Least log likelihood of a window that contributes to the intervals, relative to
+    that of the best window."""
+    min_admitted_length: float = 0.7
+    """Least length of such a window, relative to that of the best window; shorter
+    windows contain less information."""
+    max_exponent_interval: float = 0.3
     """Largest width of the interval of a determined exponent."""
     interval_factor: float = 1.16
     """Factor by which the ranges over all windows are widened, from simulations with
     known laws."""
     resolution: Resolution = Resolution(exponent=0.010, end=0.006, rate=0.006)
-    """Resolution of a run detected in the power of bands; the last interval between
-    bursts is added to that of the end."""
+    """Resolution of a run detected in the power of bands; the resolution of the end also
+    includes the last interval between bursts."""
     tone_resolution: Resolution = Resolution(exponent=0.001, end=0.002, rate=0.002)
     """Resolution of a tone, which is added to twice its standard errors."""
 
-    heard_score: float = 15.75
+    min_detected_score: float = 15.75
     """Least score of a detected run."""
     false_alarms_per_hour: float = 1.5
     """Expected number of false detections per hour of eventful sound, from one
@@ -129,40 +129,40 @@ class SettlingSettings:
     """Increase of the score by which the number of false detections falls by a factor
     of e: the upper 95 % limit for 25 detections above a score of 11 in the same
     clips."""
-    alternation_score: float = 2.0
+    min_alternation_gain: float = 2.0
     """Least gain in log likelihood by bursts of alternating strength, above which each
     turn has two bursts."""
-    certain_score: float = 20.25
+    min_certain_score: float = 20.25
     """Least score of a certain run."""
-    agreeing_score: float = 13.0
+    min_agreeing_score: float = 13.0
     """Least mean score of two windows with the same end that make a run certain."""
-    least_rising_margin: float = 2.0
+    min_rising_margin: float = 2.0
     """Least margin in the log likelihood of a detected disk over other rising rates."""
     pulse_slopes: tuple[float, float] = (-0.8, 0.65)
     """Range of the slope of pulse levels [dB] against 20 log10 of the remaining
     time."""
-    clear_score: float = 40.0
+    min_clear_score: float = 40.0
     """Score above which the levels may rise more steeply towards the end and the
     initial rate of the window is not limited."""
-    fastest_beginning: float = 40.0
+    max_initial_rate: float = 40.0
     """Largest initial rate of other runs [Hz]. The pitch of a voice is above 80 Hz, and
     the detector may find half of it; a faster disk would already have been detected."""
-    bounce_exponent: float = 0.6
+    min_bounce_exponent: float = 0.6
     """Least exponent of a bouncing body; it is 1 for a constant restitution, and less
     if the last bounces are lost in noise."""
     bounce_slopes: tuple[float, float] = (0.65, 1.5)
     """Range of the slope of pulse levels of a bouncing body, which is 1 for a constant
     restitution."""
-    bounce_separation: float = 0.4
+    max_bounce_distance: float = 0.4
     """Largest time between a bouncing body and the runs that it explains."""
 
 
 KNOWN_DISK_SETTINGS = SettlingSettings(
-    heard_score=-inf,
-    least_rising_margin=-inf,
-    clear_score=-inf,
+    min_detected_score=-inf,
+    min_rising_margin=-inf,
+    min_clear_score=-inf,
     pulse_slopes=(-inf, inf),
-    bounce_exponent=inf,
+    min_bounce_exponent=inf,
 )
-"""Settings for the sound of a known disk, in which a tone only has to stand out. The
+"""Settings for the sound of a known disk, in which a tone must merely stand out. The
 resonances of a table shift the phase of a tone and lower its score."""

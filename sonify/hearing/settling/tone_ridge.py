@@ -175,8 +175,8 @@ def _best_predecessors(score, k, penalty, best, slope):
     """Write the score of the best path that reaches each bin with slope k, and its
     previous slope, to `best` and `slope` (n,).
 
-    A path of negative score begins anew, with slope -1. The loops have no branch, so
-    that they compile to vector instructions."""
+    Where the score would be negative, a new path begins with slope -1. The loops have
+    no branch, so that they compile to vector instructions."""
     same = score[k, : len(best)]
     for i in range(len(best)):
         best[i] = max(same[i], np.float32(0))
@@ -217,8 +217,10 @@ def _initial_curves(ridge, count):
                 continue
             own = pitch[: len(left)]
             slope, height = np.polyfit(np.log2(left), own, 1, w=left**-0.5)
-            apart = np.abs(own - height - slope * np.log2(left))
-            curves.append((np.average(apart, weights=1 / left), end, -slope, height))
+            deviation = np.abs(own - height - slope * np.log2(left))
+            curves.append(
+                (np.average(deviation, weights=1 / left), end, -slope, height)
+            )
         found += sorted(curves)[:count]
     return [np.array(curve) for _, *curve in found]
 
@@ -247,11 +249,11 @@ def _best_curve(seen, initial_curves):
         ]
     )
     best = curves[np.argmax(explained)]
-    apart = curves[explained >= 0.85 * explained.max()] - best
+    deviation = curves[explained >= 0.85 * explained.max()] - best
     resolution = (0.0005, 0.001, 0.0)  # hop, and curvature of the tone within a window
     square = (
         _jackknife(seen.peaks, best)
-        + np.square(apart).mean(axis=0)
+        + np.square(deviation).mean(axis=0)
         + np.square(resolution)
     )
     return _fundamental(seen.peaks, best), np.sqrt(square)

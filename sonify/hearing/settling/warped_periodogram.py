@@ -53,9 +53,9 @@ def _warp(values, index, fraction, padded):
         total = 0.0
         squares = 0.0
         for i in range(length):
-            apart = values[w, i] - mean
-            total += apart
-            squares += apart * apart
+            deviation = values[w, i] - mean
+            total += deviation
+            squares += deviation * deviation
             cumulative[i + 1] = total
         energy[w] = max(squares, 1e-12 * length) * length
         for s in range(shapes):
@@ -183,7 +183,8 @@ def least_turns(
     """Return the least numbers of turns (shapes,) in the search of a window of `length`
     frames."""
     least = np.maximum(
-        settings.least_turns, settings.least_rate * length / 1000 / table.first_rates
+        settings.min_turns,
+        settings.min_initial_rate * length / 1000 / table.first_rates,
     )
     return np.minimum(least, (table.index.shape[1] - 1) / 2)
 
