@@ -42,17 +42,18 @@ def nutation_peaks(
     because slips and a hopping contact cause small additional peaks. A parabola through
     three points refines the times.
     """
-    prominence = 0.005  # as a fraction of the weight
-    relative_prominence = 0.5  # relative to the median of the neighbours
-    neighbours = 11
+    min_prominence = 0.005  # as a fraction of the weight
+    min_relative_prominence = 0.5  # relative to the median of the neighbours
+    neighbour_count = 11
     flat = np.flatnonzero(motion.at(piece_ends_and_middles(motion))[:, 1] <= 0)
     t = piece_ends_and_middles(motion)[: flat[0] if len(flat) else None]
     load = free_rolling_load(motion.disk, motion.at(t))
-    peaks, found = find_peaks(load[:-1], prominence=prominence)
+    peaks, found = find_peaks(load[:-1], prominence=min_prominence)
     prominences = found["prominences"]
     peaks = t[
         peaks[
-            prominences >= relative_prominence * median_filter(prominences, neighbours)
+            prominences
+            >= min_relative_prominence * median_filter(prominences, neighbour_count)
         ]
     ]
     if len(peaks) < 2:
@@ -96,9 +97,9 @@ def _near_recent_median(ratio: np.ndarray) -> np.ndarray:
     per turn, and peaks caused by roughness occur at random.
     """
     tolerance = 0.15
-    memory = 15
+    remembered_count = 15
     is_close = np.zeros(len(ratio), bool)
-    recent = list(ratio[:memory])
+    recent = list(ratio[:remembered_count])
     for i, value in enumerate(ratio):
         median = float(np.median(recent))
         is_close[i] = abs(np.log(value / median)) < tolerance
@@ -115,12 +116,12 @@ def _in_long_intervals(time: np.ndarray, frequency: np.ndarray) -> np.ndarray:
     other long intervals, because a few peaks of a rough contact may resemble nutation
     by chance.
     """
-    gap = 5.0  # periods
+    max_gap = 5.0  # periods
     min_samples = 15
     if not len(time):
         return np.zeros(0, bool)
-    apart = np.diff(time) * frequency[:-1] > gap
-    stretch = np.append(0, np.cumsum(apart))
+    is_gap = np.diff(time) * frequency[:-1] > max_gap
+    stretch = np.append(0, np.cumsum(is_gap))
     sizes = np.bincount(stretch)
     counts = (sizes >= min_samples) | (np.arange(len(sizes)) == sizes.argmax())
     return counts[stretch]
@@ -143,9 +144,9 @@ def nutation_end_time(motion: Motion) -> float | None:
 
     It has ended if the motion continues without it for several periods.
     """
-    missing_periods = 10.0
+    min_missing_periods = 10.0
     time, frequency = nutation_frequency(motion)
-    if not len(time) or (motion.t[-1] - time[-1]) * frequency[-1] < missing_periods:
+    if not len(time) or (motion.t[-1] - time[-1]) * frequency[-1] < min_missing_periods:
         return None
     return float(time[-1])
 
@@ -166,21 +167,21 @@ def precession_frequency(
     effect of nutation to less than 1 %. A motion shorter than one window yields its
     mean frequency.
     """
-    window = 1.25  # turns
-    spacing = 0.25  # turns
+    window_turns = 1.25  # turns
+    spacing_turns = 0.25  # turns
     t = motion.t
     precession = motion.state[:, 0]
     turned = np.maximum.accumulate(np.abs(precession - precession[0])) / (2 * np.pi)
-    begin = np.arange(0, turned[-1] - window, spacing)
+    begin = np.arange(0, turned[-1] - window_turns, spacing_turns)
     first = np.interp(begin, turned, t)
-    last = np.interp(begin + window, turned, t)
+    last = np.interp(begin + window_turns, turned, t)
     if not len(begin):
         first = t[:1]
         last = t[-1:]
     turned = np.abs(motion.at(last)[:, 0] - motion.at(first)[:, 0]) / (2 * np.pi)
     frequency = turned / (last - first)
     k = np.arange(len(frequency))
-    half = np.minimum(np.minimum(k, k[::-1]), round(window / spacing) // 2)
+    half = np.minimum(np.minimum(k, k[::-1]), round(window_turns / spacing_turns) // 2)
     summed = np.append(0.0, np.cumsum(frequency))
     return (first + last) / 2, (summed[k + half + 1] - summed[k - half]) / (
         2 * half + 1

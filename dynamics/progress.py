@@ -30,9 +30,9 @@ class MotionProgress:
     def solved_fraction(self, t: float, inclination: float) -> float:
         """Return the solved fraction at time t [s] and inclination [rad]."""
         end = min(t + self._time_left(t, inclination), self._time_limit)
-        last_shown = 0.999
+        max_shown_fraction = 0.999
         if end > 0:
-            self._share = max(self._share, min(t / end, last_shown))
+            self._share = max(self._share, min(t / end, max_shown_fraction))
         return self._share
 
     def _time_left(self, t: float, inclination: float) -> float:

@@ -262,10 +262,12 @@ def first_guard_zero(step: Step, guards: Callable):
     evaluated at equidistant times. Guards that are not positive at the start
     are ignored.
     """
-    checks = 4
+    checks_per_step = 4
     before = guards(step.at(0.0))
     start = 0.0
-    for look in (k * step.duration / checks for k in range(1, checks + 1)):
+    for look in (
+        k * step.duration / checks_per_step for k in range(1, checks_per_step + 1)
+    ):
         now = guards(step.at(look))
         falls = [name for name in now if before[name] > 0 >= now[name]]
         if falls:

@@ -175,8 +175,11 @@ def _solve_with_table(
         outcome,
         resolved_integrator_name(scene.numerics.integrator),
     )
-    lost_contact = 1e-9  # normal force divided by the weight
-    if guard == EVENT_CASCADE and motion.normal_load(motion.t[-1])[0] < lost_contact:
+    contact_loss_load = 1e-9  # normal force divided by the weight
+    if (
+        guard == EVENT_CASCADE
+        and motion.normal_load(motion.t[-1])[0] < contact_loss_load
+    ):
         # Without a normal force, friction cannot hold the contact and the regimes alternate.
         return replace(
             motion, outcome=outcome_after_guard(guards.LIFT_OFF, progress.state, system)

@@ -72,9 +72,9 @@ def listening_socket(host: str, port: int) -> socket.socket:
 
     Raises InputError if the port is invalid or unavailable.
     """
-    last_port = 65535
-    if not 0 <= port <= last_port:
-        raise InputError(f"--port = {port}: must be from 0 to {last_port}")
+    max_port = 65535
+    if not 0 <= port <= max_port:
+        raise InputError(f"--port = {port}: must be from 0 to {max_port}")
     try:
         return socket.create_server(
             (host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET

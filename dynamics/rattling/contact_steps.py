@@ -86,10 +86,10 @@ dashpots, friction, resisting moment and air film."""
 CREEP_COEFFICIENT = 4.5
 """Kalker's coefficient of longitudinal creep for a circle, close to that of a long
 ellipse."""
-PARABOLA_LENGTH = 1.2
+PARABOLA_LENGTH_FACTOR = 1.2
 """Length of a parabola times the sum of its squares, divided by the square of its
 sum."""
-SLIP_LIMIT = 0.25
+MAX_SLIP_REDUCTION = 0.25
 """Maximum friction impulse in a step, divided by mass times slip velocity."""
 BLOCK_SIZE = 32
 """Number of adjacent points of the rim that share an upper bound of their heights."""
@@ -930,7 +930,7 @@ def press_patch(
     centre_z -= disk.fillet
     mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
     # number of points of a parabolic patch, continuous when points are added
-    length = PARABOLA_LENGTH * depth_sum**2 / squares
+    length = PARABOLA_LENGTH_FACTOR * depth_sum**2 / squares
     dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * length / mobility)
     spring = stiffness * depth_sum
     # fraction of contact in a step in which contact starts or ends; see `mean_depth`
@@ -964,7 +964,7 @@ def press_patch(
         )
         limit = disk.friction * (spring + damping)
         push = creep / np.sqrt(1 + (creep / limit) ** 2)
-        push = min(push, SLIP_LIMIT * disk.mass / step * slip)
+        push = min(push, MAX_SLIP_REDUCTION * disk.mass / step * slip)
         push_x = -push * slip_x / slip
         push_y = -push * slip_y / slip
         add_force(

@@ -66,12 +66,15 @@ def resolving_mesh_size(size, plate, below):
     Blocks are narrowed, down to a limit, if wavenumber times radius is large. The rim
     ring, which contains the boxes around the patch, is narrowed slightly less.
     """
-    max_waves = 3.5  # wavenumber times radius that the widest blocks resolve
-    min_share = 0.2  # of the width of the widest blocks
+    # wavenumber times radius that the widest blocks resolve
+    max_scaled_wavenumber = 3.5
+    min_width_share = 0.2  # of the width of the widest blocks
     wave_number = bending_wave_number(
         plate.material, plate.thickness, plate.density, below
     )
-    share = min(1.0, max(min_share, max_waves / (wave_number * plate.radius)))
+    share = min(
+        1.0, max(min_width_share, max_scaled_wavenumber / (wave_number * plate.radius))
+    )
     return replace(size, width=size.width * share, depth=size.depth * share**0.75)
 
 

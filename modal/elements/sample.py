@@ -114,12 +114,14 @@ def locate_in_cells(points, cells):
     point is outside of them. Points outside all cells, beyond an approximated arc, are
     assigned the nearest coordinates in a cell.
     """
-    first_candidates = 6
+    first_candidate_count = 6
     tolerance = 1e-9  # relative to the size of the cell
     distance = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
     size = np.linalg.norm(cells[:, 2, 2] - cells[:, 0, 0], axis=1)
     order = np.argsort(distance / size, axis=1)
-    cell, coordinates, miss = nearest_cell(points, cells, order[:, :first_candidates])
+    cell, coordinates, miss = nearest_cell(
+        points, cells, order[:, :first_candidate_count]
+    )
     missed = miss > tolerance * size[cell]
     cell[missed], coordinates[missed], _ = nearest_cell(
         points[missed], cells, order[missed]
@@ -133,10 +135,10 @@ def nearest_cell(points, cells, candidates):
     The result consists of the cell (n,), the coordinates (n, 2) in it, clipped to the
     unit square, and the distance (n,). Newton's method is applied to all candidates.
     """
-    iterations = 7
+    newton_iterations = 7
     nodes = cells[candidates]
     coordinates = np.full((*candidates.shape, 2), 0.5)
-    for _ in range(iterations):
+    for _ in range(newton_iterations):
         image, jacobian = map_from_unit_square(nodes, coordinates)
         residual = (points[:, None] - image)[..., None]
         step = np.linalg.solve(jacobian + 1e-300 * np.eye(2), residual)[..., 0]

@@ -164,14 +164,14 @@ def check_mesh(mesh, name):
     The volumes of the cells are compared at the quadrature points; cells may shrink
     towards an edge.
     """
-    min_size = 1e-3  # m
-    max_size = 2.0  # m
+    min_body_size = 1e-3  # m
+    max_body_size = 2.0  # m
     min_volume_ratio = 1e-13  # of the smallest to the median cell
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():
         raise ValueError(f"{name}: some points are not finite")
     size = np.ptp(mesh.p[:, used], axis=1).max()
-    if not min_size < size < max_size:
+    if not min_body_size < size < max_body_size:
         raise ValueError(
             f"{name}: its size is {size:g} m; lengths must be in metres; are they in millimetres?",
         )

@@ -68,10 +68,12 @@ def graded_gauss(hole, count):
     Approximation Theory and Approximation Practice, theorem 19.3), which is 10^-d for n
     = d ln(10)/(2 e).
     """
-    digits = 16
+    accurate_digits = 16
     intervals = ceil(-log(hole) / log(10))
     share = hole ** (1 / intervals)
-    x, weight = leggauss(count + 2 + ceil(digits * log(10) / (4 * atanh(share**0.5))))
+    x, weight = leggauss(
+        count + 2 + ceil(accurate_digits * log(10) / (4 * atanh(share**0.5)))
+    )
     end = share ** np.arange(intervals)[::-1, None]
     half = end * (1 - share) / 2
     return (end - half + half * x).ravel(), (half * weight).ravel()

@@ -182,9 +182,11 @@ def tail_sum_edges(first, angle, span):
     are narrower, a small fraction of the order. The last intervals cover
     `span` orders.
     """
-    max_phase = 0.3  # n a across an interval
-    max_growth = 0.05  # width of an interval relative to its order
-    step = max(1.0, max_phase / angle)
-    even = max(first, step / max_growth)
-    growing = np.geomspace(first, even, 1 + ceil(np.log(even / first) / max_growth))
+    max_interval_phase = 0.3  # n a across an interval
+    max_relative_interval = 0.05  # width of an interval relative to its order
+    step = max(1.0, max_interval_phase / angle)
+    even = max(first, step / max_relative_interval)
+    growing = np.geomspace(
+        first, even, 1 + ceil(np.log(even / first) / max_relative_interval)
+    )
     return np.append(growing[:-1], np.arange(even, even + span, step))

@@ -130,10 +130,10 @@ def nonlocal_flexibility(disk: FreeDisk, size: float) -> tuple[np.ndarray, np.nd
     [m]. The contribution of polynomials beyond the basis is bounded by a multiple of
     that of its highest polynomials, see tests/modal/test_spring_supported_modes.py.
     """
-    missing_factor = 2  # bound on this ratio
+    max_omitted_ratio = 2  # bound on this ratio
     wide, wide_highest = strip_flexibility(disk, 2 * size)
     narrow, narrow_highest = strip_flexibility(disk, size)
-    return 2 * wide - narrow, missing_factor * np.diag(
+    return 2 * wide - narrow, max_omitted_ratio * np.diag(
         2 * wide_highest + narrow_highest
     )
 

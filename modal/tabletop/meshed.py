@@ -198,11 +198,12 @@ def sample_top_face(shape, top, shortest_wave, below):
     triangle, up to a maximum. The face is evaluated with the splines, which are as
     accurate between the nodes as nodal interpolation.
     """
-    max_order = 19
-    spare_orders = 6
+    max_quadrature_order = 19
+    spare_quadrature_orders = 6
     longest_side = np.linalg.norm(top - np.roll(top, 1, axis=1), axis=2).max()
     order = min(
-        max_order, spare_orders + ceil(2 * pi * below / SOUND_SPEED * longest_side)
+        max_quadrature_order,
+        spare_quadrature_orders + ceil(2 * pi * below / SOUND_SPEED * longest_side),
     )
     (u, v), share = get_quadrature(RefTri, order)
     first = top[:, 1] - top[:, 0]

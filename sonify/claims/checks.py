@@ -132,15 +132,18 @@ def pushing_contact(motion: Motion):
     zero only if it is also zero one averaging interval earlier and later, and each loss
     of contact is extended by two means at both ends. The end is not evaluated: a
     lift-off is located where the force is zero up to rounding."""
-    resolution = 1e-5  # s; averaging interval of the forces
+    averaging_interval = 1e-5  # s, of the forces
     t = motion.t[:-1]
     around = [
         _contact_force(motion, np.clip(t + shift, 0.0, t[-1]))
-        for shift in (-resolution, 0.0, resolution)
+        for shift in (-averaging_interval, 0.0, averaging_interval)
     ]
     losses = np.reshape(
         [
-            (loss.t - 2 * resolution, loss.t + loss.duration + 2 * resolution)
+            (
+                loss.t - 2 * averaging_interval,
+                loss.t + loss.duration + 2 * averaging_interval,
+            )
             for loss in motion.contact_losses
         ],
         (-1, 2),

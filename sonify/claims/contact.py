@@ -161,14 +161,18 @@ def contact_findings(
     ]
     if scene.roughness is None:
         return broken, marked
-    lasting_share = 0.2  # of the sound
+    min_line_duration_share = 0.2  # of the sound
     lasting = (
-        [c for c in known.lines if c.end - c.begin > lasting_share * known.duration]
+        [
+            c
+            for c in known.lines
+            if c.end - c.begin > min_line_duration_share * known.duration
+        ]
         if known
         else []
     )
-    steady_spread = 5.0  # cents
-    lines = [c.frequency for c in lasting if c.spread < steady_spread]
+    max_steady_spread = 5.0  # cents
+    lines = [c.frequency for c in lasting if c.spread < max_steady_spread]
     heard = measured_noise_band(sound, motion, expected, lines)
     found = (
         noise_band_findings(scene, motion, expected, heard)
@@ -524,14 +528,16 @@ def roughness_ends_it(
             if fitted
             else "in addition to friction and to this motion"
         )
-    relative_margin = 0.2  # error of the prediction, and differences between surfaces
+    relative_loss_margin = (
+        0.2  # error of the prediction, and differences between surfaces
+    )
     return Finding(
         key="roughness_ends_it",
         claim="Roughness ends the motion",
         value=float(share),
         unit=f"of the energy lost, {where}",
         at_least=0.5,
-        margin=float(relative_margin * share),
+        margin=float(relative_loss_margin * share),
         needs=("motion", "contact law"),
         source=f"power of N' on the rising heights; roughness.loss = '{loss}'",
     )

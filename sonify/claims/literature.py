@@ -107,9 +107,9 @@ def force_peaks_sound(motion: Motion, sound: Sound):
     # Length of the median filter that removes slow variations [samples]
     smoothing_samples = 101
     delay = sound.source_end - motion.t[-1]
-    window = 0.01  # s
+    window_duration = 0.01  # s
     seen = spectrogram(
-        sound.pressure, window, columns=1 << 20, span=(delay, sound.source_end)
+        sound.pressure, window_duration, columns=1 << 20, span=(delay, sound.source_end)
     )
     lowest_frequency = 700.0  # Hz
     power = seen.power[seen.frequency > lowest_frequency].sum(axis=0)

@@ -81,8 +81,8 @@ def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
 
     The motion is repeated from the release without these modes and without roughness.
     The margin assumes that the flights are independent events."""
-    longest = 0.4  # s
-    until = min(float(motion.t[-1]), longest)
+    max_repeated_duration = 0.4  # s
+    until = min(float(motion.t[-1]), max_repeated_duration)
     limit = f"numerics.time_limit={until}"
     with_all, margin = open_share_until(motion, until)
     table = motion.model.modes
@@ -226,7 +226,7 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
     rms = motion.model.roughness_rms
     k = impact_coefficient(motion.model.constants.damping_ratio)
     curve = (GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k * left))
-    scatter = 0.08  # two standard deviations over seeds of the heights
+    two_sigma_scatter = 0.08  # over seeds of the heights
     return Finding(
         key="rate_is_that_of_the_table",
         claim="On this table the precession rate is the same function of time for disks of any size",
@@ -236,7 +236,7 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
         at_least=1.0,
         at_most=1.0,
         tolerance=0.25,
-        margin=scatter,
+        margin=two_sigma_scatter,
         details={"rate_at_1s": float((GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k)))},
         needs=("scene", "motion", "contact law"),
         source="d beta/dt = -k sqrt(g s)/R for impacts on unevenness without a preferred scale",

@@ -376,9 +376,9 @@ def loss_at_resonance(scene: Scene, motion: Motion):
 def times_towards_end(scene, motion):
     """Return equally spaced times (k,) [s] from the onset of two-way coupling to
     the end."""
-    count = 4000
+    time_count = 4000
     part, begin = two_way_part(motion)
-    return np.linspace(begin + two_way_start(scene, part), motion.t[-1], count)
+    return np.linspace(begin + two_way_start(scene, part), motion.t[-1], time_count)
 
 
 def final_energy_budget(scene, motion) -> EnergyBudget:

@@ -228,10 +228,10 @@ def _nondegenerate_triangles(points, triangles):
 
 def marker_mesh(radius: float) -> Mesh:
     """Return a sphere of a radius [m] that marks the contact."""
-    bands = 12
+    latitude_bands = 12
     latitude, longitude = np.meshgrid(
-        np.linspace(-pi / 2, pi / 2, bands + 1),
-        np.linspace(0, 2 * pi, 2 * bands + 1),
+        np.linspace(-pi / 2, pi / 2, latitude_bands + 1),
+        np.linspace(0, 2 * pi, 2 * latitude_bands + 1),
         indexing="ij",
     )
     normals = np.stack(
@@ -242,8 +242,10 @@ def marker_mesh(radius: float) -> Mesh:
         ],
         axis=-1,
     ).reshape(-1, 3)
-    width = 2 * bands + 1
-    row, column = np.meshgrid(np.arange(bands), np.arange(2 * bands), indexing="ij")
+    width = 2 * latitude_bands + 1
+    row, column = np.meshgrid(
+        np.arange(latitude_bands), np.arange(2 * latitude_bands), indexing="ij"
+    )
     a = (row * width + column).ravel()
     triangles = np.concatenate(
         [

@@ -114,8 +114,10 @@ def varied_scene(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]
     released = scene.release
     halfway_upright = (released.inclination_deg + 90) / 2
     inclination = min(released.inclination_deg * (1 + steeper), halfway_upright)
-    fastest = 1e6  # rad/s
-    omega = np.clip(np.array(released.omega) * (1 + faster), -fastest, fastest)
+    max_release_rate = 1e6  # rad/s
+    omega = np.clip(
+        np.array(released.omega) * (1 + faster), -max_release_rate, max_release_rate
+    )
     changes = [
         f"release.inclination_deg={max(float(inclination), 1e-6)!r}",
         f"release.omega={[float(rate) for rate in omega]}",
@@ -215,8 +217,8 @@ def loop_points(samples: np.ndarray, sample_rate: int) -> tuple[int, int] | None
     later = crossings[crossings > begin]
     if not len(later):
         return None
-    tolerance = 0.2
-    near = later[np.abs(later - begin - length) <= tolerance * length]
+    max_length_change = 0.2
+    near = later[np.abs(later - begin - length) <= max_length_change * length]
     if not len(near):
         near = later[[np.abs(later - begin - length).argmin()]]
     pattern = samples[begin - around : begin + around]

@@ -478,13 +478,16 @@ def _count_offsets(middle, offset):
     (p,), and the largest number about nearby trial centres.
 
     The middles (n,) and offsets (n,) of the pairs are in bins."""
-    nearest = MIN_CENTRE_SEPARATION_STEPS
-    farthest = 80  # steps
+    max_centre_distance = 80  # steps
     trial = np.round(TRIAL_CENTRES_PER_BIN * middle).astype(int)
     different = np.unique(trial * 1000 + offset.astype(int)) // 1000
-    count = np.bincount(different, minlength=trial.max(initial=0) + farthest + 1)
-    highest = maximum_filter1d(count, farthest - nearest + 1)
-    shift = (nearest + farthest) // 2
+    count = np.bincount(
+        different, minlength=trial.max(initial=0) + max_centre_distance + 1
+    )
+    highest = maximum_filter1d(
+        count, max_centre_distance - MIN_CENTRE_SEPARATION_STEPS + 1
+    )
+    shift = (MIN_CENTRE_SEPARATION_STEPS + max_centre_distance) // 2
     return count, np.maximum(np.roll(highest, shift), np.roll(highest, -shift))
 
 

@@ -36,8 +36,8 @@ def modes_over_run(scene: Scene, motion: Motion, below: float) -> list[SupportSt
     for name, t in zip(
         ("release", "middle", "end"), np.linspace(0, motion.t[-1], 3), strict=True
     ):
-        least_degrees = 1e-5  # below it the contact is not a single ellipse
-        degrees = max(float(np.degrees(motion.at([t])[0, 1])), least_degrees)
+        min_contact_degrees = 1e-5  # below it the contact is not a single ellipse
+        degrees = max(float(np.degrees(motion.at([t])[0, 1])), min_contact_degrees)
         try:
             modes = eigenmodes(
                 scene, below, replace(scene.support, inclination_deg=degrees)

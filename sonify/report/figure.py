@@ -88,12 +88,12 @@ def running_range(y, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     mere trend does not produce a band; they never exceed the range of y within the
     window.
     """
-    columns = 1000
+    column_count = 1000
     size = max(round(share * len(y)), 1)
     mean = uniform_filter1d(y, size, mode="nearest")
     below = mean + minimum_filter1d(y - mean, size, mode="nearest")
     above = mean + maximum_filter1d(y - mean, size, mode="nearest")
     least = np.maximum(below, minimum_filter1d(y, size, mode="nearest"))
     greatest = np.minimum(above, maximum_filter1d(y, size, mode="nearest"))
-    every = slice(None, None, max(len(y) // columns, 1))
+    every = slice(None, None, max(len(y) // column_count, 1))
     return mean[every], least[every], greatest[every]

@@ -81,10 +81,10 @@ def projected_polygons(body: Body, polygons, i, factor):
     moved = (body.points + factor * body.displacement[i])[polygons]
     far = np.linalg.norm(body.displacement[i], axis=1)[polygons].mean(axis=1)
     normal = np.cross(moved[:, 2] - moved[:, 0], moved[:, -1] - moved[:, 1])
-    grazing = 0.6  # brightness at grazing incidence
-    light = grazing + (1 - grazing) * np.abs(normal @ LIGHT_DIRECTION) / np.linalg.norm(
-        normal, axis=1
-    )
+    grazing_brightness = 0.6  # at grazing incidence
+    light = grazing_brightness + (1 - grazing_brightness) * np.abs(
+        normal @ LIGHT_DIRECTION
+    ) / np.linalg.norm(normal, axis=1)
     places = view_coordinates(moved)
     order = np.argsort(places[..., 2].mean(axis=1))
     return places[order, :, :2], far[order] / far.max(), light[order]

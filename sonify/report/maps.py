@@ -178,12 +178,12 @@ def _draw_numbers(figure, panel, places, values, what):
 def _contour_levels(values):
     """Return contour levels and norm; they are logarithmic for positive values with a
     ratio above 300."""
-    count = 12
+    level_count = 12
     low = min(values)
     high = max(values)
     if not 0 < 300 * low < high:
-        return count, None
-    return np.geomspace(low, high * (1 + 1e-9), count), LogNorm(low, high)
+        return level_count, None
+    return np.geomspace(low, high * (1 + 1e-9), level_count), LogNorm(low, high)
 
 
 def _draw_categories(panel, places, words):

@@ -53,9 +53,9 @@ def draw_modes(
         Modes of the table, drawn below: points (p, 2), upward motion (n, p) of its top
         face, n captions, and the total number of modes.
     """
-    tall = OBLIQUE_VIEW_HEIGHT if slanted else 0.0
+    oblique_height = OBLIQUE_VIEW_HEIGHT if slanted else 0.0
     rows = max(1, -(-(len(modes) + bool(moving)) // MODES_PER_ROW))
-    high = CAPTION_HEIGHT + tall + TOP_VIEW_HEIGHT
+    high = CAPTION_HEIGHT + oblique_height + TOP_VIEW_HEIGHT
     below = (
         (
             CAPTION_HEIGHT
@@ -92,13 +92,13 @@ def draw_modes(
         axis.text(x, y - 0.05, text, fontsize=10, ha="center", va="top")
         if slanted:
             draw_oblique_view(
-                axis, modes, polygons, i, (x, y - CAPTION_HEIGHT - tall / 2)
+                axis, modes, polygons, i, (x, y - CAPTION_HEIGHT - oblique_height / 2)
             )
         draw_top_view(
             axis,
             modes,
             i,
-            (x, y - CAPTION_HEIGHT - tall - TOP_VIEW_HEIGHT / 2),
+            (x, y - CAPTION_HEIGHT - oblique_height - TOP_VIEW_HEIGHT / 2),
             support,
         )
     if moving:
@@ -170,24 +170,31 @@ def draw_colour_bar(axis, at, label: str, least: float, colours: str):
     `at` (x, y) is the lower left corner of its box.
     """
     x, y = at
-    long = 2.0
-    tall = 0.16
+    bar_length = 2.0
+    bar_height = 0.16
     steps = np.linspace(0, 1, 256)[None]
-    x += (2.4 * MODE_WIDTH - long) / 2
+    x += (2.4 * MODE_WIDTH - bar_length) / 2
     middle = y + 0.62
     axis.imshow(
         steps,
         cmap=colours,
-        extent=(x, x + long, middle, middle + tall),
+        extent=(x, x + bar_length, middle, middle + bar_height),
         aspect="auto",
         zorder=2,
     )
     for share in (0.0, 0.5, 1.0):
         number = f"{least + share * (1 - least):g}"
         axis.text(
-            x + share * long, middle - 0.05, number, fontsize=9, ha="center", va="top"
+            x + share * bar_length,
+            middle - 0.05,
+            number,
+            fontsize=9,
+            ha="center",
+            va="top",
         )
-    axis.text(x + long / 2, middle - 0.3, label, fontsize=10, ha="center", va="top")
+    axis.text(
+        x + bar_length / 2, middle - 0.3, label, fontsize=10, ha="center", va="top"
+    )
 
 
 def draw_oblique_view(axis, modes: Modes, polygons, i, at):

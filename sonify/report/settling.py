@@ -33,9 +33,9 @@ def settling_run_record(run: SettlingRun) -> dict:
 def joint_region_rows(run: SettlingRun) -> list[dict]:
     """Return the ranges of end and rate compatible with a run, one row per step of the
     exponent."""
-    step = 0.05
+    exponent_step = 0.05
     region = run.region
-    places = np.round(region.exponents / step)
+    places = np.round(region.exponents / exponent_step)
     rows = []
     for place in np.unique(places):
         ends = region.ends[places == place]

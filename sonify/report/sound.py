@@ -324,8 +324,8 @@ def draw_table_mode_lines(panels, table, span):
 
     A table has many modes; longer lines would hide their sound.
     """
-    line_length = 0.04  # of the width of a panel
-    begin = span[1] - line_length * (span[1] - span[0])
+    relative_line_length = 0.04  # of the width of a panel
+    begin = span[1] - relative_line_length * (span[1] - span[0])
     for axes, unit in zip(panels, (1.0, 1e3), strict=True):
         axes.hlines(
             np.round(table) / unit,

@@ -43,8 +43,10 @@ def signal_handlers():
     def end(number, frame):
         if not _is_importing(frame):
             raise KeyboardInterrupt(number)
-        interval = 0.05  # s; repeat the signal until the import has finished
-        threading.Timer(interval, send_signal, [threading.get_ident(), number]).start()
+        repeat_interval = 0.05  # s; repeat the signal until the import has finished
+        threading.Timer(
+            repeat_interval, send_signal, [threading.get_ident(), number]
+        ).start()
 
     main = threading.current_thread() is threading.main_thread()
     handled = [

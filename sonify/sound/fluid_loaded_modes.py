@@ -216,14 +216,14 @@ def mesh_cells(wavenumber) -> list[int]:
     sum of the squares corresponds to more than several minutes, the finest meshes are
     coarsened, but not below MIN_FILM_MESH_CELLS."""
     cells_per_wave = 2.5
-    max_work = 5e4  # sum of squares of element numbers
+    max_squared_cell_sum = 5e4  # sum of squares of element numbers
     cells = np.clip(
         np.ceil(cells_per_wave * np.asarray(wavenumber)),
         MIN_FILM_MESH_CELLS,
         MAX_FILM_MESH_CELLS,
     ).astype(int)
     finest = MAX_FILM_MESH_CELLS
-    while (cells**2).sum() > max_work and finest > MIN_FILM_MESH_CELLS:
+    while (cells**2).sum() > max_squared_cell_sum and finest > MIN_FILM_MESH_CELLS:
         finest -= 1
         cells = np.minimum(cells, finest)
     return cells.tolist()
@@ -310,7 +310,7 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     height of the disk. Modes with large k R radiate as above a closed film, because the
     model does not cover their rim flow.
     """
-    views = 16
+    azimuth_count = 16
     max_wavenumber = 1.5  # k R
     a0, b0, a1, b1 = raised_disk_pressure_ratios(
         scene.disk.thickness, scene.disk.radius
@@ -324,7 +324,9 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     raised = replace(
         modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3)
     )
-    closed, top = (directivity_table(m, listener, count=views) for m in (modes, raised))
+    closed, top = (
+        directivity_table(m, listener, count=azimuth_count) for m in (modes, raised)
+    )
     radius = scene.disk.radius
     angle = 2 * pi * np.arange(64) / 64
     turn = np.exp(1j * np.outer(signed_order, angle + pi))
@@ -339,7 +341,7 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     k = 2 * pi * modes.frequency / listener.air.sound_speed
     listeners = [
         listener_position(listener, azimuth)
-        for azimuth in 2 * pi * np.arange(views) / views
+        for azimuth in 2 * pi * np.arange(azimuth_count) / azimuth_count
     ]
     wave_of_mode = np.tile(waves, (len(k), 1))
     k_of_wave = np.repeat(k, len(waves))
@@ -350,7 +352,7 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
         ]
     )
     rim = np.einsum(
-        "amn,vmn->avm", flows, rim_pressure.reshape(views, len(k), len(waves))
+        "amn,vmn->avm", flows, rim_pressure.reshape(azimuth_count, len(k), len(waves))
     )
     alone = np.mean(np.abs(closed) ** 2, axis=0)
     power = np.mean(np.abs(top + rim) ** 2, axis=1)

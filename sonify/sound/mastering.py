@@ -259,8 +259,8 @@ def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> Mastered
     for _ in range(max_trials):
         trial = with_gain(at_limit, raised_db)
         excess = trial.loudness - settings.loudness_lufs
-        negligible = 0.05  # LU
-        if excess >= -negligible:
+        max_loudness_error = 0.05  # LU
+        if excess >= -max_loudness_error:
             found, found_db = trial, raised_db
             if excess <= settings.tolerance:
                 break

@@ -19,14 +19,14 @@ def plot_sound(sound: "Sound") -> "Figure":
     """
     window = 0.02  # s
     range_db = 65.0
-    columns = 2000
+    column_count = 2000
     from matplotlib.figure import Figure  # slow to import
 
     pressure = sound.pressure.read()
-    size = -(-len(pressure) // columns)
+    size = -(-len(pressure) // column_count)
     starts = np.arange(0, len(pressure), size)
     time = starts / sound.sample_rate
-    seen = spectrogram(sound.pressure, window, columns)
+    seen = spectrogram(sound.pressure, window, column_count)
     level = seen.level_db(REFERENCE_PRESSURE_PA)
     figure = Figure(figsize=(9.0, 6.0), layout="constrained")
     wave, image = figure.subplots(2, 1, sharex=True, height_ratios=[1, 2])

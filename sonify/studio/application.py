@@ -215,7 +215,7 @@ class Session:
     async def _lines(self, request, job, places) -> AsyncIterator[str]:
         """Yield the progress of a job as lines of JSON; cancel the job if the client
         disconnects."""
-        interval = 0.1  # s
+        polling_interval = 0.1  # s
         try:
             while not job.ended.is_set():
                 if await request.is_disconnected():
@@ -224,7 +224,7 @@ class Session:
                     places | job.progress() | {"before": self._queue.jobs_before(job)}
                 )
                 yield json.dumps(progress) + "\n"
-                await asyncio.sleep(interval)
+                await asyncio.sleep(polling_interval)
             yield json.dumps(places | _final_record(job)) + "\n"
         finally:
             self._queue.cancel(job)
@@ -235,7 +235,7 @@ class Session:
 
 async def _growing_file(job) -> AsyncIterator[bytes]:
     """Yield the sound of a run until it is complete or the run has ended."""
-    interval = 0.1  # s
+    polling_interval = 0.1  # s
     with open(job.folder / STREAM_FILE, "rb") as file:
         while True:
             complete = job.ended.is_set() or (job.folder / PREVIEW_FILE).exists()
@@ -243,7 +243,7 @@ async def _growing_file(job) -> AsyncIterator[bytes]:
                 yield piece
             if complete:
                 return
-            await asyncio.sleep(interval)
+            await asyncio.sleep(polling_interval)
 
 
 def _final_record(job) -> dict[str, Any]:

@@ -62,9 +62,9 @@ class ProgressFile(Stages):
         """
         import numpy as np
 
-        headroom = 0.5
+        peak_headroom = 0.5
         peak = float(np.max(np.abs(block), initial=1e-12))
-        gain = min(self._gain, headroom / peak)
+        gain = min(self._gain, peak_headroom / peak)
         self._gain = gain
         scaled = np.round(32767 * gain * block).astype("<i2")
         with open(self._folder / STREAM_FILE, "ab") as file:

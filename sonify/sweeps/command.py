@@ -292,12 +292,12 @@ def _measure_two_runs(sweep_spec, start, stride):
 def _valid_runs(sweep_spec, start, stride):
     """Yield the runs with valid scenes among every `stride`-th run, first from `start`
     on, then before it."""
-    tries = 1000
+    max_tried_runs = 1000
     runs = chain(
         range(start, sweep_spec.points.count, stride),
         range(start % stride, start, stride),
     )
-    for run in islice(runs, tries):
+    for run in islice(runs, max_tried_runs):
         try:
             from_document(sweep_spec.scene_of(run))
         except SceneError:

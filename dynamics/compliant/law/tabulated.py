@@ -254,10 +254,10 @@ def positive_interpolants(grid: np.ndarray, columns: np.ndarray) -> PPoly:
     A column that changes steeply between nodes, where a spline might become negative,
     has a monotone interpolant.
     """
-    steep = 2.0  # ratio of the values at neighbouring nodes
+    max_node_ratio = 2.0  # ratio of the values at neighbouring nodes
     above = np.maximum(columns[1:], columns[:-1])
     below = np.minimum(columns[1:], columns[:-1])
-    leaps = np.any(above > steep * below, axis=0)
+    leaps = np.any(above > max_node_ratio * below, axis=0)
     smooth = CubicSpline(grid, columns)
     if not leaps.any():
         return smooth

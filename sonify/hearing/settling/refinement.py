@@ -64,8 +64,8 @@ def _likelihood(
 @njit(cache=True, nogil=True)
 def _first_rate(code, ratio, exponent):
     """Return the ratio of the initial to the mean rate of a law."""
-    small = 1e-5
-    return small / place(code, ratio, exponent, small)
+    small_phase = 1e-5
+    return small_phase / place(code, ratio, exponent, small_phase)
 
 
 @njit(cache=True, nogil=True)

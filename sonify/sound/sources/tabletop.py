@@ -166,7 +166,7 @@ def table_radiation(
     faces radiate, and each point is weighted by `UnbaffledRatio`, which is exact for a
     round table and a distant listener. Matrix products over blocks of frequencies
     reduce memory traffic."""
-    block = 32  # frequencies
+    block_size = 32  # frequencies
     points = _face_points(modes, listener)
     path = np.linalg.norm(listener.position - points, axis=1)
     delay = (path - listener.distance) / listener.air.sound_speed
@@ -180,12 +180,12 @@ def table_radiation(
             listener.air.sound_speed,
         )
     pressure = np.empty((len(frequency), len(modes)), complex)
-    for n in range(0, len(frequency), block):
-        some = frequency[n : n + block]
+    for n in range(0, len(frequency), block_size):
+        some = frequency[n : n + block_size]
         waves = share * np.exp(-2j * np.pi * np.multiply.outer(some, delay))
         if edge is not None:
             waves = waves * [edge.ratio_at(f) for f in some]
-        pressure[n : n + block] = waves.real @ modes.face.T + 1j * (
+        pressure[n : n + block_size] = waves.real @ modes.face.T + 1j * (
             waves.imag @ modes.face.T
         )
     return pressure
@@ -197,12 +197,12 @@ def convolve_kernels(accelerations, kernels) -> np.ndarray:
 
     The first j - 1 accelerations precede the first pressure. The blocks fit into the
     processor cache."""
-    block = 4096  # samples
+    block_size = 4096  # samples
     count = len(kernels)
     reversed_kernels = np.ascontiguousarray(kernels[::-1].T)
     out = np.empty(len(accelerations) - count + 1)
-    for n in range(0, len(out), block):
-        products = accelerations[n : n + block + count - 1] @ reversed_kernels
+    for n in range(0, len(out), block_size):
+        products = accelerations[n : n + block_size + count - 1] @ reversed_kernels
         size = len(products) - count + 1
         step = products.itemsize
         diagonals = as_strided(
