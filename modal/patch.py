@@ -63,7 +63,7 @@ def synthesised_classes(
 
     `max_cutoff` is the largest `BasisSizes.cutoff`.
     """
-    least = synthesis_basis_sizes(accuracy)
+    min_sizes = synthesis_basis_sizes(accuracy)
     shear_speed = (lame_constants(plate.material)[1] / plate.density) ** 0.5
     waves = below * plate.radius / shear_speed
     is_low = patch_height(plate.thickness, support) < plate.thickness
@@ -71,11 +71,11 @@ def synthesised_classes(
         return None
     if FREE_MODE_FREQUENCY_RATIO * waves > max_cutoff:
         return None
-    radial = max(least.size[0], 2 + first_basis_size(plate, below)[0])
+    radial = max(min_sizes.size[0], 2 + first_basis_size(plate, below)[0])
     richness = replace(
-        least,
-        size=(radial, least.size[1]),
-        cutoff=max(least.cutoff, FREE_MODE_FREQUENCY_RATIO * waves),
+        min_sizes,
+        size=(radial, min_sizes.size[1]),
+        cutoff=max(min_sizes.cutoff, FREE_MODE_FREQUENCY_RATIO * waves),
     )
     full_height = replace(support, height=None)
     return FreeDisk(plate=plate, richness=richness).held(

@@ -78,8 +78,10 @@ def min_step_rate(scene: "MotionScene") -> float:
     passes through all inclinations before it comes to rest.
     """
     moves = is_two_way(scene) or scene.imperfection
-    least = MIN_CONTACT_INCLINATION if moves else final_contact_inclination(scene)
-    return float(required_step_rate(contact_law(scene), np.array([least]))[0])
+    min_inclination = (
+        MIN_CONTACT_INCLINATION if moves else final_contact_inclination(scene)
+    )
+    return float(required_step_rate(contact_law(scene), np.array([min_inclination]))[0])
 
 
 def check_rattling(scene: "MotionScene") -> None:
@@ -135,8 +137,8 @@ def check_contact(scene: "MotionScene") -> None:
             f"release.inclination_deg = {scene.release.inclination_deg:g}: must exceed the final inclination"
         )
     rate = scene.numerics.contact_rate
-    if rate is not None and rate < (least := min_step_rate(scene)):
+    if rate is not None and rate < (required_rate := min_step_rate(scene)):
         raise ValueError(
             f"numerics.contact_rate = {rate:g}: too low for the stiffness of the contact, must be at least "
-            f"{least:.4g} 1/s"
+            f"{required_rate:.4g} 1/s"
         )

@@ -108,9 +108,9 @@ def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
     gap = disk.radius * sin(radians(release.inclination_deg))
     if not air.pressure or air.mean_free_path <= gap:
         return ""
-    least = air.pressure * air.mean_free_path / gap
+    min_pressure = air.pressure * air.mean_free_path / gap
     return (
-        f"air.pressure = {air.pressure:g}: must be at least {least:.3g} for a film, since the "
+        f"air.pressure = {air.pressure:g}: must be at least {min_pressure:.3g} for a film, since the "
         f"mean free path, "
         f"{air.mean_free_path:.2g} m, exceeds the mean gap at the release, {gap:.2g} m"
     )

@@ -1010,14 +1010,14 @@ def press_rim(
     stiffness = disk.modulus * (curvature_radius * disk.fillet) ** 0.25
     stiffness *= cell * disk.radius / np.sqrt(2 * curvature_radius)
     _, first, number = arc_below(edge, motion, rim, room)
-    least = -travel - reach - table_reach
+    min_depth = -travel - reach - table_reach
     last = first
     nearest = -1
     place = first
     while place < first + number:
         i = place % count
         after = place + min(BLOCK_SIZE - i % BLOCK_SIZE, count - i)
-        if block_depth(disk, edge, motion, rim, i // BLOCK_SIZE) > least:
+        if block_depth(disk, edge, motion, rim, i // BLOCK_SIZE) > min_depth:
             if nearest < 0:
                 nearest = place - first
             last = min(after, first + number)
@@ -1032,7 +1032,7 @@ def press_rim(
     if table is not None:
         begin, nodes = nodes_of_arc(table, first, number, count)
         highest = move_nodes(disk, edge, table, motion, rim, now, begin, nodes)
-        least = -travel - reach - highest
+        min_depth = -travel - reach - highest
     points = 0
     left = first
     squares = 0.0
@@ -1042,7 +1042,7 @@ def press_rim(
         size = min(BLOCK_SIZE - begin_of_block % BLOCK_SIZE, count - begin_of_block)
         size = min(size, last - place)
         block = begin_of_block // BLOCK_SIZE
-        is_near = block_depth(disk, edge, motion, rim, block) > least
+        is_near = block_depth(disk, edge, motion, rim, block) > min_depth
         if is_near:
             write_depths(disk, edge, motion, rim, begin_of_block, size, contacts)
             if table is not None:

@@ -46,8 +46,8 @@ def contact_kept(motion: Motion):
     """The smallest ratio of normal force to weight at the ends and middles of all
     pieces."""
     load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
-    least = 0.0 if motion.contact_losses else float(load.min())
-    return Measured(least, load[::2].min() - load.min())
+    min_load = 0.0 if motion.contact_losses else float(load.min())
+    return Measured(min_load, load[::2].min() - load.min())
 
 
 @finding(
@@ -197,9 +197,11 @@ def extent_ratio(path: np.ndarray) -> float:
 )
 def no_singularity(motion: Motion):
     """The exponent of the precession rate as a power of the remaining time."""
-    least = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
+    min_remaining_time = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
     time_left = np.geomspace(
-        least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400
+        min_remaining_time,
+        min(max(motion.t_end / 20, 4 * min_remaining_time), motion.t_end),
+        400,
     )
     rate = np.abs(precession_rate(motion.at(motion.t_end - time_left)))
     (exponent, _), covariance = np.polyfit(np.log(time_left), np.log(rate), 1, cov=True)

@@ -250,10 +250,10 @@ def motion_without_table_modes(scene: Scene, part: CompliantMotion):
     return start + t, np.arcsin(sine)
 
 
-def last_time_above(least: float, t: np.ndarray, inclination: np.ndarray) -> float:
+def last_time_above(limit: float, t: np.ndarray, inclination: np.ndarray) -> float:
     """Return the time [s] after which the inclinations (k,) [rad] at times t (k,) stay
-    below `least`."""
-    above = np.flatnonzero(inclination >= least)
+    below `limit`."""
+    above = np.flatnonzero(inclination >= limit)
     return float(t[min(above[-1] + 1, len(t) - 1)] if len(above) else t[0])
 
 

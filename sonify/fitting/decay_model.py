@@ -48,7 +48,7 @@ laws."""
 
 
 def neglected_parts(scene: Scene) -> list[str]:
-    """Return sentences on the parts of a scene that `Decline` neglects.
+    """Return sentences on the parts of a scene that `DecayModel` neglects.
 
     Their dissipation is attributed to the fitted shares.
     """
@@ -74,7 +74,7 @@ def has_film(scene: Scene) -> bool:
     )
 
 
-class Decline:
+class DecayModel:
     """Quasi-steady decay of the motion of a disk, with the rate of one spectral
     line."""
 
@@ -95,7 +95,7 @@ class Decline:
         self.scene = scene
         self.disk = scene.disk
         self._known: dict[bytes, np.ndarray] = {}
-        self._solved: dict[bytes, dict[str, Decline]] = {}
+        self._solved: dict[bytes, dict[str, DecayModel]] = {}
         law = disk_constants(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
         steepest = (
             0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
@@ -150,7 +150,7 @@ class Decline:
         )
 
     @cached_property
-    def lines(self) -> dict[str, "Decline"]:
+    def lines(self) -> dict[str, "DecayModel"]:
         """The decay with the rate of each spectral line, by name.
 
         The lines are at the precession rate, twice this rate, the nutation rate, and
@@ -242,7 +242,7 @@ class Decline:
         """Return remaining times [s], remaining periods and their rate [Hz] as an array
         (3, b).
 
-        The periods are counted down to the least inclination. For a line of a solved
+        The periods are counted down to the lowest inclination. For a line of a solved
         motion, the shares of that motion replace the given ones."""
         shares = shares if self.solved_shares is None else self.solved_shares
         time = self.remaining_time(shares)
@@ -297,7 +297,7 @@ class Decline:
             )
         )
 
-    def solved(self, shares) -> dict[str, "Decline"]:
+    def solved(self, shares) -> dict[str, "DecayModel"]:
         """Return the spectral lines of a solved motion with shares (3,) of the LAWS, by
         name.
 

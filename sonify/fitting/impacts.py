@@ -10,7 +10,7 @@ from copy import copy
 import numpy as np
 
 from dynamics.disk import GRAVITY
-from sonify.fitting.decay_model import Decline
+from sonify.fitting.decay_model import DecayModel
 from sonify.fitting.least_squares import Fit, LineRates
 from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
 from sonify.fitting.settings import FIT
@@ -18,7 +18,7 @@ from sonify.hearing.recording import RecordingError
 from sonify.hearing.settling.settings import SettlingSettings
 
 
-def judge_sound(decline: Decline, sound: Sound) -> Judged:
+def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
     """Return the result for a sound, from the phase of a tone or from the law of its
     bursts.
 
@@ -27,28 +27,28 @@ def judge_sound(decline: Decline, sound: Sound) -> Judged:
     RecordingError if neither tone nor bursts can be tracked."""
     has_bursts = sound.run is not None and sound.run.kind == "repetition"
     try:
-        judged = fit_same_disk(decline, [sound])
+        judged = fit_same_disk(decay, [sound])
     except RecordingError:
         if not has_bursts:
             raise
-        return judge_bursts(decline, sound)
+        return judge_bursts(decay, sound)
     own_law = judged.values().get("law")
     explained = own_law is not None and own_law.low <= 1.0 <= own_law.high
     if has_bursts and not explained:
-        bursts = judge_bursts(decline, sound)
+        bursts = judge_bursts(decay, sound)
         if bursts.verdict != "cannot tell":
             return bursts
     return with_model_error(judged)
 
 
-def judge_bursts(decline: Decline, sound: Sound) -> Judged:
+def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     """Return the result of a fit of the law of impacts to the run of a sound."""
     run = sound.run
     region = run.region
     name = "its double" if run.events_per_turn == 2 else "precession"
-    line = decline.lines[name]
+    line = decay.lines[name]
     reference = min(1.0, region.best_end - region.start)
-    fall = np.sqrt(GRAVITY / decline.disk.radius)
+    fall = np.sqrt(GRAVITY / decay.disk.radius)
 
     def inclination(rate):
         return np.interp(-rate, -line.rate, line.beta)
@@ -62,11 +62,7 @@ def judge_bursts(decline: Decline, sound: Sound) -> Judged:
     beyond = line.beta / inclination(region.best_rate)
     steepness = 1 - 1 / (2 * region.best_exponent)
     power[2] = (
-        line.energy_slope
-        / line.beta
-        * beyond**steepness
-        * fall
-        * decline.disk.time_unit
+        line.energy_slope / line.beta * beyond**steepness * fall * decay.disk.time_unit
     )
     with_impacts.powers = power
     best = coefficient(region.best_rate, region.best_exponent)
@@ -91,13 +87,13 @@ def judge_bursts(decline: Decline, sound: Sound) -> Judged:
         residual=np.log(ridge.frequency / with_impacts.frequency(remaining, shares)),
         sigma=ridge.error / ridge.frequency,
     )
-    verdict, reason = _verdict(decline, run.exponent)
+    verdict, reason = _verdict(decay, run.exponent)
     return Judged(
         sounds=(sound,),
         signal="repetition",
         line=name,
         model="steady",
-        decline=with_impacts,
+        decay=with_impacts,
         streams=[],
         fit=fitted,
         explained=True,
@@ -112,7 +108,7 @@ def _draws(value, low, high, random):
     return value + np.where(normal < 0, normal * (value - low), normal * (high - value))
 
 
-def _verdict(decline, exponent):
+def _verdict(decay, exponent):
     """Return the verdict that follows from the interval of an exponent, and its
     reason."""
     slopes = [
@@ -137,7 +133,7 @@ def _verdict(decline, exponent):
             "not this scene",
             f"{found}: neither contour friction nor impacts explain so steep a rise",
         )
-    if decline.neglected:
+    if decay.neglected:
         return "cannot tell", found
     return "impacts", (
         f"{found}: contour friction, 1/3, is excluded; impacts give n = (2 - H)/(4 - H), "

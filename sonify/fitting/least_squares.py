@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import least_squares
 from scipy.stats import norm, t
 
-from sonify.fitting.decay_model import LAWS, Decline
+from sonify.fitting.decay_model import LAWS, DecayModel
 from sonify.fitting.phase_demodulation import Rates, rates
 from sonify.fitting.settings import FIT
 
@@ -32,7 +32,7 @@ class LineRates(NamedTuple):
     that steady motion would have."""
 
     sound: int
-    line: Decline
+    line: DecayModel
     rates: Rates
     steady: np.ndarray
 
@@ -70,11 +70,11 @@ class Fit:
         low, inner_low, inner_high, high = np.percentile(
             self.draws[:, i], [2.5, 16, 84, 97.5]
         )
-        least = 0.0 if i >= len(self.ends) else -np.inf
-        inner = max(min(inner_low, best), least), max(inner_high, best)
+        lower_bound = 0.0 if i >= len(self.ends) else -np.inf
+        inner = max(min(inner_low, best), lower_bound), max(inner_high, best)
         return Value(
             value=float(best),
-            low=float(max(min(low, best), least)),
+            low=float(max(min(low, best), lower_bound)),
             high=float(max(high, best)),
             inner=inner,
         )
@@ -95,14 +95,14 @@ class ToneSignal:
 
 
 def measured_rates(
-    decline: Decline, sound: ToneSignal, end, shares, length, **how
+    decay: DecayModel, sound: ToneSignal, end, shares, length, **how
 ) -> Rates:
     """Return the rates of a sound, demodulated with a decay that has an end [s] and
     shares (3,).
 
     Further arguments are those of `rates`.
     """
-    remaining, turned, frequency = decline.course(shares)
+    remaining, turned, frequency = decay.course(shares)
     here = remaining > FIT.unused_end_duration
     course = np.array([end - remaining, -turned, frequency])[:, here][:, ::-1]
     return rates(
@@ -116,18 +116,18 @@ def measured_rates(
 
 
 def fit(
-    line: Decline,
+    line: DecayModel,
     sounds: list[ToneSignal],
     ends,
     shares,
     free: tuple[int, ...],
     lengths=FIT.block_lengths,
-    least=0.05,
+    min_units=0.05,
 ) -> Fit:
     """Fit a decay to the rates of a spectral line in sounds.
 
     `ends` [s] and `shares` (3,) are the initial guess; each fitted share starts at no
-    less than `least` times its unit. Raises ValueError if fewer than eight blocks of
+    less than `min_units` times its unit. Raises ValueError if fewer than eight blocks of
     the sounds have a clear tone."""
     ends = np.array(ends, float)
     shares = np.array(shares, float)
@@ -144,13 +144,13 @@ def fit(
             FIT.final_tolerance if length == lengths[-1] else FIT.rough_tolerance
         )
         ends, shares, solved = _solved(
-            heard, filtered, ends, shares, free, least, tolerance
+            heard, filtered, ends, shares, free, min_units, tolerance
         )
     return _with_intervals(heard, ends, shares, free, solved)
 
 
 def line_rates(
-    line: Decline, sounds: list[ToneSignal], ends, shares, length, **how
+    line: DecayModel, sounds: list[ToneSignal], ends, shares, length, **how
 ) -> tuple[LineRates, ...]:
     """Return the rates of a line in every sound for ends [s] and shares (3,).
 
@@ -243,11 +243,11 @@ def _through_high_pass(frequency, remaining, corner):
 
 
 def _solved(
-    heard, filtered, ends, shares, free, least=0.05, tolerance=FIT.rough_tolerance
+    heard, filtered, ends, shares, free, min_units=0.05, tolerance=FIT.rough_tolerance
 ):
     unit = np.maximum(shares[list(free)], [FIT.share_units[i] for i in free])
     x = np.concatenate(
-        [ends, np.maximum(shares[list(free)] / unit, least), [1.0] * filtered]
+        [ends, np.maximum(shares[list(free)] / unit, min_units), [1.0] * filtered]
     )
     others = np.zeros(len(x) - len(ends))
     last = np.full(len(ends), -np.inf)

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 from scipy.signal import resample_poly
 
-from sonify.fitting.decay_model import LAWS, Decline
+from sonify.fitting.decay_model import LAWS, DecayModel
 from sonify.fitting.least_squares import (
     TINY,
     Fit,
@@ -69,7 +69,7 @@ class Judged:
     signal: str
     line: str
     model: str
-    decline: Decline
+    decay: DecayModel
     streams: list[ToneSignal]
     fit: Fit
     explained: bool
@@ -81,8 +81,7 @@ class Judged:
         """True if contour friction and film explain almost all dissipation."""
         return (
             2 not in self.fit.free
-            or shares_of_power(self.decline, self.fit)["law"][0]
-            < FIT.absent_power_share
+            or shares_of_power(self.decay, self.fit)["law"][0] < FIT.absent_power_share
         )
 
     def without_samples(self) -> "Judged":
@@ -132,7 +131,7 @@ def detect_run(
         if event is runs[0]
         or abs(event.t_end.value - runs[0].t_end.value) < FIT.max_end_difference
     ]
-    _refuse_clipped(samples, name)
+    _check_not_clipped(samples, name)
     run = runs[0].later(begin)
     return Sound(
         name=name,
@@ -146,7 +145,7 @@ def detect_run(
     )
 
 
-def _refuse_clipped(samples, name):
+def _check_not_clipped(samples, name):
     share = np.abs(samples) / np.abs(samples).max()
     top = share > 1 - 1e-6
     below = (share > FIT.near_peak_level) & (share <= 1 - 1e-6)
@@ -165,26 +164,26 @@ def _refuse_clipped(samples, name):
 
 
 def fit_same_disk(
-    decline: Decline, sounds: list[Sound], correct: bool = True
+    decay: DecayModel, sounds: list[Sound], correct: bool = True
 ) -> Judged:
     """Return the result for sounds of the same disk.
 
     Raises RecordingError if no line can be tracked. With `correct`, the steady motion
     is refined by solved motions, unless it fits well and the solved motions fit much
     worse."""
-    lines = _tracks(decline, sounds)
+    lines = _tracks(decay, sounds)
     best = max(lines, key=lambda track: track.score)
-    correct = correct and not _steady_is_enough(best, decline)
+    correct = correct and not _is_steady_sufficient(best, decay)
     first = _refined_tracks(
         _best_tracks(lines, FIT.likely_score_share) if correct else [],
-        decline,
+        decay,
         FIT.first_block_lengths,
     )
     second = _refined_tracks(
-        _best_tracks(first, FIT.second_score_share), decline, FIT.second_block_lengths
+        _best_tracks(first, FIT.second_score_share), decay, FIT.second_block_lengths
     )
     nearest = _best_tracks(first + second, 1.0)[:1]
-    found = _refined_tracks(nearest, decline, FIT.final_block_lengths) or nearest
+    found = _refined_tracks(nearest, decay, FIT.final_block_lengths) or nearest
     if any(
         track.fit.spread <= FIT.equivalent_fit_ratio * best.fit.spread
         for track in found
@@ -196,7 +195,7 @@ def fit_same_disk(
         if (track.signal, track.line) == (best.signal, best.line)
     ]
     one = (
-        _mean_of_equivalent([track.fit for track in same], decline)
+        _mean_of_equivalent_fits([track.fit for track in same], decay)
         if best.model == "solved"
         else best.fit
     )
@@ -215,13 +214,13 @@ def fit_same_disk(
         signal=best.signal,
         line=best.line,
         model=best.model,
-        decline=best.decline,
+        decay=best.decay,
         streams=best.streams,
         fit=one,
         explained=explained,
         verdict="not this scene"
         if one.spread > FIT.wrong_scene_spread
-        else verdict_of(decline, one),
+        else verdict_of(decay, one),
     )
 
 
@@ -234,13 +233,13 @@ class Track:
     signal: str
     line: str
     model: str
-    lines: dict[str, Decline]
+    lines: dict[str, DecayModel]
     streams: list[ToneSignal]
     other_signals: list[list[ToneSignal]]
     fit: Fit
 
     @property
-    def decline(self) -> Decline:
+    def decay(self) -> DecayModel:
         """Decay with the rate of this line."""
         return self.lines[self.line]
 
@@ -292,7 +291,7 @@ def _evidence(line, streams, ends, shares, length, near=FIT.max_rate_deviation):
     return found
 
 
-def _tracks(decline, sounds):
+def _tracks(decay, sounds):
     """Return the tracks of the sounds, at most one for each signal and line.
 
     Each common ridge is assigned to each of MAIN_LINES in turn. For each assignment,
@@ -310,12 +309,12 @@ def _tracks(decline, sounds):
     ):
         ridges = [sound.ridges[number] for sound in sounds]
         try:
-            moved, shares = _initial_guess(decline, decline.lines[name], ridges, ends)
+            moved, shares = _initial_guess(decay, decay.lines[name], ridges, ends)
         except ValueError:
             continue
         heard = {
             (signal, line): _evidence(
-                decline.lines[line],
+                decay.lines[line],
                 streams[signal],
                 moved,
                 shares,
@@ -325,7 +324,7 @@ def _tracks(decline, sounds):
         }
         best_first = sorted(heard, key=heard.__getitem__, reverse=True)
         tracks = (
-            _track(decline, streams, *pair, moved, shares)
+            _track(decay, streams, *pair, moved, shares)
             for pair in best_first
             if heard[pair]
         )
@@ -337,23 +336,23 @@ def _tracks(decline, sounds):
             )
     if not found:
         name = sounds[0].name
-        disk = decline.scene.name
+        disk = decay.scene.name
         raise RecordingError(f"{name}: no tone matches a decay of the disk '{disk}'")
     return list(found.values())
 
 
-def _track(decline, streams, signal, line, ends, shares):
+def _track(decay, streams, signal, line, ends, shares):
     """Return the track of a line in a signal, fitted from a guess of ends and shares.
 
     Returns None if the fit fails or its end is too far from the guess.
     """
     try:
         one = fit(
-            decline.lines[line],
+            decay.lines[line],
             streams[signal],
             ends,
             shares,
-            _fitted_laws(decline),
+            _fitted_laws(decay),
             FIT.block_lengths[:4],
         )
     except ValueError:
@@ -361,24 +360,24 @@ def _track(decline, streams, signal, line, ends, shares):
     if np.abs(one.ends - ends).max() > FIT.max_fitted_end_distance:
         return None
     other_signals = [sounds for other, sounds in streams.items() if other != signal]
-    head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
+    head = {"signal": signal, "line": line, "model": "steady", "lines": decay.lines}
     return Track(**head, streams=streams[signal], other_signals=other_signals, fit=one)
 
 
-def _fitted_laws(decline):
+def _fitted_laws(decay):
     """Return the indices of the fitted laws.
 
     The other laws of the scene are fitted if it has no contour friction.
     """
-    other = decline.has_law and not decline.scene.dissipation.contour_moment
-    return (0, *([1] if decline.has_film else []), *([2] if other else []))
+    other = decay.has_law and not decay.scene.dissipation.contour_moment
+    return (0, *([1] if decay.has_film else []), *([2] if other else []))
 
 
-def shares_with_scene_laws(decline: Decline, shares) -> np.ndarray:
+def shares_with_scene_laws(decay: DecayModel, shares) -> np.ndarray:
     """Return the shares (3,), with 1 for the other laws of a scene that has contour
     friction."""
     return np.array(
-        [*shares[:2], 1.0 if decline.scene.dissipation.contour_moment else shares[2]]
+        [*shares[:2], 1.0 if decay.scene.dissipation.contour_moment else shares[2]]
     )
 
 
@@ -410,7 +409,7 @@ def _ridge_of(event):
     return Rates(time, frequency, FIT.ridge_error * frequency, 1 + 0 * time, 0 * time)
 
 
-def _initial_guess(decline, line, ridges, ends):
+def _initial_guess(decay, line, ridges, ends):
     """Return the ends and shares for which a line is closest to the ridges.
 
     Each fitted law is tried alone, and then the first two together.
@@ -418,13 +417,13 @@ def _initial_guess(decline, line, ridges, ends):
     heard = tuple(
         LineRates(i, line, ridge, ridge.frequency) for i, ridge in enumerate(ridges)
     )
-    sought = _fitted_laws(decline)
+    sought = _fitted_laws(decay)
     tried = []
     for some in (*((law,) for law in sought), sought[:2]):
         start = np.zeros(3)
         start[list(some)] = np.array(FIT.initial_shares)[list(some)]
         tried.append(
-            fit_to_rates(heard, ends, shares_with_scene_laws(decline, start), some)
+            fit_to_rates(heard, ends, shares_with_scene_laws(decay, start), some)
         )
     return min(tried, key=lambda one: one[2])[:2]
 
@@ -438,17 +437,17 @@ def _best_tracks(tracks, share):
     ]
 
 
-def _steady_is_enough(track, decline):
+def _is_steady_sufficient(track, decay):
     """Return True if the steady motion fits well and the solved motions fit much
     worse."""
-    least = FIT.far_worse_ratio * track.fit.spread
+    far_worse_spread = FIT.far_worse_ratio * track.fit.spread
     return track.fit.spread < FIT.slip_spread and all(
-        one.fit.spread > least
-        for one in _refined_tracks([track], decline, FIT.first_block_lengths)
+        one.fit.spread > far_worse_spread
+        for one in _refined_tracks([track], decay, FIT.first_block_lengths)
     )
 
 
-def _refined_tracks(tracks, decline, lengths):
+def _refined_tracks(tracks, decay, lengths):
     """Return tracks refined by successive solved motions until their shares converge.
 
     Each motion is solved with the shares of the previous fit; `lengths` are the turns
@@ -457,7 +456,7 @@ def _refined_tracks(tracks, decline, lengths):
     for track in tracks:
         for length in lengths:
             try:
-                lines, one = _refit(track, decline, length)
+                lines, one = _refit(track, decay, length)
             except (
                 ValueError,
                 ArithmeticError,
@@ -469,14 +468,14 @@ def _refined_tracks(tracks, decline, lengths):
             found.append(track)
             away = np.hypot(
                 one.draws[:, len(one.ends) :].std(axis=0),
-                _share_errors_of_missing_power(decline, one),
+                _share_errors_of_missing_power(decay, one),
             )
             if (moved <= FIT.converged_change * away).all():
                 break
     return found
 
 
-def _refit(track, decline, length):
+def _refit(track, decay, length):
     """Return the lines of the motion solved with the shares of a track, and the new
     fit.
 
@@ -486,19 +485,21 @@ def _refit(track, decline, length):
 
     def fitted(lines, ends, shares):
         line = lines[track.line]
-        least = FIT.min_initial_share
-        return lines, fit(line, track.streams, ends, shares, one.free, (length,), least)
+        min_share = FIT.min_initial_share
+        return lines, fit(
+            line, track.streams, ends, shares, one.free, (length,), min_share
+        )
 
-    lines = decline.solved(one.shares)
+    lines = decay.solved(one.shares)
     try:
         return fitted(lines, one.ends, one.shares)
     except ValueError:
         heard = tuple(h._replace(line=lines[track.line]) for h in one.heard)
         ends, shares, _ = fit_to_rates(heard, one.ends, one.shares, one.free)
-        return fitted(decline.solved(shares), ends, shares)
+        return fitted(decay.solved(shares), ends, shares)
 
 
-def _mean_of_equivalent(fits, decline):
+def _mean_of_equivalent_fits(fits, decay):
     """Return the mean of the fits that explain the sounds about equally well.
 
     The motions of these fits slip at different times. The bootstrap draws include the
@@ -514,7 +515,7 @@ def _mean_of_equivalent(fits, decline):
     )
     draws = one.draws.copy()
     draws[:, len(one.ends) :] += _share_errors_of_missing_power(
-        decline, one
+        decay, one
     ) * np.random.default_rng(0).standard_normal((len(draws), 3))
     return replace(one, draws=draws)
 
@@ -525,7 +526,7 @@ def with_model_error(judged: Judged) -> Judged:
     An error of the film power by `film_error` is compensated by the other laws.
     """
     one = judged.fit
-    power, fall = _powers_by_law(judged.decline, one)
+    power, fall = _powers_by_law(judged.decay, one)
     error = (
         FIT.film_error
         * one.shares[1]
@@ -540,10 +541,10 @@ def with_model_error(judged: Judged) -> Judged:
     return replace(judged, fit=fit_with_error)
 
 
-def _share_errors_of_missing_power(decline, one):
+def _share_errors_of_missing_power(decay, one):
     """Return the uncertainty of each fitted share (3,) due to the
     `unknown_power_share`."""
-    power, fall = _powers_by_law(decline, one)
+    power, fall = _powers_by_law(decay, one)
     unknown = (
         FIT.unknown_power_share
         * (one.shares @ power @ fall)
@@ -552,7 +553,7 @@ def _share_errors_of_missing_power(decline, one):
     return np.where(np.isin(range(3), one.free), unknown, 0.0)
 
 
-def _powers_by_law(decline, one):
+def _powers_by_law(decay, one):
     """Return the power of each of the LAWS (3, 60) at inclinations covered by the
     sound.
 
@@ -560,22 +561,22 @@ def _powers_by_law(decline, one):
     differences, because the energy is proportional to the inclination."""
     remaining = np.concatenate([one.ends[h.sound] - h.rates.time for h in one.heard])
     beta = np.geomspace(
-        *decline.inclination(
+        *decay.inclination(
             np.clip([remaining.min(), remaining.max()], 1e-3, None), one.shares
         ),
         60,
     )
     return np.array(
-        [np.interp(beta, decline.beta, p) for p in decline.powers]
+        [np.interp(beta, decay.beta, p) for p in decay.powers]
     ), np.gradient(beta)
 
 
-def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:
+def shares_of_power(decay: DecayModel, one: Fit) -> dict[str, tuple[float, float]]:
     """Return the 95 % interval of the share of each of the LAWS in the lost energy.
 
     The energy is that lost during the part of the motion covered by the sound.
     """
-    power, fall = _powers_by_law(decline, one)
+    power, fall = _powers_by_law(decay, one)
     each = np.clip(one.draws[:, len(one.ends) :, None] * power, 0, None)
     share = (each / np.maximum(each.sum(axis=1, keepdims=True), TINY) * fall).sum(
         axis=2
@@ -584,15 +585,15 @@ def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]
     return {name: (float(low[i]), float(high[i])) for i, name in enumerate(LAWS)}
 
 
-def verdict_of(decline: Decline, one: Fit) -> str:
+def verdict_of(decay: DecayModel, one: Fit) -> str:
     """Return "rolling", "air" or "both" if 95 % of the draws agree, otherwise "cannot
     tell".
 
     The verdict is also "cannot tell" if the model neglects parts of the scene.
     """
-    if decline.neglected:
+    if decay.neglected:
         return "cannot tell"
-    share = shares_of_power(decline, one)
+    share = shares_of_power(decay, one)
     if 2 in one.free and share.pop("law")[1] > FIT.absent_power_share:
         return "cannot tell"
     share = {name: share[name] for name in ("rolling", "air")}

@@ -63,7 +63,7 @@ def as_json(fits: Fits) -> dict[str, Any]:
     shares = {
         name: list(share)
         for name, share in shares_of_power(
-            fits.files[0].judged.decline, fits.pool
+            fits.files[0].judged.decay, fits.pool
         ).items()
     }
     files = [_record_of_recording(f, fits.resonances) for f in fits.files]
@@ -385,7 +385,7 @@ def draw(fits: Fits, path: Path):
 
 def _draw_one(above, below, fitted):
     one = fitted.judged.fit
-    decline = fitted.judged.decline
+    decay = fitted.judged.decay
     rates = one.heard[0].rates
     remaining = one.ends[0] - rates.time
     fitted_rate = rates.frequency / np.exp(one.residual[: len(remaining)])
@@ -393,7 +393,7 @@ def _draw_one(above, below, fitted):
     order = np.argsort(remaining)
     drawn = np.array(
         [
-            _rate_of_draw(decline, one, d, at)
+            _rate_of_draw(decay, one, d, at)
             for d in one.draws[:: max(len(one.draws) // 120, 1)]  # about 120 suffice
         ]
     )
@@ -436,8 +436,8 @@ def _draw_one(above, below, fitted):
     place_legend_above(below, frameon=False)
 
 
-def _rate_of_draw(decline, one, draw, at):
+def _rate_of_draw(decay, one, draw, at):
     """Return the rates (k,) of a draw of ends and shares at times `at` (k,) [s] before
     the fitted end."""
     remaining = np.maximum(at + draw[0] - one.ends[0], FIT.unused_end_duration)
-    return decline.frequency(remaining, np.maximum(draw[len(one.ends) :], 0))
+    return decay.frequency(remaining, np.maximum(draw[len(one.ends) :], 0))

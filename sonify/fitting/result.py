@@ -11,7 +11,7 @@ import soundfile
 from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
 from sonify.fitting.comparison import numbers_of_run
-from sonify.fitting.decay_model import Decline
+from sonify.fitting.decay_model import DecayModel
 from sonify.fitting.fu_berlin import Exponent, rate_exponents
 from sonify.fitting.impacts import judge_sound
 from sonify.fitting.least_squares import Fit, Value, pool_fits, values_in_words
@@ -149,14 +149,14 @@ def fit(
     ):
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)
-    decline = fitted[0].judged.decline
+    decay = fitted[0].judged.decay
     fits = [one.judged.fit for one in fitted]
     pool = fits[0] if len(fits) == 1 else pool_fits(fits)
-    verdict = _verdict_together([one.judged for one in fitted], decline, pool)
+    verdict = _verdict_together([one.judged for one in fitted], decay, pool)
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict, resonances=known)
 
 
-def _verdict_together(judged, decline, pool):
+def _verdict_together(judged, decay, pool):
     """Return the verdict on all recordings, which is "mixed" for impacts and other
     causes."""
     verdicts = {one.verdict for one in judged}
@@ -165,7 +165,7 @@ def _verdict_together(judged, decline, pool):
         return verdicts.pop()
     if all(by_exponent):
         return "impacts" if verdicts == {"impacts", "cannot tell"} else "cannot tell"
-    return "mixed" if any(by_exponent) else verdict_of(decline, pool)
+    return "mixed" if any(by_exponent) else verdict_of(decay, pool)
 
 
 @one_blas_thread
@@ -184,8 +184,8 @@ def fit_one(
     except (soundfile.LibsndfileError, OSError):
         part = recording  # `detect_run` raises an error with the reason
     sound = detect_run(part, str(path), recorded=is_recorded(path), begin=span[0])
-    decline = Decline(scene)
-    judged = judge_sound(decline, sound)
+    decay = DecayModel(scene)
+    judged = judge_sound(decay, sound)
     published = None
     if like == "fu-berlin":
         end = float(judged.fit.ends[0]) - sound.start
@@ -219,15 +219,15 @@ def is_radius_determined(judged: Judged) -> bool:
 def _spread_with_radius(judged, factor):
     """Return the spread of the fit of a disk with another radius; None if the fit
     fails."""
-    scene = judged.decline.scene
+    scene = judged.decay.scene
     disk = replace(
         scene.disk, radius=factor * scene.disk.radius, density=None
     )  # the mass is unchanged
-    decline = Decline(replace(scene, disk=disk)).lines[judged.line]
-    decline.excess_turns = judged.decline.excess_turns
+    decay = DecayModel(replace(scene, disk=disk)).lines[judged.line]
+    decay.excess_turns = judged.decay.excess_turns
     try:
         return least_squares.fit(
-            decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free
+            decay, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free
         ).spread
     except ValueError:
         return None

@@ -10,9 +10,9 @@ class FitSettings:
     tone_rate: int = 4000
     """Sample rate of the signal in which a tone is demodulated [Hz]."""
     min_recording_length: float = 1.5
-    """Least length of a recording [s]."""
+    """Minimum length of a recording [s]."""
     min_second_disk_score_ratio: float = 1 / 3
-    """Least score of a second disk, relative to the best score."""
+    """Minimum score of a second disk, relative to the best score."""
     max_end_difference: float = 0.5
     """Largest difference [s] between the ends of a tone and of a run of the same
     disk."""
@@ -33,7 +33,7 @@ class FitSettings:
     air_penalty: float = 20.0
     """Penalty in the score per unit of a factor above `max_air_factor`."""
     min_initial_share: float = 1e-4
-    """Least initial share of a refined search, in its unit."""
+    """Minimum initial share of a refined search, in its unit."""
     first_block_lengths: tuple[float, ...] = (8.0,)
     """Turns per block for the first solved motion of likely tracks."""
     second_block_lengths: tuple[float, ...] = (12.0,)
@@ -67,9 +67,9 @@ class FitSettings:
     ridge_error: float = 0.03
     """Relative error that the initial search assumes for the rates of a ridge."""
     clipped_sample_share: float = 1e-3
-    """Least share of samples at full scale in a clipped sound."""
+    """Minimum share of samples at full scale in a clipped sound."""
     clipped_run_length: int = 3
-    """Least length of the runs of samples at full scale in a clipped sound."""
+    """Minimum length of the runs of samples at full scale in a clipped sound."""
     near_peak_level: float = 0.98
     """Share of full scale; an unclipped tone has more samples between it and full
     scale than at full scale."""
@@ -88,12 +88,12 @@ class FitSettings:
     final_tolerance: float = 1e-8
     """Relative tolerance of the solution in the last round."""
     min_rate_error: float = 2e-4
-    """Least relative error of the rate of a block; it allows for deviations from
+    """Minimum relative error of the rate of a block; it allows for deviations from
     steady motion."""
     bootstrap_draws: int = 400
     """Number of bootstrap draws of the residuals."""
     min_bootstrap_run_blocks: int = 4
-    """Least number of blocks per run of residuals in the bootstrap; adjacent blocks
+    """Minimum number of blocks per run of residuals in the bootstrap; adjacent blocks
     are correlated."""
     max_bootstrap_run_count: int = 8
     """Number of runs into which the residuals are divided if the runs are long
@@ -109,7 +109,7 @@ class FitSettings:
     """Relative step of the remaining time in the numerical derivative of the
     phase."""
     share_units: tuple[float, float, float] = (1e-5, 0.05, 0.05)
-    """Least units of the shares of the LAWS in the search."""
+    """Minimum units of the shares of the LAWS in the search."""
 
     bins_per_turn: int = 24
     """Number of means per turn."""
@@ -117,17 +117,17 @@ class FitSettings:
     """Largest relative deviation from the expected rate that the phase slope can
     measure."""
     min_tone_to_noise: float = 4.0
-    """Least ratio of tone power to noise power in a clear block."""
+    """Minimum ratio of tone power to noise power in a clear block."""
     max_blocks: int = 300
     """Largest number of blocks of a sound."""
     block_overlap: int = 2
     """Number of blocks that cover each instant."""
     min_clear_block_share: float = 0.5
-    """Least share of clear blocks in a tone; in noise and speech, a tenth of the
+    """Minimum share of clear blocks in a tone; in noise and speech, a tenth of the
     blocks are clear."""
 
     min_time_left: float = 2e-3
-    """Least remaining time [s] at which a solved motion is tabulated."""
+    """Minimum remaining time [s] at which a solved motion is tabulated."""
     solved_time_count: int = 4000
     """Number of times in the table of a solved motion."""
     phases_per_turn: int = 8
@@ -141,19 +141,19 @@ class FitSettings:
     nutation_inclinations: tuple[float, ...] = (0.005, 0.02, 0.08, 0.3)
     """Inclinations at which the nutation rate is computed [rad]."""
     min_rolling_share: float = 1e-12
-    """Least total dissipation, as a share of contour friction."""
+    """Minimum total dissipation, as a share of contour friction."""
     min_film_power_share: float = 1e-7
-    """Least power of the film, as a share of contour friction; without this limit, the
+    """Minimum power of the film, as a share of contour friction; without this limit, the
     disk would never reach the table, and the end would depend on inaudible
     details."""
     min_air_share: float = 1e-3
     """Share below which the film is omitted from the solved motion."""
     min_inclination: float = 1e-7
-    """Least tabulated inclination [rad]."""
+    """Minimum tabulated inclination [rad]."""
     inclination_count: int = 600
     """Number of tabulated inclinations, evenly spaced in the logarithm."""
     min_time_exponent: float = 0.49
-    """Least exponent of the remaining time as a power of inclinations below the
+    """Minimum exponent of the remaining time as a power of inclinations below the
     tabulated ones. It is 1/2 with the arms of the paper, and would be 0 for a
     squeezed film alone."""
 
@@ -173,16 +173,16 @@ class FitSettings:
     """Averaging time [s] for the power of a line, longer than the beats of a pair
     of modes."""
     min_amplitude_fall: float = 0.5
-    """Least fall of the logarithm of the amplitude that counts as a decay."""
+    """Minimum fall of the logarithm of the amplitude that counts as a decay."""
     min_fall_count: int = 5
-    """Least number of falls from which a decay rate is determined."""
+    """Minimum number of falls from which a decay rate is determined."""
     loudness_window: float = 0.1
     """Window for the level over time [s]."""
 
     wrong_radius_factors: tuple[float, float] = (0.9, 1.1)
     """Factors on the radius for which every fit is repeated."""
     min_parallel_recordings: int = 3
-    """Least number of recordings that are distributed to worker processes."""
+    """Minimum number of recordings that are distributed to worker processes."""
 
 
 FIT = FitSettings()

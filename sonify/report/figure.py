@@ -93,7 +93,7 @@ def running_range(y, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     mean = uniform_filter1d(y, size, mode="nearest")
     below = mean + minimum_filter1d(y - mean, size, mode="nearest")
     above = mean + maximum_filter1d(y - mean, size, mode="nearest")
-    least = np.maximum(below, minimum_filter1d(y, size, mode="nearest"))
-    greatest = np.minimum(above, maximum_filter1d(y, size, mode="nearest"))
+    lower = np.maximum(below, minimum_filter1d(y, size, mode="nearest"))
+    upper = np.minimum(above, maximum_filter1d(y, size, mode="nearest"))
     every = slice(None, None, max(len(y) // column_count, 1))
-    return mean[every], least[every], greatest[every]
+    return mean[every], lower[every], upper[every]

@@ -133,12 +133,12 @@ def draw_modes(
         scales["oblique view: displacement / its maximum"] = (0, "viridis")
     if table or len(modes):
         scales["from above: axial displacement / maximum"] = (-1, "RdBu_r")
-    for column, (label, (least, name)) in enumerate(scales.items()):
+    for column, (label, (minimum, name)) in enumerate(scales.items()):
         left = MODE_WIDTH * (
             MODES_PER_ROW / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2)
         )
         draw_colour_bar(
-            axis, (left, -high * rows - below - COLOUR_BAR_HEIGHT), label, least, name
+            axis, (left, -high * rows - below - COLOUR_BAR_HEIGHT), label, minimum, name
         )
     axis.set(**limits, aspect="auto")
     figure.savefig(path)
@@ -164,8 +164,8 @@ def _on_patch(support: Support | None) -> bool:
     return support is not None and support.kind == "patch"
 
 
-def draw_colour_bar(axis, at, label: str, least: float, colours: str):
-    """Draw a colour bar from `least` to 1 with numbers and `label`.
+def draw_colour_bar(axis, at, label: str, minimum: float, colours: str):
+    """Draw a colour bar from `minimum` to 1 with numbers and `label`.
 
     `at` (x, y) is the lower left corner of its box.
     """
@@ -183,7 +183,7 @@ def draw_colour_bar(axis, at, label: str, least: float, colours: str):
         zorder=2,
     )
     for share in (0.0, 0.5, 1.0):
-        number = f"{least + share * (1 - least):g}"
+        number = f"{minimum + share * (1 - minimum):g}"
         axis.text(
             x + share * bar_length,
             middle - 0.05,

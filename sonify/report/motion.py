@@ -53,10 +53,10 @@ def _draw_si(
     (tilt, held, load) = axes[:, 0]
     (hertz, end, path) = axes[[1, 2, 0], 1]
     for panel, curve in ((tilt, inclination), (load, force)):
-        mean, least, greatest = running_range(curve, averaging_share)
+        mean, lower, upper = running_range(curve, averaging_share)
         at = np.linspace(time[0], time[-1], len(mean))
         panel.fill_between(
-            at, least, greatest, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range"
+            at, lower, upper, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range"
         )
         panel.plot(
             at,

@@ -22,7 +22,7 @@ from scipy.stats import binomtest
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
 from sonify.claims.resonance_matching import resonances
-from sonify.fitting.decay_model import Decline, neglected_parts
+from sonify.fitting.decay_model import DecayModel, neglected_parts
 from sonify.fitting.fu_berlin import rate_exponents
 from sonify.fitting.impacts import judge_bursts, judge_sound
 from sonify.fitting.line_selection import (
@@ -61,15 +61,13 @@ def scene():
 
 
 @pytest.fixture(scope="module")
-def decline(scene):
-    return Decline(scene)
+def decay(scene):
+    return DecayModel(scene)
 
 
-def listened(decline, shares, **how):
+def listened(decay, shares, **how):
     return detect_run(
-        Recording(
-            samples=recording(decline, shares, rate=RATE, **how), sample_rate=RATE
-        ),
+        Recording(samples=recording(decay, shares, rate=RATE, **how), sample_rate=RATE),
         "made",
     )
 
@@ -82,23 +80,23 @@ def test_rolling_alone_declines_as_its_closed_form(scene):
     """
     mu = 1e-4
     beta = 1e-4
-    decline = Decline(
+    decay = DecayModel(
         scene.replace(
             "disk.thickness=1e-6", "contact.fillet=1e-7", "friction.arm_pivoting=0"
         )
     )
-    c = (2 * np.pi * np.interp(beta, decline.beta, decline.rate)) ** 2 * beta
-    left = np.interp(beta, decline.beta, decline.remaining_time([mu, 0, 0]))
+    c = (2 * np.pi * np.interp(beta, decay.beta, decay.rate)) ** 2 * beta
+    left = np.interp(beta, decay.beta, decay.remaining_time([mu, 0, 0]))
     assert left == pytest.approx(beta**1.5 / (mu * np.sqrt(c)), rel=10 * beta)
-    pair = np.log(decline.frequency(np.array([left / 2, left]), [mu, 0, 0]))
+    pair = np.log(decay.frequency(np.array([left / 2, left]), [mu, 0, 0]))
     assert np.diff(pair)[0] / np.log(2) == pytest.approx(-1 / 3, abs=10 * beta)
 
 
 def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
     """The film is incompressible, and the air has the density of room air."""
-    decline = Decline(scene.replace("air.pressure=1e9", "air.density=1.2"))
+    decay = DecayModel(scene.replace("air.pressure=1e9", "air.density=1.2"))
     left = np.array([0.5e-3, 1e-3])
-    exponent = np.diff(np.log(decline.frequency(left, [0, 1, 0])))[0] / np.log(2)
+    exponent = np.diff(np.log(decay.frequency(left, [0, 1, 0])))[0] / np.log(2)
     assert exponent == pytest.approx(
         -1 / 6, abs=2e-3
     )  # the inertia of the air is of order S^2.5, 1e-3 there
@@ -106,22 +104,22 @@ def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
 
 def test_the_arm_of_the_paper_declines_with_the_power_of_one():
     """The inclination falls as the square of the time left, until it is 1e-5."""
-    decline = Decline(load_scene("published"))
-    left = np.interp(1e-5, decline.beta, decline.remaining_time([0, 0, 1])) * np.array(
+    decay = DecayModel(load_scene("published"))
+    left = np.interp(1e-5, decay.beta, decay.remaining_time([0, 0, 1])) * np.array(
         [1, 2]
     )
-    assert np.diff(np.log(decline.frequency(left, [0, 0, 1])))[0] / np.log(
+    assert np.diff(np.log(decay.frequency(left, [0, 0, 1])))[0] / np.log(
         2
     ) == pytest.approx(-1, abs=1e-3)
 
 
-def test_turns_and_their_rate_belong_together(decline):
+def test_turns_and_their_rate_belong_together(decay):
     left = np.array([0.1, 1.0, 5.0])
     step = 1e-4
-    turned = [decline.turns(left + sign * step, [5e-5, 1, 0])[0] for sign in (-1, 1)]
-    rate = decline.turns(left, [5e-5, 1, 0])[1]
+    turned = [decay.turns(left + sign * step, [5e-5, 1, 0])[0] for sign in (-1, 1)]
+    rate = decay.turns(left, [5e-5, 1, 0])[1]
     assert np.diff(turned, axis=0)[0] / (2 * step) == pytest.approx(rate, rel=1e-6)
-    assert decline.frequency(left, [5e-5, 1, 0]) == pytest.approx(rate, rel=1e-4)
+    assert decay.frequency(left, [5e-5, 1, 0]) == pytest.approx(rate, rel=1e-4)
 
 
 def test_a_rate_that_is_missed_is_read_from_the_phase():
@@ -147,9 +145,9 @@ def test_what_was_heard_before_a_tone_began_is_left_out():
     ("shares", "verdict"),
     [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
 )
-def test_the_truth_is_found_and_named(decline, shares, verdict):
+def test_the_truth_is_found_and_named(decay, shares, verdict):
     found = fit_same_disk(
-        decline, [listened(decline, shares, noise=0.3, seed=5)], correct=False
+        decay, [listened(decay, shares, noise=0.3, seed=5)], correct=False
     )
     assert found.verdict == verdict
     values = found.values()
@@ -160,7 +158,7 @@ def test_the_truth_is_found_and_named(decline, shares, verdict):
     assert found.fit.value(0).value == pytest.approx(12.0, abs=0.02)
 
 
-def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
+def test_a_double_that_is_louder_does_not_hide_the_precession(decay):
     """A high-pass attenuates the precession of a disk slowed by air alone.
 
     The end is found within 0.1 s, although inaudible sound determines it under a compressible film.
@@ -173,9 +171,7 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
         "high_pass": 60.0,
         "seed": 31,
     }
-    found = fit_same_disk(
-        decline, [listened(decline, [0, 0.63, 0], **how)], correct=False
-    )
+    found = fit_same_disk(decay, [listened(decay, [0, 0.63, 0], **how)], correct=False)
     assert (found.line, found.verdict) == ("precession", "air")
     end = found.fit.value(0)
     assert end.low <= 10.9 <= end.high
@@ -183,12 +179,12 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
 
 
 def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorders_have(
-    decline,
+    decay,
 ):
     """A high-pass has a phase like other shares; a free corner would leave a factor of two."""
     how = {"noise": 0.45, "start": 3.7, "end": 9.45, "high_pass": 60.0, "seed": 17}
     air = fit_same_disk(
-        decline, [listened(decline, [7.6e-5, 1.26, 0], **how)], correct=False
+        decay, [listened(decay, [7.6e-5, 1.26, 0], **how)], correct=False
     ).values()["air"]
     assert air.low <= 1.26 <= air.high
     assert air.high - air.low < 0.3
@@ -199,27 +195,27 @@ def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorder
     ("shares", "verdict"),
     [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
 )
-def test_the_last_two_seconds_are_enough(decline, shares, verdict):
+def test_the_last_two_seconds_are_enough(decay, shares, verdict):
     samples = recording(
-        decline, shares, noise=0.2, rate=RATE, end=12.0, duration=12.3, seed=2
+        decay, shares, noise=0.2, rate=RATE, end=12.0, duration=12.3, seed=2
     )
     sound = detect_run(
         Recording(samples=samples[int(10.3 * RATE) :], sample_rate=RATE), "short"
     )
-    found = fit_same_disk(decline, [sound], correct=False)
+    found = fit_same_disk(decay, [sound], correct=False)
     assert found.verdict == verdict
     assert found.fit.value(0).value == pytest.approx(1.7, abs=0.01)
 
 
 @pytest.mark.slow
-def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decline):
+def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decay):
     """The power of the film differs by a power of 0.1 of the inclination; rolling is then 3 to 8 %
     off."""
-    other = Decline(scene)
+    other = DecayModel(scene)
     other.powers[1] *= (other.beta / 0.05) ** 0.1
     for seed, shares in enumerate(([5e-5, 1.0, 0], [1e-4, 1.0, 0], [3e-5, 1.0, 0])):
         judged = fit_same_disk(
-            decline, [listened(other, shares, noise=0.2, seed=seed)], correct=False
+            decay, [listened(other, shares, noise=0.2, seed=seed)], correct=False
         )
         rolling = with_model_error(judged).values()["rolling"]
         assert rolling.low <= shares[0] <= rolling.high
@@ -227,10 +223,10 @@ def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decline):
 
 
 @pytest.mark.slow
-def test_a_part_of_a_file_is_fitted_with_the_times_of_the_file(decline, tmp_path):
-    take = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
+def test_a_part_of_a_file_is_fitted_with_the_times_of_the_file(decay, tmp_path):
+    take = recording(decay, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     path = write(tmp_path / "two.wav", np.concatenate([take, take]))
-    part = fit_one(path, decline.scene.document, None, (9.5, 18.0))
+    part = fit_one(path, decay.scene.document, None, (9.5, 18.0))
     assert part.judged.fit.value(0).value == pytest.approx(17.0, abs=0.01)
     assert part.judged.verdict == "rolling"
 
@@ -272,14 +268,14 @@ def test_the_law_of_bursts_names_impacts_and_nothing_else(exponent, verdict):
     sound = detect_run(
         Recording(samples=samples, sample_rate=settling_sounds.RATE), "coin"
     )
-    decline = Decline(scene)
-    assert judge_sound(decline, sound).verdict == verdict
-    value = judge_bursts(decline, sound).values()["impacts"]
+    decay = DecayModel(scene)
+    assert judge_sound(decay, sound).verdict == verdict
+    value = judge_bursts(decay, sound).values()["impacts"]
     assert value.low < 0.004 < value.high
     assert value.high - value.low < 0.002
 
 
-def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decline):
+def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decay):
     t = np.arange(15 * RATE) / RATE
     sweep = chirp(t, 20, 15, 200) * (t < 14.5)
     noise = 0.01 * np.random.default_rng(0).standard_normal(len(t))
@@ -288,8 +284,8 @@ def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decline):
 
 
 @pytest.mark.slow
-def test_a_scene_without_air_says_that_air_was_not_considered(decline, scene, tmp_path):
-    take = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
+def test_a_scene_without_air_says_that_air_was_not_considered(decay, scene, tmp_path):
+    take = recording(decay, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     path = write(tmp_path / "take.wav", take)
     assert (
         "air was not considered"
@@ -308,17 +304,17 @@ def speech(seconds, seed):
 
 
 @pytest.mark.slow
-def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
+def test_speech_before_and_after_a_run_is_no_part_of_it(decay):
     """The speech is as loud as the disk and lasts six times as long. At most one block
     of the fit contains some of it."""
     run = recording(
-        decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3
+        decay, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3
     )
     samples = np.concatenate(
         [run.std() * speech(30, 1), run, run.std() * speech(30, 2)]
     )
     sound = detect_run(Recording(samples=samples, sample_rate=RATE), "made")
-    found = fit_same_disk(decline, [sound], correct=False)
+    found = fit_same_disk(decay, [sound], correct=False)
     end = found.fit.value(0)
     values = found.values()
     assert end.low <= 40.0 <= end.high
@@ -331,12 +327,12 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
 
 @pytest.mark.slow
 def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(
-    decline, tmp_path
+    decay, tmp_path
 ):
     """Of five minutes, the analysed part is 120 s long and ends 6 s after the run."""
     rate = RATE // 2
     run = recording(
-        decline, [1e-4, 1.0, 0], noise=0.3, rate=rate, end=14.0, duration=15.0, seed=3
+        decay, [1e-4, 1.0, 0], noise=0.3, rate=rate, end=14.0, duration=15.0, seed=3
     )
     samples = 0.02 * np.random.default_rng(0).standard_normal(300 * rate)
     samples[130 * rate : 145 * rate] += run
@@ -374,9 +370,9 @@ def voice(seconds, seed):
     return made / made.std()
 
 
-def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decline):
+def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decay):
     run = recording(
-        decline, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3
+        decay, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3
     )
     scale = np.sin(
         2
@@ -391,13 +387,13 @@ def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decline):
 
 
 @pytest.mark.slow
-def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
+def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decay):
     """In ten minutes of sound, the voice before and after the run is as loud as the run."""
     talk = voice(600, 5) + 0.01 * np.random.default_rng(0).standard_normal(600 * RATE)
     with pytest.raises(RecordingError, match="no disk"):
         detect_run(Recording(samples=talk, sample_rate=RATE), "talk")
     run = recording(
-        decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=14.0, duration=15.0, seed=3
+        decay, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=14.0, duration=15.0, seed=3
     )
     talk[333 * RATE : 348 * RATE] = run / run.std()
     sound = detect_run(Recording(samples=talk, sample_rate=RATE), "run")
@@ -405,28 +401,28 @@ def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
 
 
 @pytest.mark.slow
-def test_what_cannot_be_told_is_not_told(decline):
-    """In 3 s of strong noise, a decline due to air is never attributed to rolling alone."""
+def test_what_cannot_be_told_is_not_told(decay):
+    """In 3 s of strong noise, a decay due to air is never attributed to rolling alone."""
     sounds = [
-        listened(decline, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed)
+        listened(decay, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed)
         for seed in range(4)
     ]
     verdicts = {
-        fit_same_disk(decline, [sound], correct=False).verdict for sound in sounds
+        fit_same_disk(decay, [sound], correct=False).verdict for sound in sounds
     }
     assert "cannot tell" in verdicts
     assert "rolling" not in verdicts
 
 
 def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(
-    decline,
+    decay,
 ):
     found = fit_same_disk(
-        decline, [listened(decline, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False
+        decay, [listened(decay, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False
     )
     assert not is_radius_determined(found)
     assert found.verdict == "rolling"
-    assert verdict_of(Decline(load_scene("wavy")), found.fit) == "cannot tell"
+    assert verdict_of(DecayModel(load_scene("wavy")), found.fit) == "cannot tell"
 
 
 @pytest.mark.parametrize(
@@ -437,14 +433,14 @@ def test_what_no_decline_has_is_told(name, what):
     assert [what in sentence for sentence in found] == [True] * bool(what)
 
 
-def test_the_published_chain_reads_less_than_the_true_exponent(decline):
+def test_the_published_chain_reads_less_than_the_true_exponent(decay):
     """Pure rolling friction, 1/3, reads as 0.301 over a whole run and as 0.261 over the last 4 s.
 
     The windows are those of another recording. An error of 20 ms in a manually chosen end changes
     these by 0.03 and 0.06.
     """
     samples = recording(
-        decline, [1e-4, 0, 0], noise=0.01, end=10.0, duration=10.5, rate=44100
+        decay, [1e-4, 0, 0], noise=0.01, end=10.0, duration=10.5, rate=44100
     )
     found = {
         name: exponent.value
@@ -464,7 +460,7 @@ def falling(t):
     return np.cos(2 * np.pi * 40 * (t + 1) ** 0.5)
 
 
-def bad_takes(folder, decline):
+def bad_takes(folder, decay):
     t = np.arange(6 * RATE) / RATE
     random = np.random.default_rng(0)
     (folder / "text.wav").write_text("This is not a sound.")
@@ -473,7 +469,7 @@ def bad_takes(folder, decline):
         "Time (s),Recording (a.u.)\n" + "".join(f"{-i},1\n" for i in range(200))
     )
     soundfile.write(folder / "slow.wav", 0.5 * falling(t), RATE, subtype="PCM_16")
-    good = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
+    good = recording(decay, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     return {
         "not a readable sound file": folder / "text.wav",
         "too short, 1 s": write(folder / "short.wav", good[:RATE]),
@@ -490,10 +486,10 @@ def bad_takes(folder, decline):
 
 @pytest.mark.slow
 def test_what_cannot_be_fitted_is_one_line_and_nothing_is_written(
-    decline, tmp_path, monkeypatch
+    decay, tmp_path, monkeypatch
 ):
     monkeypatch.chdir(tmp_path)
-    for word, path in bad_takes(tmp_path, decline).items():
+    for word, path in bad_takes(tmp_path, decay).items():
         with pytest.raises(RecordingError, match=word) as error:
             detect_run(source_of_file(path), str(path))
         assert "\n" not in str(error.value)
@@ -524,13 +520,13 @@ def test_a_folder_of_takes_and_an_export_of_phyphox_are_read(tmp_path):
 
 
 @pytest.mark.slow
-def test_the_command_writes_what_it_found(decline, scene, tmp_path, monkeypatch):
+def test_the_command_writes_what_it_found(decay, scene, tmp_path, monkeypatch):
     import tomli_w
 
     drawn = figures(monkeypatch)
 
     (tmp_path / "disk.toml").write_text(tomli_w.dumps(scene.document))
-    take = recording(decline, [1e-4, 0, 0], noise=0.3, rate=RATE, end=8.0, duration=9.0)
+    take = recording(decay, [1e-4, 0, 0], noise=0.3, rate=RATE, end=8.0, duration=9.0)
     mode = next(f for of, f in resonances(scene) if of == "disk")
     write(
         tmp_path / "take.wav",
@@ -582,7 +578,7 @@ def test_the_command_writes_what_it_found(decline, scene, tmp_path, monkeypatch)
 
 
 @pytest.mark.slow
-def test_intervals_hold_the_truth_as_often_as_they_say(decline):
+def test_intervals_hold_the_truth_as_often_as_they_say(decay):
     """Over 100 degraded telephone-like recordings, 95 % intervals contain the truth in 90 to 99 %.
 
     The upper bound is compared with the interval of the counts. The fit never names a mechanism that was absent.
@@ -605,9 +601,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(decline):
             "seed": seed,
             "end": random.uniform(9, 12),
         }
-        found = fit_same_disk(
-            decline, [listened(decline, shares, **how)], correct=False
-        )
+        found = fit_same_disk(decay, [listened(decay, shares, **how)], correct=False)
         truth = {"rolling": shares[0], "air": shares[1]}
         inside += [v.low <= truth[name] <= v.high for name, v in found.values().items()]
         inside.append(found.fit.value(0).low <= how["end"] <= found.fit.value(0).high)

@@ -2,7 +2,7 @@
 the interval.
 
 Source: the sound comes from the force, the modes and the film along a motion of many regimes; the
-fit uses only the steady decline and the motions that it solves with the fitted shares. Oracle: the
+fit uses only the steady decay and the motions that it solves with the fitted shares. Oracle: the
 values in the scene. The fit does not model two-way coupling and would attribute the table's loss to friction; in
 these scenes the table therefore only radiates.
 """

@@ -16,7 +16,7 @@ from disk_recordings import recording
 
 from sonify import load_scene
 from sonify.__main__ import main
-from sonify.fitting.decay_model import Decline
+from sonify.fitting.decay_model import DecayModel
 from sonify.hearing.audio_source import SoundFile, ends_with_its_stream, read_samples
 from sonify.hearing.mp3 import frame_header, read_mp3
 from sonify.hearing.recording import listen
@@ -162,7 +162,7 @@ def test_fit_takes_only_what_is_there(tmp_path):
         *changes, "dissipation.contour_moment=1e-5", "air.film='acts'"
     )
     take = recording(
-        Decline(toy), [1e-4, 0, 0], noise=0.3, rate=rate, end=8.0, duration=16.0
+        DecayModel(toy), [1e-4, 0, 0], noise=0.3, rate=rate, end=8.0, duration=16.0
     )
     path = tmp_path / "constant.mp3"
     soundfile.write(path, take, rate, **FORMATS["constant.mp3"])

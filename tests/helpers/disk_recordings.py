@@ -1,13 +1,13 @@
-"""Synthetic phone recordings of a disk whose decline is known, with noise and other defects."""
+"""Synthetic phone recordings of a disk whose decay is known, with noise and other defects."""
 
 import numpy as np
 from scipy.signal import butter, sosfilt
 
-from sonify.fitting.decay_model import Decline
+from sonify.fitting.decay_model import DecayModel
 
 
 def recording(
-    decline: Decline,
+    decay: DecayModel,
     shares,
     *,
     end: float = 12.0,
@@ -31,7 +31,7 @@ def recording(
     t = np.arange(int(duration * rate)) / rate
     sounding = (t > start) & (t < end - 2 / rate)
     left = end - t[sounding]
-    turns, frequency = decline.turns(left, shares)
+    turns, frequency = decay.turns(left, shares)
     loud = np.minimum(frequency / frequency[np.argmin(np.abs(left - 0.1))], 1.0)
     phase = -2 * np.pi * turns + random.uniform(0, 2 * np.pi)
     hiss = sosfilt(

@@ -226,10 +226,10 @@ def _refined(onsets, power, window, channel, starts, settings):
 
 
 def pulse_slope(
-    power: np.ndarray, law: Law, window: Window, least: float = 0.0
+    power: np.ndarray, law: Law, window: Window, min_power: float = 0.0
 ) -> float:
     """Return the slope of the peak level of each turn [dB] against 20 log10 of the
-    remaining time, for peaks above the power `least`."""
+    remaining time, for peaks above the power `min_power`."""
     count = len(power)
     places = (np.arange(count) + 0.5) / count
     turn = np.floor(law.turns * law.shape.phase(places)).astype(int)
@@ -239,7 +239,7 @@ def pulse_slope(
     begins = np.flatnonzero(np.diff(turn, prepend=-1))
     level = 10 * np.log10(np.maximum.reduceat(power, begins) + 1e-14)
     ends = np.append(begins[1:], count) - 1
-    kept = (left[ends] >= 0.05) & (level > 10 * np.log10(least + 1e-14))
+    kept = (left[ends] >= 0.05) & (level > 10 * np.log10(min_power + 1e-14))
     if np.count_nonzero(kept) < 4:
         return 0.0
     middle = 20 * np.log10(left[(begins + ends) // 2])

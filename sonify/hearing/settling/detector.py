@@ -39,7 +39,7 @@ from sonify.hearing.settling.tone_ridge import ToneRidge, tone_ridge
 from sonify.scene_errors import InputError
 
 MIN_LENGTH_S = 0.4
-"""Least length of a sound that is searched."""
+"""Minimum length of a sound that is searched."""
 PIECE_SPACING_S = 60
 """Time between the beginnings of the pieces in which a long sound is searched."""
 PIECE_OVERLAP_S = 10

@@ -13,21 +13,21 @@ def end_drops(frames: Frames) -> np.ndarray:
     Power more than 20 dB below the mean of the sound is ignored in the waveform and in
     single bands."""
     total = frames.power.sum(axis=1)
-    least = 0.01 * float(total.mean(dtype=float)) + TINY_POWER
+    power_floor = 0.01 * float(total.mean(dtype=float)) + TINY_POWER
     waveform = np.square(frames.waveform)
     drops = [
         power_drop(total, TINY_POWER),
         power_drop(waveform, 0.01 * float(waveform.mean()) + TINY_POWER),
     ]
-    drops += [power_drop(band, least) for band in frames.power.T]
+    drops += [power_drop(band, power_floor) for band in frames.power.T]
     return np.max(drops, axis=0)
 
 
-def power_drop(power: np.ndarray, least: float) -> np.ndarray:
+def power_drop(power: np.ndarray, power_floor: float) -> np.ndarray:
     """Return the drop [dB] of a power (n,) at every frame.
 
     It compares the 80 ms before the frame with the interval from 30 to 130 ms after it;
-    `least` is added to both powers."""
+    `power_floor` is added to both powers."""
     cumulative = np.concatenate([[0.0], np.cumsum(power, dtype=float)])
     count = len(power)
     place = np.arange(count)
@@ -37,20 +37,21 @@ def power_drop(power: np.ndarray, least: float) -> np.ndarray:
         last = np.clip(last, 0, count)
         return (cumulative[last] - cumulative[first]) / np.maximum(last - first, 1)
 
-    before = np.maximum(mean(place - 80, place), 0) + least
-    after = np.maximum(mean(place + 30, place + 130), 0) + least
+    before = np.maximum(mean(place - 80, place), 0) + power_floor
+    after = np.maximum(mean(place + 30, place + 130), 0) + power_floor
     drop = 10 * np.log10(before / after)
     drop[: min(80, count)] = 0
     drop[max(count - 60, 0) :] = 0
     return drop
 
 
-def drop_peaks(drop: np.ndarray, least: float, separation: int = 40) -> np.ndarray:
-    """Return the frames of peaks of at least `least` dB and `separation` frames apart,
+def drop_peaks(drop: np.ndarray, min_drop: float, separation: int = 40) -> np.ndarray:
+    """Return the frames of peaks of at least `min_drop` dB and `separation` frames apart,
     highest first."""
     inner = drop[1:-1]
     peaks = (
-        np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= least)) + 1
+        np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= min_drop))
+        + 1
     )
     kept = []
     for place in peaks[np.argsort(-drop[peaks], kind="stable")]:

@@ -16,7 +16,7 @@ from sonify.hearing.settling.rate_laws import Shape, ShapeSet
 from sonify.hearing.settling.refinement import laws_near
 from sonify.hearing.settling.settings import SettlingSettings
 from sonify.hearing.settling.warped_periodogram import (
-    least_turns,
+    minimum_turns,
     search_table,
     steps_for,
     turns_of,
@@ -104,8 +104,12 @@ class JointRegion:
 def region_of_law(law, errors, start, settings: SettlingSettings) -> JointRegion:
     """Return the laws within two standard errors, and the resolution, of a law (3,) of
     end [s], exponent and log2 of the rate one second before the end [Hz]."""
-    least = settings.tone_resolution
-    half = 2 * errors + [least.end, least.exponent, np.log2(1 + least.rate)]
+    resolution = settings.tone_resolution
+    half = 2 * errors + [
+        resolution.end,
+        resolution.exponent,
+        np.log2(1 + resolution.rate),
+    ]
     ends, exponents, heights = (law + half * np.array([[-1], [0], [1]])).T
     span = min(1.0, law[0] - start)
     rates = 2**heights * span ** -law[1]
@@ -228,10 +232,12 @@ def _without_standing(surfaces, whole, settings):
             and surface.best_rate(surface.start) > settings.max_upright_rate
             and rate_deviation(surface) < MIN_MISCOUNT_DEVIATION
         ]
-        least = settings.min_admitted_likelihood * max(
+        min_likelihood = settings.min_admitted_likelihood * max(
             (surface.max_likelihood for surface in later), default=0.0
         )
-        likely = [surface for surface in later if surface.max_likelihood >= least]
+        likely = [
+            surface for surface in later if surface.max_likelihood >= min_likelihood
+        ]
         best = max(
             likely,
             key=lambda surface: (surface.seconds, surface.max_likelihood),
@@ -325,15 +331,15 @@ def _likelihood_surface(onsets, channel, first, frames, before_knee, settings):
     grid = _law_grid(frames, before_knee, settings)
     table = warp_table(grid.shapes, frames, steps_for(frames, scale))
     likelihood, harmonics, spectra = search_table(values, scale, table, settings)
-    least = least_turns(frames, table, settings)
+    min_turns = minimum_turns(frames, table, settings)
     left = grid.left
 
     def first_rate(cell):
-        turns = turns_of(spectra[cell], least[cell], harmonics[cell])
+        turns = turns_of(spectra[cell], min_turns[cell], harmonics[cell])
         return turns * table.first_rates[cell] / frames * FRAME_RATE
 
     best = int(np.argmax(likelihood))
-    turns = turns_of(spectra[best], least[best], harmonics[best])
+    turns = turns_of(spectra[best], min_turns[best], harmonics[best])
     cuts = table.index[best] + table.fraction[best]
     phases = np.interp(
         np.arange(frames) + 0.5, cuts, turns * np.linspace(0, 1, len(cuts))

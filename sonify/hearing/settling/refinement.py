@@ -77,8 +77,8 @@ def _climb(
     bounds,
     draws,
     widths,
-    least_turns,
-    least_rate,
+    min_turns,
+    min_rate,
     harmonics,
 ):
     """Return the law reached by random uphill steps from `start` (code, log ratio,
@@ -106,9 +106,9 @@ def _climb(
         for i in range(2):
             tried[i] = min(max(tried[i], bounds[i, 0]), bounds[i, 1])
         ratio = math.exp(tried[0])
-        if tried[2] < least_turns:
+        if tried[2] < min_turns:
             continue
-        if tried[2] / seconds * _first_rate(code, ratio, tried[1]) < least_rate:
+        if tried[2] / seconds * _first_rate(code, ratio, tried[1]) < min_rate:
             continue
         value, harmonic = _likelihood(
             cumulative, energy, independent, code, ratio, tried[1], tried[2], harmonics

@@ -6,7 +6,7 @@ from math import inf
 
 @dataclass(frozen=True)
 class Resolution:
-    """Least half-widths of the intervals of exponent, end [s] and relative rate, before
+    """Minimum half-widths of the intervals of exponent, end [s] and relative rate, before
     widening."""
 
     exponent: float
@@ -39,12 +39,12 @@ class SettlingSettings:
     waveform_band: tuple[float, float] = (20.0, 450.0)
     """Band of the waveform in which a tone is scored [Hz]."""
     min_tone_octaves: float = 2.0
-    """Least number of octaves of the remaining time in which a tone has peaks; sounds
+    """Minimum number of octaves of the remaining time in which a tone has peaks; sounds
     without a disk reach 1.7."""
     min_tone_rise_octaves: float = 0.5
-    """Least number of octaves by which a tone rises."""
+    """Minimum number of octaves by which a tone rises."""
     min_tone_stop_time: float = 0.02
-    """Least time between the windows of a tone and its end."""
+    """Minimum time between the windows of a tone and its end."""
     floor_db: float = 40.0
     """Level below the running mean at which the power of a band is cut off [dB]."""
     scales_ms: tuple[int, ...] = (3, 6, 12, 24)
@@ -53,7 +53,7 @@ class SettlingSettings:
     """Time per independent sample of the waveform [ms]."""
 
     min_drop_db: float = 8.0
-    """Least drop of the power at the end of a window [dB]."""
+    """Minimum drop of the power at the end of a window [dB]."""
     ends_per_block: int = 6
     """Number of ends that are tried in each block; those with the largest drops are
     chosen."""
@@ -71,9 +71,9 @@ class SettlingSettings:
     max_steady_ratio: float = 1.35
     """Largest factor by which a steady rate may change within a window."""
     min_turns: float = 8.0
-    """Least number of turns, or bursts, within a window."""
+    """Minimum number of turns, or bursts, within a window."""
     min_initial_rate: float = 5.0
-    """Least rate at the beginning of a window [Hz]."""
+    """Minimum rate at the beginning of a window [Hz]."""
     max_harmonics: int = 4
     """Largest number of fitted harmonics of the rate."""
     shape_distance: float = 0.006
@@ -82,7 +82,7 @@ class SettlingSettings:
     coarse_distance: float = 0.015
     """Distance of neighbouring shapes in a first, coarse search of all windows."""
     min_likelihood_for_rivals: float = 10.0
-    """Least log likelihood of a disk in the coarse search for which rival laws are
+    """Minimum log likelihood of a disk in the coarse search for which rival laws are
     tested."""
     searched_window_count: int = 12
     """Number of best windows of the coarse search that are searched again in each
@@ -90,7 +90,7 @@ class SettlingSettings:
     searched_channel_count: int = 3
     """Number of channels that are searched again in each of these windows."""
     min_score_for_refinement: float = 6.0
-    """Least estimated score of a window that is refined and tried with an earlier
+    """Minimum estimated score of a window that is refined and tried with an earlier
     stop."""
     refined_window_count: int = 6
     """Number of best windows that are refined."""
@@ -101,10 +101,10 @@ class SettlingSettings:
     max_upright_rate: float = 12.0
     """Largest rate of an upright disk [Hz], that of a coin with a radius of 7 mm."""
     min_admitted_likelihood: float = 0.7
-    """Least log likelihood of a window that contributes to the intervals, relative to
+    """Minimum log likelihood of a window that contributes to the intervals, relative to
     that of the best window."""
     min_admitted_length: float = 0.7
-    """Least length of such a window, relative to that of the best window; shorter
+    """Minimum length of such a window, relative to that of the best window; shorter
     windows contain less information."""
     max_exponent_interval: float = 0.3
     """Largest width of the interval of a determined exponent."""
@@ -118,7 +118,7 @@ class SettlingSettings:
     """Resolution of a tone, which is added to twice its standard errors."""
 
     min_detected_score: float = 15.75
-    """Least score of a detected run."""
+    """Minimum score of a detected run."""
     false_alarms_per_hour: float = 1.5
     """Expected number of false detections per hour of eventful sound, from one
     detection in 480 clips of 5 s that were block-shuffled or phase-randomised; it is
@@ -130,14 +130,14 @@ class SettlingSettings:
     of e: the upper 95 % limit for 25 detections above a score of 11 in the same
     clips."""
     min_alternation_gain: float = 2.0
-    """Least gain in log likelihood by bursts of alternating strength, above which each
+    """Minimum gain in log likelihood by bursts of alternating strength, above which each
     turn has two bursts."""
     min_certain_score: float = 20.25
-    """Least score of a certain run."""
+    """Minimum score of a certain run."""
     min_agreeing_score: float = 13.0
-    """Least mean score of two windows with the same end that make a run certain."""
+    """Minimum mean score of two windows with the same end that make a run certain."""
     min_rising_margin: float = 2.0
-    """Least margin in the log likelihood of a detected disk over other rising rates."""
+    """Minimum margin in the log likelihood of a detected disk over other rising rates."""
     pulse_slopes: tuple[float, float] = (-0.8, 0.65)
     """Range of the slope of pulse levels [dB] against 20 log10 of the remaining
     time."""
@@ -148,7 +148,7 @@ class SettlingSettings:
     """Largest initial rate of other runs [Hz]. The pitch of a voice is above 80 Hz, and
     the detector may find half of it; a faster disk would already have been detected."""
     min_bounce_exponent: float = 0.6
-    """Least exponent of a bouncing body; it is 1 for a constant restitution, and less
+    """Minimum exponent of a bouncing body; it is 1 for a constant restitution, and less
     if the last bounces are lost in noise."""
     bounce_slopes: tuple[float, float] = (0.65, 1.5)
     """Range of the slope of pulse levels of a bouncing body, which is 1 for a constant

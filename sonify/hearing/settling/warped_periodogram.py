@@ -125,23 +125,23 @@ def _largest_sums(power, first):
 
 
 @njit(cache=True, nogil=True)
-def _likelihoods(spectra, energy, independent, least):
+def _likelihoods(spectra, energy, independent, min_turns):
     """Return log likelihoods and numbers of harmonics of the best rates (windows,
     shapes).
 
     The spectra (windows shapes, bins) are those of zero-padded windows. `energy`
     (windows,) is the length times the sum of squares of each window, `independent`
-    (windows,) the number of independent samples, and `least` (shapes,) the least number
+    (windows,) the number of independent samples, and `min_turns` (shapes,) the minimum number
     of turns."""
     rows, bins = spectra.shape
-    shapes = len(least)
+    shapes = len(min_turns)
     likelihood = np.full((rows // shapes, shapes), -np.inf)
     harmonics = np.ones((rows // shapes, shapes), dtype=np.int64)
     power = np.zeros(2 * bins - 1, dtype=np.float32)
     for row in range(rows):
         w, s = divmod(row, shapes)
         _doubled_power(spectra[row], power)
-        first = int(np.ceil(least[s] * 4))
+        first = int(np.ceil(min_turns[s] * 4))
         for h, top in enumerate(_largest_sums(power, first), 1):
             value = (
                 -independent[w] / 2 * np.log(1 - min(2 * top / energy[w], 0.999)) - h
@@ -153,14 +153,14 @@ def _likelihoods(spectra, energy, independent, least):
 
 
 @njit(cache=True, nogil=True)
-def turns_of(spectrum, least, harmonics):
+def turns_of(spectrum, min_turns, harmonics):
     """Return the number of turns with the largest power of harmonics in a spectrum
     (bins,)."""
     power = np.zeros(2 * len(spectrum) - 1, dtype=np.float32)
     _doubled_power(spectrum, power)
     top = -1.0
     place = 0
-    for k in range(int(np.ceil(least * 4)), (len(power) - 1) // harmonics + 1):
+    for k in range(int(np.ceil(min_turns * 4)), (len(power) - 1) // harmonics + 1):
         value = 0.0
         for h in range(1, harmonics + 1):
             value += power[k * h]
@@ -177,16 +177,16 @@ def steps_for(length: int, scale_ms: float) -> int:
     return 256 if cells <= 110 else 512 if cells <= 220 else 1024
 
 
-def least_turns(
+def minimum_turns(
     length: int, table: WarpTable, settings: SettlingSettings
 ) -> np.ndarray:
-    """Return the least numbers of turns (shapes,) in the search of a window of `length`
+    """Return the minimum numbers of turns (shapes,) in the search of a window of `length`
     frames."""
-    least = np.maximum(
+    min_turns = np.maximum(
         settings.min_turns,
         settings.min_initial_rate * length / 1000 / table.first_rates,
     )
-    return np.minimum(least, (table.index.shape[1] - 1) / 2)
+    return np.minimum(min_turns, (table.index.shape[1] - 1) / 2)
 
 
 def _search(values, scale_ms, table, settings):
@@ -201,8 +201,8 @@ def _search(values, scale_ms, table, settings):
     energy = _warp(values, table.index, table.fraction, padded)
     spectra = rfft(padded, axis=1, overwrite_x=True)
     independent = length / np.atleast_1d(scale_ms)
-    least = least_turns(length, table, settings)
-    likelihood, harmonics = _likelihoods(spectra, energy, independent, least)
+    min_turns = minimum_turns(length, table, settings)
+    likelihood, harmonics = _likelihoods(spectra, energy, independent, min_turns)
     return likelihood, harmonics, spectra
 
 
@@ -248,10 +248,10 @@ def strongest_laws(
     length = len(values)
     table = warp_table(shapes, length, steps_for(length, scale_ms))
     likelihood, harmonics, spectra = search_table(values, scale_ms, table, settings)
-    least = least_turns(length, table, settings)
+    min_turns = minimum_turns(length, table, settings)
 
     def law(i):
-        turns = turns_of(spectra[i], least[i], harmonics[i])
+        turns = turns_of(spectra[i], min_turns[i], harmonics[i])
         return Law(shapes.shapes[i], turns, int(harmonics[i]), float(likelihood[i]))
 
     found = {}
