@@ -50,7 +50,7 @@ def cosine_participation(plate: Plate, pairs: Eigenpairs) -> np.ndarray:
     """Return the participations (k, 6) of the cosine modes, see `Modes`."""
     n = pairs.problem.n
     rho, zeta, radial_weight, axial_weight = gauss_grid(plate, n, pairs.size)
-    a, b, w = displacement_amplitudes(plate, pairs, rho, zeta)
+    a, b, w = displacement_amplitudes(pairs, rho, zeta)
     weight = plate.density * np.outer(radial_weight, axial_weight)
     r = rho[:, None] * plate.radius
     h = zeta * plate.thickness / 2
@@ -83,14 +83,14 @@ def mode_columns(
     if odd:
         participation = participation[:, [1, 0, 2, 4, 3, 5]] * [1, 1, 1, -1, 1, -1]
     angle = sample.rim_angles()
-    rim = displacement_amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
+    rim = displacement_amplitudes(pairs, np.ones(1), -np.ones(1))[..., 0]
     r, _, theta = sample.face_grid(1.0, plate.hole)
-    faces = displacement_amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[
-        2
-    ].transpose(0, 2, 1)
+    faces = displacement_amplitudes(pairs, r, np.array([-1.0, 1.0]))[2].transpose(
+        0, 2, 1
+    )
     around = np.sin(n * theta) if odd else np.cos(n * theta)
     node_angle, (rho, at_rho), (zeta, at_zeta) = drawing_nodes
-    inside = displacement_amplitudes(plate, pairs, rho, zeta)[..., at_rho, at_zeta]
+    inside = displacement_amplitudes(pairs, rho, zeta)[..., at_rho, at_zeta]
     cylindrical = displacement_at_angles(inside, n, node_angle, odd)
     return {
         "frequency": np.sqrt(pairs.values) / (2 * pi),

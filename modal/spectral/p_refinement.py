@@ -178,7 +178,7 @@ def all_eigenpairs(plate, below, tolerance) -> list[Eigenpairs]:
     return found
 
 
-def displacement_amplitudes(plate, pairs, rho, zeta):
+def displacement_amplitudes(pairs, rho, zeta):
     """Return the amplitudes (3, k, r, z) of u_r, u_theta, u_z at rho (r,) and zeta
     (z,).
 

@@ -98,7 +98,7 @@ def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> Surfa
         distinct, position = np.unique(rho.round(12), return_inverse=True)
         parts = []
         for pairs, odd in members:
-            amplitudes = displacement_amplitudes(plate, pairs, distinct, np.ones(1))
+            amplitudes = displacement_amplitudes(pairs, distinct, np.ones(1))
             axial = amplitudes[2, ..., 0][:, position]
             around = np.sin if odd else np.cos
             parts.append(axial * around(pairs.problem.n * theta))

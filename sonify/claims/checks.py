@@ -213,7 +213,7 @@ def no_sample_clipped(sound: Sound):
     return sound.peak / sound.full_scale if sound.is_finite else inf
 
 
-def motion_checks(scene: Scene, motion: Motion) -> list[Check]:
+def motion_checks(motion: Motion) -> list[Check]:
     """Return every check of a motion."""
     rattles = isinstance(motion, RattlingMotion)
     balance = [
@@ -231,7 +231,7 @@ def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
 def all_checks(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Check]:
     """Return every check of a run."""
     return [
-        *motion_checks(scene, motion),
+        *motion_checks(motion),
         *mode_checks(scene, modes),
         no_sample_clipped(sound),
     ]

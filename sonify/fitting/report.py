@@ -184,8 +184,8 @@ def _sentences_of_recording(fitted):
     yield f"  {values_in_words(judged.values())}"
     if not judged.explained:
         yield (
-            "  no motion explains the rates; the line may be wrong, and the intervals include the results "
-            "of all lines"
+            "  no motion explains the rates; the spectral line may be misidentified, and the "
+            "intervals include the results of all lines"
         )
     if judged.reason:
         yield f"  {judged.reason}"
@@ -199,7 +199,7 @@ def _sentences_of_recording(fitted):
         + (
             "be detected"
             if fitted.radius_shows
-            else "not be detected; the shares would compensate it"
+            else "not be detected; the shares would compensate for it"
         )
     )
     for name, e in (fitted.published_way or {}).items():

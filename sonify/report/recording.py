@@ -85,7 +85,7 @@ def write_recording_report(
     max_ringing_sentences = 4  # heard.json contains all decaying lines
     return [
         lines[0],
-        *(settled or ["no disk or coin is heard coming to rest"]),
+        *(settled or ["no disk or coin that comes to rest was detected"]),
         false_alarm_sentence(),
         *lines[1:],
         *(ringing_sentence(line) for line in ringing[:max_ringing_sentences]),

@@ -241,7 +241,7 @@ def master_copy(
         found = at_stated_loudness(at_limit, settings)
     except ValueError:  # too short for a loudness
         found = at_limit
-    return trimmed_below_limit(found, settings)
+    return trimmed_below_limit(found)
 
 
 def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
@@ -317,7 +317,7 @@ def mastering_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
     return {"dynamics": "natural", "weighting": "A"} | targets | {"gain_db": gain_db}
 
 
-def trimmed_below_limit(track: MasteredTrack, settings: Mastering) -> MasteredTrack:
+def trimmed_below_limit(track: MasteredTrack) -> MasteredTrack:
     """Return the track with a trim that limits its true peak to -1.1 dBTP."""
     excess = track.true_peak / 10 ** (-1.1 / 20)
     return track if excess <= 1 else replace(track, trim=track.trim / excess)

@@ -24,7 +24,6 @@ Dynamics = Literal["compressed", "natural"]
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """Stems of every scene: heave and tilt of the rigid disk, and ringing of its modes due
 to the smooth part of the force and to its jumps. A scene may have further stems."""
-COLUMNS = ("pressure", *STEMS)
 MAX_BYTES_IN_MEMORY = 1 << 27
 """Size [bytes] above which a sound is stored in an unnamed temporary file."""
 

@@ -87,9 +87,7 @@ def solve_motion_only(scene, folder):
         "outcome": motion.outcome.name,
         "t_end": float(motion.t[-1]),
     } | end_cause_scalars(scene, motion)
-    return row | verdict_columns(
-        motion_findings(scene, motion), motion_checks(scene, motion)
-    )
+    return row | verdict_columns(motion_findings(scene, motion), motion_checks(motion))
 
 
 def solve_modes_only(scene, folder):
@@ -108,9 +106,7 @@ def solve_verdict(scene, folder):
     if folder:
         write_motion(motion, folder / "motion.npz")
     row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
-    return row | verdict_columns(
-        verdict_findings(scene, motion), motion_checks(simple, motion)
-    )
+    return row | verdict_columns(verdict_findings(scene, motion), motion_checks(motion))
 
 
 def write_arrays(result, folder, _):

@@ -123,9 +123,9 @@ def test_a_polynomial_of_degree_five_is_read_exactly():
     assert (record.rows() == rows).all()
 
 
-def test_it_is_a_motion_that_passes_every_check(elastic, rough):
+def test_it_is_a_motion_that_passes_every_check(rough):
     assert isinstance(rough, Motion)
-    checks = motion_checks(elastic, rough)
+    checks = motion_checks(rough)
     assert [check.key for check in checks if not check.passed] == []
     assert rough.outcome.name == "TIME_LIMIT"
     assert (

@@ -364,7 +364,7 @@ def test_a_recording_without_a_disk_has_a_plain_sentence(tmp_path):
     ]
     path.write_bytes(noisy)
     told = analyse_recording(path, toy, tmp_path)
-    assert "no disk or coin is heard coming to rest" in told["heard"]
+    assert "no disk or coin that comes to rest was detected" in told["heard"]
     assert len(told["fit"]) == 1
     assert str(tmp_path) not in " ".join(told["fit"] + told["heard"])
     assert "spectrogram.png" in told["pictures"]

@@ -28,7 +28,7 @@ from sonify.sound.playback import (
     energy_below,
     true_peak,
 )
-from sonify.sound.pressure import COLUMNS, Sound, Track, pressure_and_stems
+from sonify.sound.pressure import STEMS, Sound, Track, pressure_and_stems
 from sonify.sound.wav import write_sound
 
 RATE = 48000
@@ -157,7 +157,7 @@ def test_every_file_says_what_it_is(folder):
         "pressure",
         "sound",
         "audible",
-        *(f"stems/{name}" for name in COLUMNS[1:]),
+        *(f"stems/{name}" for name in STEMS),
     ):
         with soundfile.SoundFile(folder.path / f"{name}.wav") as file:
             assert (

@@ -6,7 +6,7 @@ profile of the rim.
 """
 
 from functools import lru_cache
-from math import ceil, exp, log, pi, sqrt
+from math import ceil, log, pi, sqrt
 from pathlib import Path
 from typing import NamedTuple
 
@@ -221,17 +221,6 @@ def damping_ratio(restitution: float) -> float:
     """
     logarithm = -log(restitution) / pi
     return logarithm / sqrt(1 + logarithm**2)
-
-
-def restitution_from_damping(ratio: float) -> float:
-    """Return the coefficient of restitution of a linear contact with a damping ratio.
-
-    Examples
-    --------
-    >>> round(restitution_from_damping(damping_ratio(0.5)), 12)
-    0.5
-    """
-    return exp(-pi * ratio / sqrt(1 - ratio**2))
 
 
 def precession_rate_exponent(spectrum_exponent: float) -> float:
