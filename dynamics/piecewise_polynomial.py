@@ -31,7 +31,7 @@ class PiecewisePolynomials:
         """Return the values (m, k) at times `at` (k,) in the pieces `piece` (k,)."""
         offset = at - self.x[piece]
         if len(offset) >= MIN_COMPILED_TIMES:
-            return _compiled_sums()(self._terms, offset, piece)
+            return _compiled_piece_values()(self._terms, offset, piece)
         powers = np.multiply.accumulate(
             [np.ones_like(offset), *[offset] * (len(self.c) - 1)]
         ).T
@@ -41,14 +41,16 @@ class PiecewisePolynomials:
 
 
 @cache
-def _compiled_sums() -> Any:
-    """Return `_sums`, compiled on the first call."""
+def _compiled_piece_values() -> Any:
+    """Return `_piece_values`, compiled on the first call."""
     from numba import njit
 
-    return njit(cache=True, nogil=True)(_sums)
+    return njit(cache=True, nogil=True)(_piece_values)
 
 
-def _sums(terms: np.ndarray, offset: np.ndarray, piece: np.ndarray) -> np.ndarray:
+def _piece_values(
+    terms: np.ndarray, offset: np.ndarray, piece: np.ndarray
+) -> np.ndarray:
     """Return the values (m, n) of pieces (n,) at offsets (n,) from their starts."""
     out = np.empty((terms.shape[1], len(offset)))
     powers = np.empty(terms.shape[2])

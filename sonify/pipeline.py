@@ -123,7 +123,7 @@ def solve(
             motion,
             modes,
             plan.sounding,
-            plan.calm,
+            plan.max_contact_turn,
             table,
             watch,
             stages.pressure,
@@ -146,10 +146,10 @@ def solve(
             plan.error("sound"),
         )
         if isinstance(motion, RattlingMotion):
-            several: list[str] = []
+            contact_notes: list[str] = []
             findings += rattling_findings(scene, motion, modes, sound)
         else:
-            on_contact, several = contact_findings(scene, motion, sound, heard)
+            on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
             findings += air_findings(scene, motion, sound) + on_contact
         findings += literature_findings(scene, motion, modes, sound)
     return Result(
@@ -158,7 +158,7 @@ def solve(
             plan,
             motion,
             sound.ringing,
-            [*limits_of_film_law(scene, motion), *silence, *several],
+            [*limits_of_film_law(scene, motion), *silence, *contact_notes],
         ),
         motion=motion,
         modes=modes,

@@ -58,7 +58,7 @@ CHOICES = {
     },
     DRAFT_MODES: lambda draft, modes: {"sounding": tuple(range(len(modes)))},
     f"force read every {ACCURACY_LEVELS['draft'].max_contact_turn:g} rad": lambda draft, _: {
-        "calm": draft.calm
+        "max_contact_turn": draft.max_contact_turn
     },
     f"modes within {ACCURACY_LEVELS['draft'].range_db:g} dB(A) of the loudest": lambda draft, _: {
         "sounding": draft.sounding
@@ -100,7 +100,7 @@ def render(scene, choice) -> Answer:
         final_inclination=plan.final_inclination,
     )
     motion = simulate(replace(scene, numerics=numerics))
-    renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm)
+    renderer = Renderer(scene, motion, modes, plan.sounding, plan.max_contact_turn)
     if choice == SPREAD_JUMPS:
         renderer.sampler = JumpsOnGrid(renderer.sampler)
     return Answer(renderer.sound().pressure, renderer.samples)

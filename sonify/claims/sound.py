@@ -291,17 +291,19 @@ def carriers_are_steady(heard: Heard):
 def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest spectral line from the nearest mode [cents]."""
     strongest = heard.lines[0]
-    away = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
-    return Measured(away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency)
+    distance = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
+    return Measured(
+        distance, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency
+    )
 
 
-def _tone_ratio(tone, here, motion, sound, solved):
+def _tone_ratio(tone, frames, motion, sound, solved):
     """Return the median ratio of the tone frequency to a solved rate in the frames
-    `here` (r,)."""
+    `frames` (r,)."""
     delay = sound.source_end - motion.t[-1]
-    rate = np.interp(tone.ridge.time[here] - delay, *solved)
+    rate = np.interp(tone.ridge.time[frames] - delay, *solved)
     independent_share = 0.05  # of the frames, which overlap
-    return median_with_margin(tone.ridge.frequency[here] / rate, independent_share)
+    return median_with_margin(tone.ridge.frequency[frames] / rate, independent_share)
 
 
 def weighted_power(sound: Sound, stem: Track) -> float:

@@ -31,7 +31,7 @@ class AnswerSentences(NamedTuple):
 
 ENERGY_SHARE_FORMAT = "{value:.0%}"
 LEVEL_FORMAT = "{value:+.0f} dB(A)"
-ADVANCE_FORMAT = (
+TIME_ADVANCE_FORMAT = (
     "{value:.2f} s early (1e-5 rad), {advance_at_100_urad:.2f} s (1e-4 rad)"
 )
 ANSWERS: dict[str, dict[str, AnswerSentences]] = {
@@ -97,9 +97,9 @@ ANSWERS: dict[str, dict[str, AnswerSentences]] = {
             "undecided: impacts, {value:.0%} of the energy",
         ),
         "halt_comes_earlier": AnswerSentences(
-            f"the table: {ADVANCE_FORMAT}",
-            f"not the table: {ADVANCE_FORMAT}",
-            f"undecided: the table, {ADVANCE_FORMAT}",
+            f"the table: {TIME_ADVANCE_FORMAT}",
+            f"not the table: {TIME_ADVANCE_FORMAT}",
+            f"undecided: the table, {TIME_ADVANCE_FORMAT}",
         ),
         "table_takes_little": AnswerSentences(
             "as on a rigid table",

@@ -55,12 +55,12 @@ def table_findings(
         "FELL",
     ):  # the disk does not come to lie flat
         return found
-    carries = (
+    tone_findings = (
         [table_carries_the_tone(sound, tone, error)]
         if tone is not None and has_pure_table_stem
         else []
     )
-    return [*found, table_tone_rises(sound), *carries]
+    return [*found, table_tone_rises(sound), *tone_findings]
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:

@@ -178,8 +178,8 @@ def two_way_start(scene: Scene, part: CompliantMotion) -> float:
 
     The criterion is that of `dynamics.compliant.two_way_onset`; the time is 0 if it is
     met from the start."""
-    acts = part.rows[:, 1] < table_reaction(scene, part.model.modes).inclination
-    return float(acts.argmax() * FORCES_PER_ROW * part.dt)
+    is_two_way = part.rows[:, 1] < table_reaction(scene, part.model.modes).inclination
+    return float(is_two_way.argmax() * FORCES_PER_ROW * part.dt)
 
 
 @finding(
@@ -227,9 +227,11 @@ def air_carries_earlier(scene: Scene, motion: Motion):
         return Measured(0.0, details={"acts_before_end": 0.0})
     part, _ = found
     t, _ = motion_without_table_modes(scene, part)
-    acts = part.t[-1] - two_way_start(scene, part)
+    two_way_duration = part.t[-1] - two_way_start(scene, part)
     return Measured(
-        t[-1] - part.t[-1], part.dt * FORCES_PER_ROW, {"acts_before_end": acts}
+        t[-1] - part.t[-1],
+        part.dt * FORCES_PER_ROW,
+        {"acts_before_end": two_way_duration},
     )
 
 

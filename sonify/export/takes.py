@@ -142,7 +142,7 @@ def sound_of_take(
         motion,
         modes,
         plan.sounding,
-        plan.calm,
+        plan.max_contact_turn,
         table,
         lambda share: watch(0.5 + share / 2, "sound"),
     )

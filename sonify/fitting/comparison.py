@@ -133,7 +133,7 @@ def sound_numbers(source, start, end):
             for (low, high), level in zip(BANDS, levels, strict=False)
         ],
         "seconds": end - start,
-        "lines": _lines(frequency, power, np.concatenate(parts), rate),
+        "lines": _strongest_lines(frequency, power, np.concatenate(parts), rate),
         "loudness": _levels_before_the_end(source, start, end),
     }
 
@@ -149,7 +149,7 @@ def _mean(values):
     return {"value": mean, "low": mean - float(half), "high": mean + float(half)}
 
 
-def _lines(frequency, power, samples, rate):
+def _strongest_lines(frequency, power, samples, rate):
     """Return frequency [Hz] and decay [1/s] of the strongest lines in samples (n,).
 
     `power` (parts, f) contains the spectra of the parts at `frequency` (f,) [Hz].

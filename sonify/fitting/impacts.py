@@ -53,7 +53,7 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     def inclination(rate):
         return np.interp(-rate, -line.rate, line.beta)
 
-    def coefficient(rate, exponent):
+    def loss_coefficient(rate, exponent):
         return 2 * exponent * inclination(rate) / (reference * fall)
 
     with_impacts = copy(line)
@@ -65,9 +65,9 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
         line.energy_slope / line.beta * beyond**steepness * fall * decay.disk.time_unit
     )
     with_impacts.powers = power
-    best = coefficient(region.best_rate, region.best_exponent)
+    best = loss_coefficient(region.best_rate, region.best_exponent)
     shares = np.array([0.0, 0.0, best])
-    cells = coefficient(region.rates, region.exponents)
+    cells = loss_coefficient(region.rates, region.exponents)
     least_error = SettlingSettings().resolution.exponent / region.best_exponent
     low = cells.min() - least_error * best
     high = cells.max() + least_error * best

@@ -347,19 +347,19 @@ def pool_fits(fits: list[Fit]) -> Fit:
         np.sum(((values - mean) / spread) ** 2, axis=0) / (len(fits) - 1)
     )
     random = np.random.default_rng(0)
-    away = np.sum(
+    deviations = np.sum(
         [
             w * random.permutation(d - v)
             for w, d, v in zip(weight, draws, values, strict=True)
         ],
         axis=0,
     )
-    ends = np.array([one.draws[: len(away), 0] for one in fits]).T
+    ends = np.array([one.draws[: len(deviations), 0] for one in fits]).T
     return Fit(
         free=fits[0].free,
         ends=np.concatenate([one.ends for one in fits]),
         shares=mean,
-        draws=np.hstack([ends, mean + away * np.maximum(scatter_ratio, 1.0)]),
+        draws=np.hstack([ends, mean + deviations * np.maximum(scatter_ratio, 1.0)]),
         heard=tuple(
             h._replace(sound=i) for i, one in enumerate(fits) for h in one.heard
         ),

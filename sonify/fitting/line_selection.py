@@ -171,7 +171,7 @@ def fit_same_disk(
     Raises RecordingError if no line can be tracked. With `correct`, the steady motion
     is refined by solved motions, unless it fits well and the solved motions fit much
     worse."""
-    lines = _tracks(decay, sounds)
+    lines = _tracks_of_sounds(decay, sounds)
     best = max(lines, key=lambda track: track.score)
     correct = correct and not _is_steady_sufficient(best, decay)
     first = _refined_tracks(
@@ -291,7 +291,7 @@ def _evidence(line, streams, ends, shares, length, near=FIT.max_rate_deviation):
     return found
 
 
-def _tracks(decay, sounds):
+def _tracks_of_sounds(decay, sounds):
     """Return the tracks of the sounds, at most one for each signal and line.
 
     Each common ridge is assigned to each of MAIN_LINES in turn. For each assignment,
@@ -466,11 +466,11 @@ def _refined_tracks(tracks, decay, lengths):
             moved = np.abs(one.shares - track.fit.shares)
             track = replace(track, model="solved", lines=lines, fit=one)
             found.append(track)
-            away = np.hypot(
+            share_errors = np.hypot(
                 one.draws[:, len(one.ends) :].std(axis=0),
                 _share_errors_of_missing_power(decay, one),
             )
-            if (moved <= FIT.converged_change * away).all():
+            if (moved <= FIT.converged_change * share_errors).all():
                 break
     return found
 

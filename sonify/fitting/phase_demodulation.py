@@ -79,12 +79,13 @@ def _bins_per_step(length):
 def _clear_blocks(heard, length, noise_of):
     """Return a mask of the blocks (b,) with a clear tone, and the fields of Rates
     (b,)."""
-    still, t, frequency = heard
+    demodulated, t, frequency = heard
     size = round(length * FIT.bins_per_turn)
     if len(t) < size:
         return np.zeros(0, bool), *np.zeros((5, 0))
     blocks = (
-        sliding_window_view(x, size)[:: _bins_per_step(length)] for x in (still, t)
+        sliding_window_view(x, size)[:: _bins_per_step(length)]
+        for x in (demodulated, t)
     )
     middle, mean, missed, error, clear = _block_rates(*blocks, noise_of)
     expected = np.interp(middle, t, frequency)
@@ -112,29 +113,29 @@ def _demodulated_bins(samples, rate, first, course):
     mean = np.diff(
         cumulative_sum[sample] + (place - sample) * samples[sample]
     ) / np.diff(place)
-    still = mean * np.exp(
+    demodulated = mean * np.exp(
         -2j * np.pi * ((edge[:-1] + 0.5) % FIT.bins_per_turn) / FIT.bins_per_turn
     )
-    return still, (t[1:] + t[:-1]) / 2, 1 / (FIT.bins_per_turn * np.diff(t))
+    return demodulated, (t[1:] + t[:-1]) / 2, 1 / (FIT.bins_per_turn * np.diff(t))
 
 
-def _block_rates(still, t, noise_of):
+def _block_rates(demodulated, t, noise_of):
     """Return centre, mean rate, deviation, error and signal-to-noise ratio (b,) of
     blocks (b, bins).
 
     The signal-to-noise ratio of silence is 0.
     """
-    phase = (np.arange(still.shape[1]) + 0.5) / still.shape[1]
+    phase = (np.arange(demodulated.shape[1]) + 0.5) / demodulated.shape[1]
     window = np.sin(np.pi * phase) ** 2  # a Hann window over turns
     middle = t @ window / window.sum()
     since = t - middle[:, None]
-    seen = window * still
+    seen = window * demodulated
     tone = seen.sum(axis=1)
     slope = np.sum(since * seen, axis=1)
-    beside_the_tone = (
+    noise_power = (
         np.abs(seen @ np.exp(-2j * np.pi * np.outer(phase, NOISE_OFFSETS))) ** 2
     )
-    noise = np.maximum(noise_of(beside_the_tone, axis=1), TINY_POWER)
+    noise = np.maximum(noise_of(noise_power, axis=1), TINY_POWER)
     spread = since**2 @ window / window.sum()
     mean = (
         since

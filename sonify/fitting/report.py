@@ -165,22 +165,22 @@ def table(fits: Fits, separator: str = " | ") -> list[str]:
 
 def sentences(fits: Fits) -> list[str]:
     """Return the results as sentences."""
-    said = [line for fitted in fits.files for line in _sentences_of_recording(fitted)]
+    lines = [line for fitted in fits.files for line in _sentences_of_recording(fitted)]
     if len(fits.files) > 1:
-        said.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
+        lines.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
     if not has_film(fits.scene):
-        said.append("air was not considered because the scene has no air film")
-    return said + neglected_parts(fits.scene)
+        lines.append("air was not considered because the scene has no air film")
+    return lines + neglected_parts(fits.scene)
 
 
 def _sentences_of_recording(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
-    told = (
+    method = (
         f"{judged.line} in the {judged.signal}, {judged.model} motion, "
         f"spread {judged.fit.spread:.2%}"
     )
-    yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
+    yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {method}"
     yield f"  {values_in_words(judged.values())}"
     if not judged.explained:
         yield (
@@ -342,11 +342,11 @@ def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
                     lambda row: row["decay_rate"],
                 ),
             ):
-                told = [row for row in rows if value(row)["value"] is not None]
-                middle = np.array([value(row)["value"] for row in told])
-                low = [value(row)["low"] for row in told]
-                high = [value(row)["high"] for row in told]
-                at = [(1 + 0.03 * offset) * place(row) for row in told]
+                determined = [row for row in rows if value(row)["value"] is not None]
+                middle = np.array([value(row)["value"] for row in determined])
+                low = [value(row)["low"] for row in determined]
+                high = [value(row)["high"] for row in determined]
+                at = [(1 + 0.03 * offset) * place(row) for row in determined]
                 panel.errorbar(
                     at, middle, (middle - low, high - middle), fmt="o", **style
                 )

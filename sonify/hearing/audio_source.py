@@ -134,10 +134,10 @@ class SoundFile:
         if self.frames < announced:
             return Truncation(held, announced / rate)
         noted = LENGTH_MISMATCH_NOTE.search(notes)
-        said, found = map(int, noted.groups()) if noted else (0, 0)
+        announced_bytes, actual_bytes = map(int, noted.groups()) if noted else (0, 0)
         return (
-            Truncation(held, held * said / found)
-            if 0 < found < said < UNKNOWN_LENGTH
+            Truncation(held, held * announced_bytes / actual_bytes)
+            if 0 < actual_bytes < announced_bytes < UNKNOWN_LENGTH
             else None
         )
 

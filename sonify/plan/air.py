@@ -28,23 +28,25 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with the decision on the air film and with models and omissions
     of the air."""
     decided = decide_film(scene)
-    acts = sentences.FILM_ACTS_CHOICE if decided.film else sentences.FILM_OMITTED_CHOICE
+    choice = (
+        sentences.FILM_ACTS_CHOICE if decided.film else sentences.FILM_OMITTED_CHOICE
+    )
     decision = Decision(
-        subject="air film under the disk", choice=acts, reason=decided.reason
+        subject="air film under the disk", choice=choice, reason=decided.reason
     )
     published = published_law_notes(scene)
     absorbed, not_absorbed = (
-        heard + also
-        for heard, also in zip(
+        of_air + of_listeners
+        for of_air, of_listeners in zip(
             absorption_sentences(scene), listener_sentences(scene), strict=True
         )
     )
     if not decided.film:
         neglected = [*sentences.VACUUM_NEGLECTED, *published, *not_absorbed]
         return plan.with_additions(decision, modelled=absorbed, left_out=neglected)
-    twice = [sentences.AIR_COUNTED_TWICE] if published else []
+    double_counting = [sentences.AIR_COUNTED_TWICE] if published else []
     modelled = [*sentences.FILM_MODELLED, *absorbed]
-    neglected = [*sentences.FILM_NEGLECTED, *twice, *published, *not_absorbed]
+    neglected = [*sentences.FILM_NEGLECTED, *double_counting, *published, *not_absorbed]
     return plan.with_additions(decision, modelled=modelled, left_out=neglected)
 
 
@@ -135,9 +137,9 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
     ]
     gap = radius * np.sin(beta)
     for ratio, error in sentences.RAREFACTION_LIMITS:
-        beyond = np.flatnonzero(gap < ratio * air.mean_free_path)
-        if len(beyond):
-            time = motion.t[beyond[0]]
+        below_limit = np.flatnonzero(gap < ratio * air.mean_free_path)
+        if len(below_limit):
+            time = motion.t[below_limit[0]]
             path = air.mean_free_path
             limits.append(
                 sentences.RAREFIED_AIR_FROM_TIME.format(

@@ -53,7 +53,7 @@ class Plan:
         Inclination at which the motion may stop [rad].
     highest_mode : float
         Upper frequency limit of the modes [Hz].
-    calm : float
+    max_contact_turn : float
         Largest rotation of the contact between two evaluations of a smooth force [rad].
     sounding : tuple of int, or None
         Indices of the rendered modes; None before the modes are known.
@@ -70,7 +70,7 @@ class Plan:
     tolerance: float
     final_inclination: float
     highest_mode: float
-    calm: float
+    max_contact_turn: float
     sounding: tuple[int, ...] | None = None
     decisions: tuple[Decision, ...]
     predictions: tuple[Prediction, ...] = ()
@@ -125,7 +125,7 @@ def plan_of(scene: Scene) -> Plan:
         tolerance=tolerance,
         final_inclination=final,
         highest_mode=heard,
-        calm=level.max_contact_turn,
+        max_contact_turn=level.max_contact_turn,
         decisions=(
             Decision(
                 subject="tolerance of the motion",

@@ -342,7 +342,7 @@ def version_of(package: str) -> str:
         return "not installed"
 
 
-def run_git(*asked: str) -> str:
+def run_git(*arguments: str) -> str:
     """Return the output of a git command in the checkout of this file.
 
     The default command returns the hash of the commit. The result is "unknown" if there
@@ -352,7 +352,7 @@ def run_git(*asked: str) -> str:
         "git",
         "-C",
         str(Path(__file__).parent),
-        *(asked or ("rev-parse", "HEAD")),
+        *(arguments or ("rev-parse", "HEAD")),
     ]
     try:
         return (

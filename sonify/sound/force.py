@@ -111,7 +111,7 @@ class ForceSampler:
         force it must be linear in the force.
     rest : float or ndarray, shape (c,)
         Value of each channel after the motion; NaN selects its mean.
-    calm : float
+    max_contact_turn : float
         Threshold [rad] for the phase advance of harmonic FORCE_HARMONICS of the force
         over INTERPOLATION_STRIDE samples. Below it, the channels are evaluated only at
         every INTERPOLATION_STRIDE-th sample and interpolated, except near jumps; 0
@@ -133,7 +133,7 @@ class ForceSampler:
         start: float = 0.0,
         channels=force_in_newton,
         rest=np.nan,
-        calm=0.0,
+        max_contact_turn=0.0,
         fade=0.0,
     ):
         # Number of revolutions of the contact point over which each channel fades to
@@ -143,7 +143,7 @@ class ForceSampler:
         self.channels = channels
         self.sample_rate = sample_rate
         self.start = start
-        self.calm = calm
+        self.max_contact_turn = max_contact_turn
         self.evaluations = 0
         self.end = float(motion.t[-1])
         if motion.outcome.name == "SETTLED":
@@ -167,9 +167,11 @@ class ForceSampler:
         inside = slice(*np.searchsorted(self.jump_time, t[[0, -1]], side="right"))
         if t[0] > self.end + LOW_PASS_HALF_WIDTH / self.sample_rate:
             return self._block_at_rest(t)
-        smooth, calm = self._interpolate_samples(n)
-        unfiltered = calm.copy()
-        smooth[~calm], unfiltered[~calm] = self._sample_continuous_part(n[~calm])
+        smooth, is_slow = self._interpolate_samples(n)
+        unfiltered = is_slow.copy()
+        smooth[~is_slow], unfiltered[~is_slow] = self._sample_continuous_part(
+            n[~is_slow]
+        )
         return ContactForce(
             t=t,
             smooth=smooth,
@@ -186,13 +188,13 @@ class ForceSampler:
         state, smooth = self._continuous_part(t)
         after_end = t > self.end + LOW_PASS_HALF_WIDTH / self.sample_rate
         unfiltered = (self._oversampling(state) == 1) | after_end
-        smooth[~unfiltered] = self._low_passed(n[~unfiltered])
+        smooth[~unfiltered] = self._low_pass_filtered(n[~unfiltered])
         return smooth, unfiltered
 
     def _interpolate_samples(self, n):
         """Return the interpolated continuous part at samples n (k,) and the mask (k,)
         where it is valid."""
-        if not self.calm:
+        if not self.max_contact_turn:
             return np.empty((len(n), len(self.rest))), np.zeros(len(n), bool)
         nodes_before = INTERPOLATION_NODES // 2 - 1
         first = n[0] // INTERPOLATION_STRIDE
@@ -204,11 +206,11 @@ class ForceSampler:
         state, values = self._continuous_part(t)
         jumps = np.searchsorted(self.jump_time, t)
         turning = 2 * np.pi / FORCE_HARMONICS * self.motion.bandwidth(state)
-        slow = turning * INTERPOLATION_STRIDE < self.calm * self.sample_rate
-        calm_nodes = slow & (t >= 0) & (t <= self.end - self.fade.max())
+        slow = turning * INTERPOLATION_STRIDE < self.max_contact_turn * self.sample_rate
+        slow_nodes = slow & (t >= 0) & (t <= self.end - self.fade.max())
         no_jump = jumps[INTERPOLATION_NODES - 1 :] == jumps[: 1 - INTERPOLATION_NODES]
-        calm = (
-            sliding_window_view(calm_nodes, INTERPOLATION_NODES).all(axis=1) & no_jump
+        is_slow = (
+            sliding_window_view(slow_nodes, INTERPOLATION_NODES).all(axis=1) & no_jump
         )
         nodes = sliding_window_view(values, INTERPOLATION_NODES, axis=0).swapaxes(1, 2)
         within_cell = np.arange(INTERPOLATION_STRIDE) / INTERPOLATION_STRIDE
@@ -223,7 +225,7 @@ class ForceSampler:
             n[0] - first * INTERPOLATION_STRIDE + len(n),
         )
         return smooth.reshape(-1, len(self.rest))[wanted], np.repeat(
-            calm, INTERPOLATION_STRIDE
+            is_slow, INTERPOLATION_STRIDE
         )[wanted]
 
     def _block_at_rest(self, t):
@@ -299,7 +301,7 @@ class ForceSampler:
         needed = np.clip(2 * self.motion.bandwidth(state) / self.sample_rate, 1, 2**16)
         return 2 ** np.ceil(np.log2(needed)).astype(int)
 
-    def _low_passed(self, n):
+    def _low_pass_filtered(self, n):
         """Return the continuous part at ascending samples n (k,), filtered by a
         windowed sinc."""
         if not len(n):

@@ -48,7 +48,7 @@ class Renderer:
     wanted : sequence of int, optional
         Indices of the modes to render (default: all). Modes at or above the Nyquist
         frequency are omitted.
-    calm : float
+    max_contact_turn : float
         Argument of the ForceSampler [rad].
     table : SurfaceModes, optional
         Modes of an elastic table.
@@ -79,7 +79,7 @@ class Renderer:
         motion,
         modes,
         wanted=None,
-        calm: float = 0.0,
+        max_contact_turn: float = 0.0,
         table=None,
         listener: Listener | None = None,
         turn: float | None = None,
@@ -113,7 +113,13 @@ class Renderer:
         start -= self._lead / self.sample_rate
         rest, fade = np.vstack([source.channel_ends for source in self.sources]).T
         self.sampler = ForceSampler(
-            motion, self.sample_rate, start, self._channels, rest, calm, fade
+            motion,
+            self.sample_rate,
+            start,
+            self._channels,
+            rest,
+            max_contact_turn,
+            fade,
         )
         self.ringing = elastic.ringing
         self.source_end = self.sampler.end + self.listener.delay
@@ -245,7 +251,7 @@ def render_sound(
     motion: Motion,
     modes: Modes,
     wanted: Sequence[int] | None,
-    calm: float,
+    max_contact_turn: float,
     table: SurfaceModes | None,
     watch: Callable[[float], None] = lambda share: None,
     listen: Callable = lambda block, sample_rate, samples: None,
@@ -262,7 +268,15 @@ def render_sound(
     sounds = []
     for i, listener in enumerate(listeners):
         renderer = Renderer(
-            scene, motion, modes, wanted, calm, table, listener, turn, renderer
+            scene,
+            motion,
+            modes,
+            wanted,
+            max_contact_turn,
+            table,
+            listener,
+            turn,
+            renderer,
         )
 
         def share_done(share, i=i):

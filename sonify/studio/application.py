@@ -145,8 +145,8 @@ class Session:
     async def run(self, request: Request) -> Response:
         """Run a scene and stream its progress; closing the response cancels the run."""
         try:
-            asked = json.loads(await _body(request, 100_000))
-            name, values = str(asked["scene"]), dict(asked["values"])
+            document = json.loads(await _body(request, 100_000))
+            name, values = str(document["scene"]), dict(document["values"])
         except (ValueError, LookupError, TypeError):
             return JSONResponse(
                 {"error": "invalid run: expected scene and values"}, 400

@@ -118,16 +118,17 @@ def pitch_conclusion(table: pa.Table) -> list[str]:
     """Return sentences on the source of the rising tone, over plate thickness and
     distance."""
     thickness, distance = numeric_columns(table, "surface.thickness", "audio.distance")
-    (over,) = numeric_columns(table, "table_carries_the_tone")
-    heard = ~np.isnan(over)
-    plate = heard & (over > 0)
+    (table_level,) = numeric_columns(table, "table_carries_the_tone")
+    heard = ~np.isnan(table_level)
+    plate = heard & (table_level > 0)
     steps = [
-        np.ptp(over[heard & (thickness == t)]) for t in np.unique(thickness[heard])
+        np.ptp(table_level[heard & (thickness == t)])
+        for t in np.unique(thickness[heard])
     ]
     return [
         f"The glass plate emits the rising tone of the last second in {plate.sum()} of "
         f"{heard.sum()} runs, up to a thickness of {1e3 * thickness[plate].max(initial=0.0):.2g} "
-        f"mm, {over[plate].min(initial=np.inf):.0f} to {over[plate].max(initial=0.0):.0f} dB "
+        f"mm, {table_level[plate].min(initial=np.inf):.0f} to {table_level[plate].max(initial=0.0):.0f} dB "
         "louder than the disk; in the other runs the disk is louder.",
         f"From {distance.min():.2g} to {distance.max():.2g} m, the distance changes this level by "
         f"{max(steps):.1f} dB at most.",
@@ -147,12 +148,14 @@ def numeric_columns(table: pa.Table, *names: str) -> list[np.ndarray]:
     ]
 
 
-def fit_power_law(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
+def fit_power_law(
+    value: np.ndarray, *quantities: np.ndarray
+) -> tuple[np.ndarray, float]:
     """Fit `value` (n,) by a product of powers of k positive quantities, each (n,).
 
     The logarithms are fitted by least squares. Returns the exponents (k,), rounded to
     two decimals, and the relative root-mean-square residual."""
-    matrix = np.column_stack([*map(np.log, over), np.ones(len(value))])
+    matrix = np.column_stack([*map(np.log, quantities), np.ones(len(value))])
     found = np.linalg.lstsq(matrix, np.log(value))[0]
     return found[:-1].round(2) + 0.0, float(
         np.sqrt(np.mean((matrix @ found - np.log(value)) ** 2))

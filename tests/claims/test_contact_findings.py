@@ -249,7 +249,9 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
         )
         plan, modes = plan_with_modes(scene)
         motion = simulate(scene)
-        sound = Renderer(scene, motion, modes, plan.sounding, plan.calm).sound()
+        sound = Renderer(
+            scene, motion, modes, plan.sounding, plan.max_contact_turn
+        ).sound()
         found = {
             finding.key: finding
             for finding in contact_findings(scene, motion, sound)[0]

@@ -221,7 +221,9 @@ def stages(scene):
         scene, table=table if must_compute_table_modes(scene) else None
     )
     yield motion.t.tobytes() + motion.state.tobytes() + motion.force(motion.t).tobytes()
-    renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm, table)
+    renderer = Renderer(
+        scene, motion, modes, plan.sounding, plan.max_contact_turn, table
+    )
     yield np.ascontiguousarray(next(iter(renderer.blocks()))).tobytes()
 
 

@@ -583,7 +583,7 @@ def test_modes_out_of_tune_that_change_a_verdict_leave_it_undecided():
     (plan, modes) = plan_with_modes(scene)
     sharp = replace(modes, frequency=1.003 * modes.frequency)
     sounds = [
-        Renderer(scene, motion, some, plan.sounding, plan.calm).sound()
+        Renderer(scene, motion, some, plan.sounding, plan.max_contact_turn).sound()
         for some in (modes, sharp)
     ]
     error = audible_error(*(sound.pressure for sound in reversed(sounds)))

@@ -524,7 +524,7 @@ def test_heave_and_tilt_of_the_published_motion(scene):
     motion = solve_motion(vacuum)
     (plan, modes) = plan_with_modes(vacuum)
     closed, heard = (
-        Renderer(s, motion, modes, plan.sounding, plan.calm).sound()
+        Renderer(s, motion, modes, plan.sounding, plan.max_contact_turn).sound()
         for s in (vacuum, scene)
     )
 

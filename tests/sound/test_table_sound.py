@@ -78,7 +78,7 @@ def sound(scene, motion, table):
         motion,
         modes,
         plan.sounding,
-        plan.calm,
+        plan.max_contact_turn,
         table.select(audible_table_modes(table, scene)),
     ).sound()
 

@@ -99,7 +99,9 @@ def candidates_of(
         ThreadPoolExecutor() as pool
     ):  # the compiled loops and transforms release the lock of Python
         parts = pool.map(
-            lambda some: _best_candidates(onsets, broadband, some, drops, settings),
+            lambda block_ends: _best_candidates(
+                onsets, broadband, block_ends, drops, settings
+            ),
             ends,
         )
         found = [candidate for part in parts for candidate in part]
@@ -171,7 +173,7 @@ def _rough_score(onsets, window, channels, settings):
     shapes = families(settings, settings.coarse_distance)
     values = onsets.values[channels, window.first : window.stop]
     best = likelihoods(values, onsets.scales_ms[channels], shapes, settings)[0]
-    return _margin(dict(zip(shapes.names, best.tolist(), strict=True)))
+    return _likelihood_margin(dict(zip(shapes.names, best.tolist(), strict=True)))
 
 
 def _estimate(onsets, window, channel, settings):
@@ -181,10 +183,10 @@ def _estimate(onsets, window, channel, settings):
     shapes = families(settings, settings.shape_distance)
     starts = strongest_laws(values, onsets.scales_ms[channel], shapes, settings)
     best = {name: laws[0].likelihood for name, laws in starts.items()}
-    return _margin(best), window, channel, starts
+    return _likelihood_margin(best), window, channel, starts
 
 
-def _margin(best):
+def _likelihood_margin(best):
     """Return the difference of the log likelihood of a disk from that of its rivals."""
     steady = max(0.0, *(best[name] for name in STEADY_RIVALS))
     rising = max(best[name] for name in RISING_RIVALS)

@@ -88,11 +88,11 @@ class ContactFilter:
 
         The force fades out over the last `fade` [s], a few periods of the contact
         resonance."""
-        over = self.oversampling
-        rate = over * self.sample_rate
+        oversampling = self.oversampling
+        rate = oversampling * self.sample_rate
         begin = self.start + self.first / self.sample_rate
         knots = motion_blocks(self.motion, rate, begin, self.end)
-        weight = windowed_sinc_taps(over)
+        weight = windowed_sinc_taps(oversampling)
         past = np.zeros((len(weight) // 2 + 1, 2))
         count = 0
         for force in linear_contact_force_blocks(
@@ -102,10 +102,12 @@ class ContactFilter:
             count += len(force)
             fading = np.sin(pi / 2 * np.clip((self.end - t) / fade, 0, 1))[:, None] ** 2
             past = np.vstack([past, force * fading])
-            ready = decimate(past, weight, over)
+            ready = decimate(past, weight, oversampling)
             yield ready
-            past = past[len(ready) * over :]
-        yield decimate(np.vstack([past, np.zeros((len(weight), 2))]), weight, over)
+            past = past[len(ready) * oversampling :]
+        yield decimate(
+            np.vstack([past, np.zeros((len(weight), 2))]), weight, oversampling
+        )
 
 
 def windowed_sinc_taps(factor: int) -> np.ndarray:
