@@ -4,7 +4,6 @@ for (const link of document.querySelectorAll('a[href$=".flac"]')) {
   player.controls = true;
   player.preload = "metadata";
   player.src = link.href;
-  player.style.display = "block";
-  player.style.maxWidth = "100%";
+  player.style = "height: 2em; width: 15em; max-width: 100%; margin: 0 0.5em; vertical-align: middle";
   link.after(player);
 }
