@@ -3,8 +3,7 @@ benchmarks/ear.py FOLDER | --coverage
 
 Every sound file below FOLDER counts by the class at the end of its name
 ("1-17150-A-010-Fire_crackling.flac"), or by its folder; simulated takes and imitations
-of `settling_sounds` are added. The interval of each share is the 95 % one of Clopper
-and Pearson.
+of `settling_sounds` are added. The interval of each share is the 95 % one of Wilson.
 
 With --coverage instead of a folder, it counts how often the intervals of exponent, end
 and rate contain the truth of simulated takes, on the half that calibrated them and on
@@ -21,11 +20,12 @@ from pathlib import Path
 import numpy as np
 import soundfile
 from scipy.fft import irfft, rfft
-from scipy.stats import beta, chi2
+from scipy.stats import chi2
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 import settling_sounds
 
+from sonify.claims.shares import share_of
 from sonify.hearing.audio_source import source_of
 from sonify.hearing.settling.detector import settling_runs
 
@@ -40,9 +40,9 @@ def is_classed(path):
 
 def share(count, of):
     """Return a text with a count and the 95 % interval of its percentage."""
-    low = beta.ppf(0.025, count, of - count + 1) if count else 0.0
-    high = beta.ppf(0.975, count + 1, of - count) if count < of else 1.0
-    return f"{count:4d} of {of:3d}  {100 * low:5.1f} to {100 * high:5.1f} %"
+    wilson = share_of(np.arange(of) < count)
+    interval = f"{100 * wilson.low:5.1f} to {100 * wilson.high:5.1f} %"
+    return f"{count:4d} of {of:3d}  {interval}"
 
 
 def simulated(sample, folder):

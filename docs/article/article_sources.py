@@ -15,7 +15,6 @@ from time import perf_counter
 import numpy as np
 import pyarrow.parquet as pq
 from article_numbers import ROOT, Number, Numbers, Record, digest, file_digest, points
-from scipy.stats import beta as beta_distribution
 
 from dynamics import Motion
 from dynamics.compliant.model_inputs import contact_law
@@ -31,6 +30,7 @@ from sonify.claims.contact import (
 )
 from sonify.claims.finding import Finding
 from sonify.claims.rattling import rate_follows_unevenness
+from sonify.claims.shares import share_of
 from sonify.hearing.audio_source import source_of
 from sonify.hearing.settling.detector import settling_runs
 from sonify.plan.contact import STEEP_RADIATION_ERROR_RANGE_DB
@@ -610,14 +610,11 @@ def limits_record() -> Record:
     )
 
 
-def share_of(count: int, total: int) -> Number:
-    """Return a share of draws with its 95 % interval of Clopper and Pearson."""
-    low = beta_distribution.ppf(0.025, count, total - count + 1) if count else 0.0
-    high = (
-        beta_distribution.ppf(0.975, count + 1, total - count) if count < total else 1.0
-    )
+def share_number(count: int, total: int) -> Number:
+    """Return a share of draws with its 95 % Wilson interval."""
+    share = share_of(np.arange(total) < count)
     return Number(
-        value=count / total, low=float(low), high=float(high), unit=f"of {total}"
+        value=count / total, low=share.low, high=share.high, unit=f"of {total}"
     )
 
 
@@ -632,7 +629,7 @@ def sweep_record(folder: Path) -> Record:
     total = len(table["run"])
     numbers = {"runs": Number(value=float(total))}
     for outcome, count in Counter(filter(None, table["outcome"])).items():
-        numbers[f"outcome.{outcome}"] = share_of(count, total)
+        numbers[f"outcome.{outcome}"] = share_number(count, total)
     numbers["errors"] = Number(
         value=float(sum(error is not None for error in table["error"]))
     )
@@ -641,7 +638,7 @@ def sweep_record(folder: Path) -> Record:
         if column.endswith("_holds"):
             key = column.removesuffix("_holds")
             if decided:
-                numbers[f"holds.{key}"] = share_of(sum(decided), len(decided))
+                numbers[f"holds.{key}"] = share_number(sum(decided), len(decided))
             judged = sum(value is not None for value in table.get(key, values))
             numbers[f"undecided.{key}"] = Number(
                 value=float(max(judged - len(decided), 0))
@@ -721,7 +718,7 @@ def detector_record() -> Record:
     row = r"^\| ([^|]+) \| (\d+) \| (\d+) of (\d+) \|"
     numbers = {}
     for kind, runs, count, total in re.findall(row, text, re.MULTILINE):
-        numbers[slug(kind)] = share_of(int(count), int(total))
+        numbers[slug(kind)] = share_number(int(count), int(total))
         numbers[f"{slug(kind)}.runs"] = Number(value=float(runs))
     for key, start in (
         ("recorded", ""),
@@ -738,7 +735,9 @@ def detector_record() -> Record:
             )
         ]
         if rows:
-            numbers[key] = share_of(sum(c for c, _ in rows), sum(t for _, t in rows))
+            numbers[key] = share_number(
+                sum(c for c, _ in rows), sum(t for _, t in rows)
+            )
     return Record(
         command="python benchmarks/ear.py FOLDER",
         inputs=file_digest(ROOT / "docs" / "detector.md"),
