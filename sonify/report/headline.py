@@ -52,8 +52,8 @@ HEADLINE_CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
     },
     "end": {
         "impacts_end_it": (
-            "impacts bring it to rest",
-            "impacts do not bring it to rest",
+            "impacts dissipate most of its final energy",
+            "impacts dissipate less than half of its final energy",
         ),
     },
 }
