@@ -215,7 +215,8 @@ def main():
 def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
     """Simulate SCENE and write its sound, pictures and report.
 
-    SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run.
+    SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run;
+    the default is published.
     """
     from sonify.scene import load_scene
 
@@ -271,7 +272,7 @@ def listen(recording, out, scene, begin, end):
     """Detect settling disks or coins and spectral lines in the sound file RECORDING."""
     from sonify.console import Console
 
-    with Console(times=False) as stages:
+    with Console(interval=30.0, times=False) as stages:
         from sonify.report.recording import write_recording_report
 
         span = (begin, end)
@@ -432,7 +433,7 @@ def chart(name, quick, out, redraw):
     "folder; default the current folder.",
 )
 def export(what, scene, form, strike, rate, takes, seed, out):
-    """Export modes, motion or sound of SCENE for other programs.
+    """Export modes, motion or sound of SCENE (default published) for other programs.
 
     Modes are written as a Faust program, a universal file (extra `uff`) or a ParaView
     file, a motion as an animated glTF model or as a table in Parquet or CSV format, and
@@ -498,8 +499,8 @@ def _check_export_options(what, form, options):
     help="Address to listen on; the default accepts connections from this machine only.",
 )
 def serve(folder, port, host):
-    """Serve the finished runs in FOLDER to a browser, with a list and a comparison of
-    two runs."""
+    """Serve the finished runs in FOLDER (default outputs) to a browser, with a list and
+    a comparison of two runs."""
     from sonify.serve import serve
 
     serve(
@@ -516,7 +517,8 @@ def serve(folder, port, host):
     "--port", default=8001, show_default=True, help="Port; 0 selects a free one."
 )
 def studio(folder, port):
-    """Edit, run and hear scenes in a browser; runs are written into FOLDER."""
+    """Edit, run and hear scenes in a browser; runs are written into FOLDER
+    (default outputs)."""
     from sonify.studio.application import studio
 
     studio(

@@ -194,14 +194,13 @@ def _sentences_of_recording(fitted):
             "  contour friction and film do not suffice; the other laws of the scene take more than a tenth "
             "of the power"
         )
-    yield (
-        "  an error of 10 % in the radius would "
-        + (
+    if judged.values():
+        detected = (
             "be detected"
             if fitted.radius_shows
             else "not be detected; the shares would compensate for it"
         )
-    )
+        yield f"  an error of 10 % in the radius would {detected}"
     for name, e in (fitted.published_way or {}).items():
         theirs = (
             "; published for granite: {:.3f}, one run ± {:.3f}".format(

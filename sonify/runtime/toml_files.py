@@ -49,5 +49,7 @@ def read_toml(path: Path, fault: type[Exception]) -> dict[str, Any]:
         )  # some Windows editors write a byte-order mark
     except OSError as error:
         raise fault(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise fault(f"{path}: not a text file; {form} is required") from None
     except (ValueError, RecursionError) as error:
         raise fault(f"{path}: invalid {form}: {error}") from None
