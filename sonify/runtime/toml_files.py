@@ -50,6 +50,6 @@ def read_toml(path: Path, fault: type[Exception]) -> dict[str, Any]:
     except OSError as error:
         raise fault(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
-        raise fault(f"{path}: not a text file; {form} is required") from None
+        raise fault(f"{path}: invalid {form}: not a text file") from None
     except (ValueError, RecursionError) as error:
         raise fault(f"{path}: invalid {form}: {error}") from None
