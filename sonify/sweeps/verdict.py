@@ -152,7 +152,7 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
     if failed.any():
         first = next(error for error in table["error"].to_pylist() if error)
         sentences.append(
-            f"{failed.sum()} of {len(runs)} draws have no result. The first error is: {first}."
+            f"Draws without a result: {failed.sum()} of {len(runs)}. The first error is: {first}."
         )
     passed = table["passed"].to_pylist() if "passed" in table.column_names else []
     if unsound := passed.count(False):
