@@ -25,7 +25,7 @@ from scipy.stats import chi2
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 import settling_sounds
 
-from sonify.claims.shares import share_of
+from sonify.claims.shares import share_of_count
 from sonify.hearing.audio_source import source_of
 from sonify.hearing.settling.detector import settling_runs
 
@@ -40,7 +40,7 @@ def is_classed(path):
 
 def share(count, of):
     """Return a text with a count and the 95 % interval of its percentage."""
-    wilson = share_of(np.arange(of) < count)
+    wilson = share_of_count(count, of)
     interval = f"{100 * wilson.low:5.1f} to {100 * wilson.high:5.1f} %"
     return f"{count:4d} of {of:3d}  {interval}"
 

@@ -30,7 +30,7 @@ from sonify.claims.contact import (
 )
 from sonify.claims.finding import Finding
 from sonify.claims.rattling import rate_follows_unevenness
-from sonify.claims.shares import share_of
+from sonify.claims.shares import share_of_count
 from sonify.hearing.audio_source import source_of
 from sonify.hearing.settling.detector import settling_runs
 from sonify.plan.contact import STEEP_RADIATION_ERROR_RANGE_DB
@@ -612,7 +612,7 @@ def limits_record() -> Record:
 
 def share_number(count: int, total: int) -> Number:
     """Return a share of draws with its 95 % Wilson interval."""
-    share = share_of(np.arange(total) < count)
+    share = share_of_count(count, total)
     return Number(
         value=count / total, low=share.low, high=share.high, unit=f"of {total}"
     )

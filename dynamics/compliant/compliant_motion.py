@@ -187,14 +187,14 @@ class CompliantMotion(MotionBase):
         The force is the derivative of the interpolated impulse. The normal force is not
         negative.
         """
-        force = (
-            interpolate_rows(
-                self.impulses, self._row_positions(t) * FORCES_PER_ROW, True
-            )
-            / self.dt
-        )
+        force = self._impulse_rate(self.impulses, t)
         force[:, 2] = np.maximum(force[:, 2], 0.0)
         return force
+
+    def _impulse_rate(self, impulses: np.ndarray, t: ArrayLike) -> np.ndarray:
+        """Return the derivative (k, m) [N] of impulses (n, m) [N s] at t (k,) [s]."""
+        place = self._row_positions(t) * FORCES_PER_ROW
+        return interpolate_rows(impulses, place, True) / self.dt
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
         """Return the normal force (k,) [N] at t (k,) [s] without contact vibration.

@@ -235,8 +235,7 @@ class RattlingMotion(CompliantMotion):
         It is 0 below 1e-9 of the weight, the rounding error of the impulses.
         """
         contact = self.impulses[:, 2] - self.film_impulses
-        place = self._row_positions(t) * FORCES_PER_ROW
-        force = interpolate_rows(contact[:, None], place, True)[:, 0] / self.dt
+        force = self._impulse_rate(contact[:, None], t)[:, 0]
         return np.where(force > 1e-9 * self.disk.weight, force, 0.0)
 
     def contact_resonance(self, inclination) -> np.ndarray:

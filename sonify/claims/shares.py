@@ -39,11 +39,12 @@ class Share(NamedTuple):
 
 def share_of(holds: np.ndarray) -> Share:
     """Return the `Share` of True values in a mask (n,)."""
+    return share_of_count(int(holds.sum()), len(holds))
+
+
+def share_of_count(holds: int, draws: int) -> Share:
+    """Return the `Share` of the draws in which a claim holds."""
     from scipy.stats import binomtest  # loads slowly
 
-    interval = binomtest(int(holds.sum()), len(holds)).proportion_ci(
-        0.95, method="wilson"
-    )
-    return Share(
-        int(holds.sum()), len(holds), float(interval.low), float(interval.high)
-    )
+    interval = binomtest(holds, draws).proportion_ci(0.95, method="wilson")
+    return Share(holds, draws, float(interval.low), float(interval.high))

@@ -15,9 +15,7 @@ from sonify.hearing.spectral_lines import MIN_LINE_FREQUENCY_HZ
 
 LINE_BAND_HALF_WIDTH = 120.0  # Hz; closer lines are resolved in a common band
 JACKKNIFE_PARTS = 4  # parts of a modulated line in the jackknife
-MIN_EXPLAINED_POWER = (
-    0.9  # least fraction of the power of a band that its lines explain
-)
+MIN_EXPLAINED_POWER = 0.9  # of the power of a band, by its lines
 
 
 @dataclass(frozen=True, kw_only=True)
