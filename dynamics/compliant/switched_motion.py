@@ -38,27 +38,29 @@ def solve_switched(
     """Solve a scene with two-way coupling below an inclination [rad].
 
     Above it, `solve_passive(scene)` solves the motion, which is returned unchanged if
-    it does not reach this inclination. A rigid contact becomes elastic at the switch.
+    it does not reach this inclination. A rigid contact becomes elastic at the switch. If
+    the release is not above the inclination, the whole motion is coupled.
     """
+    contact = scene.contact
+    if contact.law == "rigid":
+        contact = SwitchedContact(**{**vars(contact), "law": "elastic"})
+    coupled = scene.part(
+        contact=contact,
+        roughness=None,  # it has no effect on a rigid contact, and a rough elastic contact does not switch
+        surface=replace(scene.surface, action="motion"),  # type: ignore[arg-type]
+    )
+    if inclination >= np.radians(scene.release.inclination_deg):
+        return solve_compliant_motion(coupled, watch, modes)
     short = replace(scene.numerics, final_inclination=inclination)
     first = solve_passive(scene.part(numerics=short))
     if first.outcome is not Outcome.SETTLED:
         return first
     t = float(first.t[-1])
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
-    contact = scene.contact
-    if contact.law == "rigid":
-        contact = SwitchedContact(**{**vars(contact), "law": "elastic"})
-    parts = scene.part(
-        numerics=left,
-        contact=contact,
-        roughness=None,  # it has no effect on a rigid contact, and a rough elastic contact does not switch
-        surface=replace(scene.surface, action="motion"),  # type: ignore[arg-type]
-    )
     state, force = first.at_and_force(t)
     held = float(first.energy(t)[0])
     then = solve_compliant_motion(
-        parts,
+        coupled.part(numerics=left),
         lambda now, *rest: watch(t + now, *rest),
         modes,
         (state[0], force[0]),

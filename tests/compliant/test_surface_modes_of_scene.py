@@ -5,14 +5,18 @@ Source: the docstring of `dynamics.simulate`. Oracle: the same scene with the mo
 `modal.surface_modes`; the run of the scene; the motion on a rigid table.
 """
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from dynamics import MotionScene, OwnLaw, simulate
+from dynamics.compliant.law.sections import SwitchedContact
 from dynamics.compliant.modes_from_scene import MAX_TABLE_FREQUENCY, modes_from_numbers
 from dynamics.compliant.switched_motion import SwitchedMotion
+from dynamics.compliant.two_way_onset import table_reaction
+from dynamics.sections import as_motion_scene
 from modal import surface_modes
 from modal.modes import DEFAULT_HIGHEST_FREQUENCY
 from sonify import load_scene, solve
@@ -59,6 +63,23 @@ def test_a_light_mode_in_the_scene_halts_the_published_disk_earlier(scene):
     )  # the contact is rigid until then
     still = simulate(on_table.replace("surface.action=sound"))
     assert same(still, simulate(scene))
+
+
+def test_a_table_that_reacts_at_the_release_is_coupled_from_the_start(scene):
+    """Oracle: the motion with two-way coupling from the release on the same contact."""
+    on_table = scene.replace(
+        LIGHT_MODE.replace("modal_mass=1.0", "modal_mass=0.1"),
+        *RELEASED_FLAT,
+        "numerics.time_limit=0.01",
+    )
+    modes = modes_from_numbers(on_table.surface, on_table.disk.radius)
+    tilt = np.radians(on_table.release.inclination_deg)
+    assert table_reaction(on_table, modes).inclination == tilt
+    requested = as_motion_scene(on_table).part(
+        contact=SwitchedContact(law="elastic"),
+        surface=replace(on_table.surface, action="motion"),
+    )
+    assert same(simulate(on_table), simulate(requested))
 
 
 def test_modes_in_the_scene_are_those_of_modal(scene):
