@@ -58,11 +58,11 @@ def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
 def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
     """Return the same quantities from the Lagrangian, with a contact fixed on the rim.
 
-    The gap is G = z - R sin b + H (1 - cos b) + sum r (c A - s B), with R and H of the centre of
-    the fillet.
+    The elastic energy is 2/5 K(b) (-G)^2.5. The gap is G = z - R sin b + H (1 - cos b) +
+    sum r (c A - s B), with R and H of the centre of the fillet.
     """
     disk = scene.disk
-    K0 = law_table(scene).columns(np.array([beta]))[0, LAW_COLUMNS.hertz_stiffness]
+    law = law_table(scene)
     squared = bending.squared
     A = bending.axial * np.cos(bending.phase)
     B = bending.radial * np.cos(bending.phase)
@@ -72,6 +72,9 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
     J1 = inertias(disk)[0]
     modes = len(squared)
 
+    def stiffness(b):
+        return law.columns(np.array([b]))[0, LAW_COLUMNS.hertz_stiffness]
+
     def rates(t, y):
         z = y[0]
         b = y[1]
@@ -79,12 +82,14 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
         c = np.cos(b)
         s = np.sin(b)
         G = z - R * s + H * (1 - c) + r @ (c * A - s * B)
-        N = K0 * max(0.0, -G) ** 1.5
+        N = stiffness(b) * max(0.0, -G) ** 1.5
+        slope = (stiffness(b + 1e-5) - stiffness(b - 1e-5)) / 2e-5  # dK/db
+        stiffens = 2 / 5 * slope * max(0.0, -G) ** 2.5
         tilts = -R * c + H * s - r @ (s * A + c * B)  # dG/db
         return np.concatenate(
             [
                 y[2 + modes :],
-                [N / disk.mass, N * tilts / J1],
+                [N / disk.mass, (N * tilts - stiffens) / J1],
                 N * (c * A - s * B) - squared * r,
             ]
         )

@@ -11,10 +11,10 @@ exactly. T is of third order, because G is a minimum. With U = 2/5 K (-G)^2.5 an
 difference quotient N = -dU/dG, the force N on the centre, the torque N u x n~ and the
 forces -N w~ on the modes do the work N (dG - T). Kinetic energy + m g z + U + the
 energy of the modes therefore changes only by -N T. This error is compensated by scaling
-the velocities of the disk, or by changing U.
+the velocities of the disk.
 
-K is the stiffness at the current inclination. If K increases, the force does not
-change; if K decreases, the approach does not change. Both dissipate energy. The
+K is the stiffness at the current inclination. The energy that its change requires at a
+constant gap comes from the kinetic energy of the disk, so that G remains exact. The
 horizontal force of the inclined table, which would do little work, is neglected.
 """
 
@@ -48,7 +48,7 @@ from dynamics.numba_kernels import kernel
 
 
 @kernel
-def update_gap_stiffness(y, modes, law):
+def update_gap_stiffness(y, constants, modes, law):
     """Update the contact stiffness to the current inclination; see above."""
     K0 = modes.contact[CONTACT.gap_stiffness]
     K1 = law_column(
@@ -57,12 +57,10 @@ def update_gap_stiffness(y, modes, law):
         y[STATE.law_fraction],
         LAW_COLUMNS.hertz_stiffness,
     )
-    r0 = approach_root(y[STATE.gap])
-    if r0 > 0 and K0 > 0:
-        r1 = r0 * min(1.0, (K0 / K1) ** (1 / 3))
-        y[STATE.contact_loss] += 0.4 * (K0 * r0**5 - K1 * r1**5)
-        y[STATE.gap] = -r1 * r1
     modes.contact[CONTACT.gap_stiffness] = K1
+    root = approach_root(y[STATE.gap])
+    if root > 0 and K0 > 0:
+        add_kinetic_energy(y, constants, modes, 0.4 * (K0 - K1) * root**5)
 
 
 @kernel
@@ -90,7 +88,7 @@ def step_normal_with_modes(
     step_over_2J = h / (2 * J)
     i = int(y[STATE.law_interval])
     u = y[STATE.law_fraction]
-    update_gap_stiffness(y, modes, law)
+    update_gap_stiffness(y, constants, modes, law)
     stiff = modes.contact[CONTACT.gap_stiffness]
     loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient) / h
     v0 = y[3]
@@ -301,9 +299,9 @@ def kinetic_energy(y, constants):
 def add_kinetic_energy(y, constants, modes, work):
     """Add `work` to the kinetic energy of the disk by scaling its velocities.
 
-    If the kinetic energy is insufficient, the contact energy and then the modes supply
-    the rest. The remainder is recorded as STATE.energy_deficit, which ends the motion.
-    This happens only if an almost flat disk jumps to another wave of the table.
+    If the kinetic energy is insufficient, the modes supply the rest. The remainder is
+    recorded as STATE.energy_deficit, which ends the motion. This happens only if an
+    almost flat disk jumps to another wave of the table.
     """
     energy = kinetic_energy(y, constants)
     change = max(work, -energy)
@@ -314,11 +312,6 @@ def add_kinetic_energy(y, constants, modes, work):
     if energy > 0 and change == work:
         return
     missing = change - work
-    compression_root = approach_root(y[STATE.gap])
-    contact_energy = 0.4 * modes.contact[CONTACT.gap_stiffness] * compression_root**5
-    if contact_energy > 0 and missing > 0:
-        y[STATE.gap] *= max(0.0, 1 - missing / contact_energy) ** 0.4
-    missing -= min(missing, contact_energy)
     mode_energy = 0.0
     for m in range(len(modes.state)):
         mode_energy += modes.state[m, MODE_STATE.velocity] ** 2 / 2

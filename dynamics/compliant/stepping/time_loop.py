@@ -163,7 +163,7 @@ def _step_rows(
             if constants.film_turning > 0 and update_airborne(y, constants, h):
                 return EndReason.IS_AIRBORNE, row, flight, slip
         if has_modes:
-            update_gap_stiffness(y, modes, law)
+            update_gap_stiffness(y, constants, modes, law)
             y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
         for j in range(
             len(y)
