@@ -10,7 +10,7 @@ from copy import copy
 import numpy as np
 
 from dynamics.disk import GRAVITY
-from sonify.fitting.decay_model import DecayModel
+from sonify.fitting.decay_model import LAWS, DecayModel
 from sonify.fitting.least_squares import Fit, LineRates
 from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
 from sonify.fitting.settings import FIT
@@ -42,7 +42,10 @@ def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
 
 
 def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
-    """Return the result of a fit of the law of impacts to the run of a sound."""
+    """Return the result of a fit of the law of impacts to the run of a sound.
+
+    The limits of the other laws are those at which one of them would dissipate all of the
+    power at an inclination of the run."""
     run = sound.run
     region = run.region
     name = "its double" if run.events_per_turn == 2 else "precession"
@@ -87,6 +90,16 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
         residual=np.log(ridge.frequency / with_impacts.frequency(remaining, shares)),
         sigma=ridge.error / ridge.frequency,
     )
+    last = run.t_end.high - run.t_end.low  # earlier rates do not depend on the end
+    heard_rates = ridge.frequency[remaining > last]
+    covered = (line.beta >= inclination(heard_rates.max())) & (
+        line.beta <= inclination(heard_rates.min())
+    )
+    limits = {
+        name: float(high * np.min(power[2, covered] / power[number, covered]))
+        for number, name in enumerate(LAWS[:2])
+        if name == "rolling" or decay.has_film
+    }
     verdict, reason = _verdict(decay, run.exponent)
     return Judged(
         sounds=(sound,),
@@ -99,6 +112,7 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
         explained=True,
         verdict=verdict,
         reason=reason,
+        limits=limits,
     )
 
 

@@ -1,6 +1,7 @@
 """Selection of signal and spectral line, fit of the decay, and verdict on the cause."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 
@@ -63,7 +64,8 @@ class Judged:
     `signal` is "tone" or "envelope", `line` the spectral line, and `model` "steady" or
     "solved". `verdict` is "rolling", "air", "both", "impacts", "not this scene" or
     "cannot tell", with a `reason` if it depends on the exponent of the rate. If the
-    rates are not `explained` by any motion, the line may be wrong."""
+    rates are not `explained` by any motion, the line may be wrong. `limits` are upper
+    limits of the shares that were not fitted, by name."""
 
     sounds: tuple[Sound, ...]
     signal: str
@@ -75,6 +77,7 @@ class Judged:
     explained: bool
     verdict: str
     reason: str = ""
+    limits: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def contour_fits(self) -> bool:

@@ -8,7 +8,7 @@ import numpy as np
 
 from sonify.fitting.decay_model import has_film, neglected_parts
 from sonify.fitting.fu_berlin import PUBLISHED_EXPONENTS
-from sonify.fitting.least_squares import values_in_words
+from sonify.fitting.least_squares import Fit, values_in_words
 from sonify.fitting.line_selection import shares_of_power
 from sonify.fitting.result import Fits, Fitted
 from sonify.fitting.settings import FIT
@@ -59,7 +59,11 @@ def new_folder(file: str) -> Path:
 def as_json(fits: Fits) -> dict[str, Any]:
     """Return the content of fit.json."""
     end = asdict(fits.pool.value(0)) if len(fits.files) == 1 else None
-    pool = {"t_end": end} | _values_of_laws(fits.values()) | {"verdict": fits.verdict}
+    pool = (
+        {"t_end": end}
+        | _values_of_laws(fits.values(), _common_limits(fits))
+        | {"verdict": fits.verdict}
+    )
     shares = {
         name: list(share)
         for name, share in shares_of_power(
@@ -81,7 +85,10 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
     head = {
         "file": fitted.file,
         "t_end": asdict(judged.fit.value(0)),
-    } | _values_of_laws(judged.values())
+    } | _values_of_laws(judged.values(), judged.limits)
+    measured = (
+        slice(None) if judged.streams else slice(0)
+    )  # bursts give a law, not rates
     return head | {
         "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
@@ -106,61 +113,69 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
             for name, e in (fitted.published_way or {}).items()
         },
         "residual": {
-            "time": rates.time.tolist(),
-            "heard_hz": rates.frequency.tolist(),
-            "fitted_hz": (rates.frequency * np.exp(-judged.fit.residual)).tolist(),
-            "error_hz": rates.error.tolist(),
+            "time": rates.time[measured].tolist(),
+            "heard_hz": rates.frequency[measured].tolist(),
+            "fitted_hz": _fitted_rates(judged.fit)[measured].tolist(),
+            "error_hz": rates.error[measured].tolist(),
         },
     }
 
 
-def _values_of_laws(values) -> dict[str, Any]:
-    """Return the values by name, including `rolling` and `air` in any case."""
-    return dict.fromkeys(("rolling", "air"), ABSENT_LAW) | {
-        name: asdict(v) for name, v in values.items()
-    }
+def _fitted_rates(one: Fit) -> np.ndarray:
+    """Return the fitted rates (n,) [Hz] of the first sound of a fit."""
+    rates = one.heard[0].rates
+    return rates.frequency * np.exp(-one.residual[: len(rates.time)])
+
+
+def _values_of_laws(values, limits) -> dict[str, Any]:
+    """Return the values by name, including `rolling` and `air` in any case.
+
+    A law that was not fitted has no value, only an upper limit, or the value 0 without
+    one."""
+    found = dict.fromkeys(("rolling", "air"), ABSENT_LAW)
+    for name, high in limits.items():
+        found[name] = {"value": None, "low": 0.0, "high": high, "inner": [0.0, high]}
+    return found | {name: asdict(v) for name, v in values.items()}
+
+
+def _common_limits(fits: Fits) -> dict[str, float]:
+    """Return the smallest upper limits if the bursts decide in all recordings."""
+    limits = [fitted.judged.limits for fitted in fits.files]
+    if not all(limits):
+        return {}
+    return {name: min(one[name] for one in limits) for name in limits[0]}
 
 
 def table(fits: Fits, separator: str = " | ") -> list[str]:
     """Return a header, a row for each recording and a row for all of them together."""
-    lines = [
-        separator.join(
-            (
-                "recording",
-                "t_end [s]",
-                "rolling",
-                "low",
-                "high",
-                "air",
-                "low",
-                "high",
-                "verdict",
-            )
-        )
-    ]
+    laws = "rolling", "air", "impacts"
+    limits = [head for law in laws for head in (law, "low", "high")]
+    lines = [separator.join(("recording", "t_end [s]", *limits, "verdict"))]
     rows = [
-        (f.file, f.judged.fit.value(0).value, f.judged.values(), f.judged.verdict)
+        (
+            Path(f.file).name,
+            f"{f.judged.fit.value(0).value:.4f}",
+            _values_of_laws(f.judged.values(), f.judged.limits),
+            f.judged.verdict,
+        )
         for f in fits.files
     ]
     if len(rows) > 1:
-        rows.append(("together", None, fits.values(), fits.verdict))
+        together = _values_of_laws(fits.values(), _common_limits(fits))
+        rows.append(("together", "", together, fits.verdict))
     for name, end, values, verdict in rows:
         numbers = [
-            f"{x:.6g}"
-            for v in (_values_of_laws(values)[k] for k in ("rolling", "air"))
-            for x in (v["value"], v["low"], v["high"])
+            "" if number is None else f"{number:.6g}"
+            for law in laws
+            for number in _value_and_limits(values.get(law))
         ]
-        lines.append(
-            separator.join(
-                (
-                    Path(name).name,
-                    "" if end is None else f"{end:.4f}",
-                    *numbers,
-                    verdict,
-                )
-            )
-        )
+        lines.append(separator.join((name, end, *numbers, verdict)))
     return lines
+
+
+def _value_and_limits(value):
+    """Return the value and the limits of a law; None for each if it was not fitted."""
+    return [value and value[key] for key in ("value", "low", "high")]
 
 
 def sentences(fits: Fits) -> list[str]:
@@ -176,12 +191,12 @@ def sentences(fits: Fits) -> list[str]:
 def _sentences_of_recording(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
-    method = (
-        f"{judged.line} in the {judged.signal}, {judged.model} motion, "
-        f"spread {judged.fit.spread:.2%}"
-    )
+    method = f"{judged.line} in the {judged.signal}, {judged.model} motion"
+    if judged.streams:
+        method += f", spread {judged.fit.spread:.2%}"
     yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {method}"
     yield f"  {values_in_words(judged.values())}"
+    yield from _sentences_on_bursts(judged)
     if not judged.explained:
         yield (
             "  no motion explains the rates; the spectral line may be misidentified, and the "
@@ -213,6 +228,27 @@ def _sentences_of_recording(fitted):
             f"  by the published method, {name}: exponent {e.value:.3f} ± {e.error:.3f}, "
             f"{e.columns} columns{theirs}"
         )
+
+
+def _sentences_on_bursts(judged):
+    """Yield what depends on the number of bursts per turn, and limits of other laws."""
+    impacts = judged.values().get("impacts")
+    if judged.streams or impacts is None:
+        return
+    run = judged.sounds[0].run
+    count = run.events_per_turn
+    other = 3 - count
+    words = {1: "one burst per turn", 2: "two bursts per turn"}
+    # the inclination is proportional to rate^-2, nearly
+    yield (
+        f"  {run.rate_at_1s.value:.3g} bursts per second one second before the end, or at the start "
+        f"if it is later; the sound suggests {words[count]}; with {words[other]}, impacts would be "
+        f"{impacts.value * (other / count) ** 2:.3g}"
+    )
+    limits = " and ".join(
+        f"{name} is at most {high:.2g}" for name, high in judged.limits.items()
+    )
+    yield f"  {limits}; at these values it would dissipate all of the power"
 
 
 def _line_table(fits: Fits) -> list[str]:
@@ -386,8 +422,8 @@ def _draw_one(above, below, fitted):
     one = fitted.judged.fit
     decay = fitted.judged.decay
     rates = one.heard[0].rates
+    is_measured = bool(fitted.judged.streams)  # bursts give a law, not rates
     remaining = one.ends[0] - rates.time
-    fitted_rate = rates.frequency / np.exp(one.residual[: len(remaining)])
     at = np.geomspace(remaining.min(), remaining.max(), 200)
     order = np.argsort(remaining)
     drawn = np.array(
@@ -397,17 +433,22 @@ def _draw_one(above, below, fitted):
         ]
     )
     low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)
-    above.errorbar(
-        remaining,
-        rates.frequency,
-        rates.error,
-        fmt=".",
-        color="#0072b2",
-        label="measured from the phase",
-    )
+    if is_measured:
+        above.errorbar(
+            remaining,
+            rates.frequency,
+            rates.error,
+            fmt=".",
+            color="#0072b2",
+            label="measured from the phase",
+        )
+    else:
+        above.fill_between(
+            at, *np.percentile(drawn, [2.5, 97.5], axis=0), color="#d55e00", alpha=0.25
+        )
     above.plot(
         remaining[order],
-        fitted_rate[order],
+        _fitted_rates(one)[order],
         color="#d55e00",
         label=f"fitted: {fitted.judged.verdict}",
     )
@@ -421,15 +462,16 @@ def _draw_one(above, below, fitted):
     below.fill_between(
         at, 100 * low, 100 * high, color="#d55e00", alpha=0.25, label="95 % of the fit"
     )
-    below.errorbar(
-        remaining,
-        100 * np.expm1(one.residual),
-        100 * one.sigma,
-        fmt=".",
-        color="#0072b2",
-    )
+    if is_measured:
+        below.errorbar(
+            remaining,
+            100 * np.expm1(one.residual),
+            100 * one.sigma,
+            fmt=".",
+            color="#0072b2",
+        )
     below.axhline(0.0, color="#d55e00", lw=1)
-    below.set(xlabel="time left [s]", ylabel="measured / fitted - 1 [%]")
+    below.set(xlabel="time left [s]", ylabel="rate / fitted rate - 1 [%]")
     label_plain_decades(below.xaxis)
     below.invert_xaxis()
     place_legend_above(below, frameon=False)

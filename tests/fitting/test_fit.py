@@ -255,6 +255,16 @@ def bursts(exponent, coefficient, scene):
     return settling_sounds.with_noise(sound, 30, random)
 
 
+def contour_friction_of(exponent, coefficient, left, disk):
+    """Return the coefficient mu for which mu m g R Omega is the power of a thin coin `left` [s]
+    before the end: 3/2 m g R d beta/dt = mu m g R Omega, with beta ~ left^(2 n)."""
+    eps = 1 / 4 + disk.thickness**2 / (12 * disk.radius**2)
+    beta = coefficient * np.sqrt(9.81 / disk.radius) / (2 * exponent)
+    beta *= left ** (2 * exponent)
+    rate = np.sqrt(9.81 / (eps * disk.radius * beta))
+    return 1.5 * 2 * exponent * beta / left / rate
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("exponent", "verdict"),
@@ -270,9 +280,15 @@ def test_the_law_of_bursts_names_impacts_and_nothing_else(exponent, verdict):
     )
     decay = DecayModel(scene)
     assert judge_sound(decay, sound).verdict == verdict
-    value = judge_bursts(decay, sound).values()["impacts"]
+    judged = judge_bursts(decay, sound)
+    value = judged.values()["impacts"]
     assert value.low < 0.004 < value.high
     assert value.high - value.low < 0.002
+    if exponent > 0.4:
+        end = sound.run.t_end
+        last = end.high - end.low  # [s] before the end
+        expected = contour_friction_of(exponent, value.high, last, scene.disk)
+        assert judged.limits["rolling"] == pytest.approx(expected, rel=0.15)
 
 
 def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decay):
