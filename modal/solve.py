@@ -145,9 +145,10 @@ def eigenmodes(
     count = estimated_mode_count(plate, highest)
     if count > MAX_MODE_COUNT:
         raise UnsolvableError(
-            f"disk, material: such a soft or large disk has at least about {count:.0f} modes "
-            f"below {highest:g} Hz, but at most {MAX_MODE_COUNT} can be computed; "
-            "make it stiffer or smaller, or reduce audio.sample_rate"
+            f"disk.radius = {scene.disk.radius:g} m, disk.thickness = {scene.disk.thickness:g} m: "
+            f"the disk has at least about {count:.0f} modes below {highest:g} Hz, but at most "
+            f"{MAX_MODE_COUNT} can be computed; make it smaller or of a stiffer material, or "
+            f"reduce audio.sample_rate"
         )
     accuracy = scene.numerics.accuracy
     if support.kind == "free":

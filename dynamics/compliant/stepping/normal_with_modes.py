@@ -301,24 +301,24 @@ def add_kinetic_energy(y, constants, modes, work):
 
     If the kinetic energy is insufficient, the modes supply the rest. The remainder is
     recorded as STATE.energy_deficit, which ends the motion. This happens only if an
-    almost flat disk jumps to another wave of the table.
+    almost flat disk jumps to another wave of the table. A disk without kinetic energy
+    dissipates a positive work.
     """
     energy = kinetic_energy(y, constants)
-    change = max(work, -energy)
+    change = max(work, -energy) if energy > 0 else 0.0
     scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
     for i in range(3):
         y[3 + i] = scale * y[3 + i]
         y[9 + i] = scale * y[9 + i]
-    if energy > 0 and change == work:
-        return
     missing = change - work
     mode_energy = 0.0
-    for m in range(len(modes.state)):
-        mode_energy += modes.state[m, MODE_STATE.velocity] ** 2 / 2
-    if mode_energy > 0 and missing > 0:
+    if missing > 0:
+        for m in range(len(modes.state)):
+            mode_energy += modes.state[m, MODE_STATE.velocity] ** 2 / 2
+    if mode_energy > 0:
         scale = np.sqrt(max(0.0, 1 - missing / mode_energy))
         for m in range(len(modes.state)):
             modes.state[m, MODE_STATE.velocity] *= scale
         missing -= min(missing, mode_energy)
     y[STATE.contact_loss] -= missing
-    y[STATE.energy_deficit] += missing
+    y[STATE.energy_deficit] += max(missing, 0.0)

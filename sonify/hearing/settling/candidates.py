@@ -199,10 +199,13 @@ def tone_candidates(
     """Return the refined candidates of a tone in all windows of a waveform (frames,)
     that end at the frame `stop`, the best first."""
     power = np.square(waveform)
-    found = [
-        _refined(onsets, power, *_estimate(onsets, window, 0, settings)[1:], settings)
-        for window in windows_of(stop, 0.0, settings)
-    ]
+
+    def refined(window):
+        estimate = _estimate(onsets, window, 0, settings)
+        return _refined(onsets, power, *estimate[1:], settings)
+
+    with ThreadPoolExecutor() as pool:  # the compiled loops release the lock of Python
+        found = list(pool.map(refined, windows_of(stop, 0.0, settings)))
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
