@@ -255,7 +255,8 @@ def tones(
     """Return the runs of the kind "tone" in samples (n,) that end within a time span
     [s].
 
-    The parts before and after a tone are searched too. The false alarms are per hour.
+    Unless the settings exclude it, the parts before and after a tone are searched too. The
+    false alarms are per hour.
     """
     ridge = tone_ridge(samples, rate)
     run = _tone_run(samples, rate, ridge, settings) if ridge else None
@@ -265,6 +266,8 @@ def tones(
     before = samples[: max(int(ridge.time[0] * rate), 0)]
     after = int((end + 0.1) * rate)
     found = [run] if span[0] <= end < span[1] else []
+    if not settings.has_several_tones:
+        return found
     found += (
         tones(before, rate, settings, span) if len(before) > MIN_LENGTH_S * rate else []
     )

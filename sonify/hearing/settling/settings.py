@@ -155,6 +155,8 @@ class SettlingSettings:
     restitution."""
     max_bounce_distance: float = 0.4
     """Largest time between a bouncing body and the runs that it explains."""
+    has_several_tones: bool = True
+    """True to search the parts before and after a tone for further tones."""
 
 
 KNOWN_DISK_SETTINGS = SettlingSettings(
@@ -163,6 +165,7 @@ KNOWN_DISK_SETTINGS = SettlingSettings(
     min_clear_score=-inf,
     pulse_slopes=(-inf, inf),
     min_bounce_exponent=inf,
+    has_several_tones=False,
 )
-"""Settings for the sound of a known disk, in which a tone must merely stand out. The
+"""Settings for the sound of one known disk, in which a tone must merely stand out. The
 resonances of a table shift the phase of a tone and lower its score."""
