@@ -170,13 +170,14 @@ def halts(elastic, friction, rate, starts):
     """Return rows of times [s] after tau = 250: the precession passes 300 Hz, contact is first
     lost, the disk stays flat.
 
-    There is one row for each of `starts` initial angles. The edge is as good as sharp, as in the
-    other programs; the table is stiffer, so that the contact is as stiff as that of a rounded edge.
+    There is one row for each of `starts` initial angles. The edge is as good as sharp, and the
+    stiffness constant, as in the other programs.
     """
     sharp = elastic.replace("contact.fillet=1e-5", "contact.young=87e9")
     motion = solve_motion(load_scene("published"))
     t0 = 250 * elastic.disk.time_unit
-    model = standing(sharp, rate, friction, (2, 600.0, 0.02, 1.0))
+    mode = 2, 600.0, 0.02, 1.0
+    model = standing(sharp, rate, friction, mode, stiffness=1.1e11)
     found = []
     for phase in np.linspace(0.1, 6.0, starts):
         start = motion.at([t0])[0] + phase * np.eye(11)[0]
@@ -234,9 +235,9 @@ def test_the_halt_on_one_mode(elastic):
     motion at tau = 250.
 
     The program references/one_mode.py uses different methods throughout, of first order in the
-    step; the change of its crossing at the last halving of the step estimates its error. Its
-    contact has a constant stiffness, ours stiffens as the disk falls: doubling the stiffness
-    changes our times by STIFFER. After the first loss the motion is chaotic. Two programs then
+    step; the change of its crossing at the last halving of the step estimates its error. The
+    contacts lose energy by different laws; this is assumed to shift the times no more than a
+    doubled stiffness does, by STIFFER. After the first loss the motion is chaotic. Two programs then
     agree if Welch's 99.99 % interval for the difference of their means, over runs with rotated
     initial positions, contains zero. A third program gives 0.928, 0.933, 0.958 s in a single run,
     with an error of 0.01 s each.
@@ -706,7 +707,12 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(
     monkeypatch,
 ):
     """The halt comes 0.1 to 1 s earlier than for the same disk and contact on a table without
-    modes."""
+    modes. Below 1e-4 rad the motion is chaotic."""
+
+    def time_above(motion, inclination):
+        t = np.linspace(motion.t[-1] - 0.5, motion.t[-1], 100_001)
+        return t[np.flatnonzero(motion.inclination(t) > inclination)[-1]]
+
     scene = load_scene("glass-plate").replace(
         "contact.law=elastic", "surface.action=auto"
     )
@@ -717,7 +723,10 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(
     earlier = solve_motion(scene, table=modes)
     assert earlier.switch_time < motion.switch_time - 0.5
     assert 0.1 < advanced.value < 1.0
-    assert motion.t_end == pytest.approx(earlier.t_end, abs=0.1 * advanced.value)
+    assert time_above(motion, 1e-4) == pytest.approx(
+        time_above(earlier, 1e-4), abs=0.03 * advanced.value
+    )
+    assert motion.t_end == pytest.approx(earlier.t_end, abs=0.5 * advanced.value)
 
 
 @pytest.mark.slow

@@ -17,9 +17,9 @@ from modal import surface_modes
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
 
 
-def standing(scene, rate, friction, *modes, damps=True):
+def standing(scene, rate, friction, *modes, damps=True, stiffness=None):
     """Return the model of a disk without creep on table modes (order, frequency, damping ratio,
-    modal mass)."""
+    modal mass); `stiffness` [N/m^1.5] replaces that of the contact at all inclinations."""
     names = "order", "frequency", "damping_ratio", "modal_mass"
     surface = ModesSurface(
         modes=tuple(
@@ -30,7 +30,10 @@ def standing(scene, rate, friction, *modes, damps=True):
     scale = np.ones(len(LAW_COLUMNS))
     scale[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]] = 1e9
     scale[LAW_COLUMNS.loss_coefficient] = float(damps)
-    table.__dict__["spline"] = CubicSpline(table.grid, table.spline(table.grid) * scale)
+    values = table.spline(table.grid) * scale
+    if stiffness is not None:
+        values[:, LAW_COLUMNS.hertz_stiffness] = stiffness
+    table.__dict__["spline"] = CubicSpline(table.grid, values)
     known = surface_modes(
         SimpleNamespace(disk=scene.disk, surface=surface, numerics=scene.numerics)
     )

@@ -13,8 +13,9 @@ forces -N w~ on the modes do the work N (dG - T). Kinetic energy + m g z + U + t
 energy of the modes therefore changes only by -N T. This error is compensated by scaling
 the velocities of the disk.
 
-K is the stiffness at the current inclination. The energy that its change requires at a
-constant gap comes from the kinetic energy of the disk, so that G remains exact. The
+K is the stiffness at the current inclination. Within a step it is linear in s =
+sin(beta), and g = dU/ds acts as the torque g/s~ n~_xy x n~ does in normal.py. The rest of
+its change, at a constant gap, is balanced by the kinetic energy of the disk. The
 horizontal force of the inclined table, which would do little work, is neglected.
 """
 
@@ -26,6 +27,7 @@ from dynamics.compliant.stepping.contact_energy import (
     approach_root,
     law_column,
     law_interval,
+    law_slope,
     mean_force,
 )
 from dynamics.compliant.stepping.normal import (
@@ -80,6 +82,8 @@ def step_normal_with_modes(
     """
     # largest rotation [rad] of a rolling contact in one step; beyond it, the contact has jumped
     max_rolling_turn = 0.3
+    # relative change of the stiffness in one step, above which it changes after the step
+    max_stiffness_change = 0.25
     m = constants.mass
     J = constants.diametral_inertia
     R = constants.core_radius
@@ -89,7 +93,10 @@ def step_normal_with_modes(
     i = int(y[STATE.law_interval])
     u = y[STATE.law_fraction]
     update_gap_stiffness(y, constants, modes, law)
-    stiff = modes.contact[CONTACT.gap_stiffness]
+    K0 = modes.contact[CONTACT.gap_stiffness]
+    K1 = K0
+    s0 = max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
+    dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
     loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient) / h
     v0 = y[3]
     v1 = y[4]
@@ -159,6 +166,7 @@ def step_normal_with_modes(
     V2 = v2
     elastic_force = 0.0
     T = 0.0
+    g = 0.4 * r0**5 * dK
     other_force = N  # of the previous iteration
     other_error = 0.0
     iterations_left = MAX_ITERATIONS
@@ -168,8 +176,10 @@ def step_normal_with_modes(
         t0 = (n0 + a0) / 2
         t1 = (n1 + a1) / 2
         t2 = (n2 + a2) / 2
-        M0 = L0 + h / 2 * N * (R * e1 * t2 - H * t1)
-        M1 = L1 + h / 2 * N * (H * t0 - R * e0 * t2)
+        s1 = max(np.sqrt(a0 * a0 + a1 * a1), MIN_CONTACT_INCLINATION)
+        stiffening = 2 * g / (s0 + s1)
+        M0 = L0 + h / 2 * (N * (R * e1 * t2 - H * t1) + stiffening * t1 * t2)
+        M1 = L1 + h / 2 * (N * (H * t0 - R * e0 * t2) - stiffening * t0 * t2)
         M2 = L2 + h / 2 * N * R * (e0 * t1 - e1 * t0)
         q0, q1, q2 = rotation_change(
             n0,
@@ -187,15 +197,22 @@ def step_normal_with_modes(
         dgap = h * V2 - R * (e0 * q0 + e1 * q1) - H * q2 - (D - E * N) + T
         gap = gap0 + dgap
         r1 = approach_root(gap)
-        elastic_force = stiff * mean_force(r0, r1, gap0, gap)
+        ds = 2 * (t0 * q0 + t1 * q1) / (s0 + s1)
+        if abs(dK * ds) > max_stiffness_change * K0:
+            dK = 0.0
+        K1 = K0 + dK * ds
+        previous_g = g
+        g = 0.2 * (r0**5 + r1**5) * dK
+        elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap)
         error = max(0.0, elastic_force * (1 - loss * dgap)) - N
         if (
             iterations_left < MAX_ITERATIONS - 1
             and abs(error) <= FORCE_TOLERANCE * (N + weight)
             and axis_error < FORCE_TOLERANCE
+            and abs(g - previous_g) <= FORCE_TOLERANCE * R * (N + weight)
         ):
             break
-        stiffness_slope = stiff * (r0 / 2 + r1)
+        stiffness_slope = K1 * (r0 / 2 + r1)
         newton_change = error / (
             1
             + stiffness_slope * (h * h / 4 * W + E / 2)
@@ -235,6 +252,7 @@ def step_normal_with_modes(
     if turn < max_rolling_turn:
         y[STATE.path_speed] = R * turn / h
     modes.contact[CONTACT.angle] = angle
+    modes.contact[CONTACT.gap_stiffness] = K1
     y[STATE.previous_forces + 1] = y[STATE.previous_forces]
     y[STATE.previous_forces] = y[STATE.normal_force]
     y[STATE.normal_force] = N
