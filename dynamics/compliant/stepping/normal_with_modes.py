@@ -11,7 +11,8 @@ exactly. T is of third order, because G is a minimum. With U = 2/5 K (-G)^2.5 an
 difference quotient N = -dU/dG, the force N on the centre, the torque N u x n~ and the
 forces -N w~ on the modes do the work N (dG - T). Kinetic energy + m g z + U + the
 energy of the modes therefore changes only by -N T. This error is compensated by scaling
-the velocities of the disk.
+the velocities of the disk. If the contact jumps to another wave of the table, the gap
+changes to that at the new place before the step, at a constant state.
 
 K is the stiffness at the current inclination. Within a step it is linear in s =
 sin(beta), and g = dU/ds acts as the torque g/s~ n~_xy x n~ does in normal.py. The rest of
@@ -145,6 +146,16 @@ def step_normal_with_modes(
         rough,
         scratch,
     )
+    if abs(angle_between(previous_angle, angle)) > max_rolling_turn:
+        jump_to_contact(y, constants, modes, angle, height)
+        previous_angle = angle
+        v0 = y[3]
+        v1 = y[4]
+        v2 = y[5]
+        L0 = y[9]
+        L1 = y[10]
+        L2 = y[11]
+        predict_free_motion(modes, h)
     rise = height - y[STATE.roughness_heights] - y[STATE.roughness_heights + 1]
     D, E, P, S = mode_work_sums(modes, h)
     e0 = (np.cos(previous_angle) + np.cos(angle)) / 2
@@ -263,6 +274,35 @@ def step_normal_with_modes(
         law, max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
     )
     return True
+
+
+@kernel
+def jump_to_contact(y, constants, modes, angle, height):
+    """Move the contact to another place of the rim, at a constant state of disk and table.
+
+    The new place is that of `shape_after`. The gap there is usually larger, and the
+    difference of the contact energies is dissipated; otherwise the disk supplies it.
+    """
+    stiffness = modes.contact[CONTACT.gap_stiffness]
+    released = 0.4 * stiffness * approach_root(y[STATE.gap]) ** 5
+    down = y[6] * np.cos(angle) + y[7] * np.sin(angle)
+    lowest = (
+        y[2] - constants.core_radius * down + constants.core_depth * (1 - y[8]) - height
+    )
+    for m in range(len(modes.state)):
+        modes.state[m, MODE_STATE.shape_before] = modes.state[m, MODE_STATE.shape_after]
+        lowest -= (
+            modes.state[m, MODE_STATE.amplitude]
+            * modes.state[m, MODE_STATE.shape_after]
+        )
+    y[STATE.gap] = lowest
+    y[STATE.roughness_heights] = height
+    y[STATE.roughness_heights + 1] = 0.0
+    released -= 0.4 * stiffness * approach_root(lowest) ** 5
+    if released > 0:
+        y[STATE.contact_loss] += released
+    else:
+        add_kinetic_energy(y, constants, modes, released)
 
 
 @kernel
