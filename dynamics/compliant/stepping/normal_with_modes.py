@@ -215,7 +215,8 @@ def step_normal_with_modes(
         previous_g = g
         g = 0.2 * (r0**5 + r1**5) * dK
         elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap)
-        error = max(0.0, elastic_force * (1 - loss * dgap)) - N
+        damped_force = elastic_force * (1 - loss * dgap)
+        error = max(0.0, damped_force) - N
         if (
             iterations_left < MAX_ITERATIONS - 1
             and abs(error) <= FORCE_TOLERANCE * (N + weight)
@@ -224,11 +225,9 @@ def step_normal_with_modes(
         ):
             break
         stiffness_slope = K1 * (r0 / 2 + r1)
-        newton_change = error / (
-            1
-            + stiffness_slope * (h * h / 4 * W + E / 2)
-            + loss * elastic_force * (h * h / 2 * W + E)
-        )
+        resistance = stiffness_slope * (h * h / 4 * W + E / 2)
+        resistance += loss * elastic_force * (h * h / 2 * W + E)
+        newton_change = error / (1 + resistance) if damped_force > 0 else error
         # In a hard impact Newton's method alternates around the solution, which the secant between
         # both forces approaches.
         if error * other_error < 0 and 2 * abs(error) > abs(other_error):
