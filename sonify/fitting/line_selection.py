@@ -80,6 +80,11 @@ class Judged:
     limits: Mapping[str, float] = field(default_factory=dict)
 
     @property
+    def has_measured_rates(self) -> bool:
+        """True if rates were tracked; bursts give only the law of the rate."""
+        return bool(self.streams)
+
+    @property
     def contour_fits(self) -> bool:
         """True if contour friction and film explain almost all dissipation."""
         return (

@@ -86,9 +86,7 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
         "file": fitted.file,
         "t_end": asdict(judged.fit.value(0)),
     } | _values_of_laws(judged.values(), judged.limits)
-    measured = (
-        slice(None) if judged.streams else slice(0)
-    )  # bursts give a law, not rates
+    measured = slice(None if judged.has_measured_rates else 0)
     return head | {
         "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
@@ -192,7 +190,7 @@ def _sentences_of_recording(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
     method = f"{judged.line} in the {judged.signal}, {judged.model} motion"
-    if judged.streams:
+    if judged.has_measured_rates:
         method += f", spread {judged.fit.spread:.2%}"
     yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {method}"
     yield f"  {values_in_words(judged.values())}"
@@ -233,7 +231,7 @@ def _sentences_of_recording(fitted):
 def _sentences_on_bursts(judged):
     """Yield what depends on the number of bursts per turn, and limits of other laws."""
     impacts = judged.values().get("impacts")
-    if judged.streams or impacts is None:
+    if judged.has_measured_rates or impacts is None:
         return
     run = judged.sounds[0].run
     count = run.events_per_turn
@@ -422,7 +420,7 @@ def _draw_one(above, below, fitted):
     one = fitted.judged.fit
     decay = fitted.judged.decay
     rates = one.heard[0].rates
-    is_measured = bool(fitted.judged.streams)  # bursts give a law, not rates
+    is_measured = fitted.judged.has_measured_rates
     remaining = one.ends[0] - rates.time
     at = np.geomspace(remaining.min(), remaining.max(), 200)
     order = np.argsort(remaining)

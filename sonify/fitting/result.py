@@ -208,7 +208,7 @@ def fit_one(
 def is_radius_determined(judged: Judged) -> bool:
     """Return True if disks with a radius 10 % larger or smaller fit much worse."""
     found = [_spread_with_radius(judged, factor) for factor in FIT.wrong_radius_factors]
-    return bool(judged.streams) and all(
+    return judged.has_measured_rates and all(
         spread is None
         or spread
         > FIT.equivalent_fit_ratio * max(judged.fit.spread, FIT.min_rate_error)

@@ -564,6 +564,12 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
     assert found.margin == pytest.approx(where_they_meet / lost, rel=1e-3)
 
 
+def time_above(motion, inclination):
+    """Return the last time [s] of a motion above an inclination [rad], in its last 0.5 s."""
+    t = np.linspace(motion.t[-1] - 0.5, motion.t[-1], 100_001)
+    return t[np.flatnonzero(motion.inclination(t) > inclination)[-1]]
+
+
 @pytest.mark.slow
 def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     """The budget closes; the halt precedes that on an immovably heavy table by the stated time, at
@@ -572,10 +578,6 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     On the heavy table the contact creeps from the release on, in the motion in two parts only after
     the switch. Creep takes 20 to 60 ms.
     """
-
-    def time_above(motion, inclination):
-        t = np.linspace(motion.t[-1] - 0.5, motion.t[-1], 100_001)
-        return t[np.flatnonzero(motion.at(t)[:, 1] > inclination)[-1]]
 
     scene, _, motion = handed
     others = two_way.variation_runs(scene, motion.coupled_part)
@@ -708,10 +710,6 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(
 ):
     """The halt comes 0.1 to 1 s earlier than for the same disk and contact on a table without
     modes. Below 1e-4 rad the motion is chaotic."""
-
-    def time_above(motion, inclination):
-        t = np.linspace(motion.t[-1] - 0.5, motion.t[-1], 100_001)
-        return t[np.flatnonzero(motion.inclination(t) > inclination)[-1]]
 
     scene = load_scene("glass-plate").replace(
         "contact.law=elastic", "surface.action=auto"
