@@ -53,7 +53,7 @@ def test_the_command_repeats_a_motion_and_prints_shares(tmp_path):
 @pytest.mark.slow
 def test_the_losses_of_a_light_plate_differ_between_perturbed_motions():
     """Contact is lost in every motion, a chaotic number of times; the end hardly differs."""
-    scene = load_scene("light-plate").replace("numerics.accuracy=draft")
+    scene = load_scene("light-plate")
     table = with_table(plan_of(scene), scene)[1]
     motion = solve_motion(scene, table=table)
     found = repeat_final_part(scene, motion, 4)

@@ -146,7 +146,9 @@ def step_normal_with_modes(
         rough,
         scratch,
     )
-    if abs(angle_between(previous_angle, angle)) > max_rolling_turn:
+    turn = abs(angle_between(previous_angle, angle))
+    jumped = turn > max_rolling_turn
+    if jumped:
         jump_to_contact(y, constants, modes, angle, height)
         previous_angle = angle
         v0 = y[3]
@@ -255,11 +257,10 @@ def step_normal_with_modes(
     y[9] = 2 * M0 - L0
     y[10] = 2 * M1 - L1
     y[11] = 2 * M2 - L2
-    turn = abs(angle_between(previous_angle, angle))
     y[STATE.table_path] = table_path + path_change
     y[STATE.roughness_heights] = height
     y[STATE.roughness_heights + 1] = 0.0
-    if turn < max_rolling_turn:
+    if not jumped:
         y[STATE.path_speed] = R * turn / h
     modes.contact[CONTACT.angle] = angle
     modes.contact[CONTACT.gap_stiffness] = K1
