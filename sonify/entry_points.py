@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from dynamics.simulation import compile_in_background
+from sonify.claims.listener import listener
 from sonify.report.render_worker import painter
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene, scene_with_accuracy
@@ -56,6 +57,7 @@ def run(
     """
     scene = begin_run(scene, accuracy)
     painter()
+    listener()
     from sonify import pipeline  # slow to import
 
     return pipeline.run(scene, out, stages=stages, dynamics=dynamics)

@@ -17,12 +17,14 @@ from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Findings
+from sonify.claims.listener import listen_in_worker
 from sonify.claims.literature import literature_findings
 from sonify.claims.rattling import rattling_findings
 from sonify.claims.rigid_motion import motion_and_mode_findings
 from sonify.claims.sound import analyse_sound, sound_findings
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as halt_findings
+from sonify.hearing.recording import Heard, listen
 from sonify.plan.air import limits_of_film_law, with_air
 from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import Plan, with_motion_end
@@ -40,7 +42,7 @@ from sonify.runtime.progress import Stages, in_background
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
 from sonify.sound.oscillators import compile_oscillators
-from sonify.sound.pressure import Dynamics
+from sonify.sound.pressure import Dynamics, Track
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import render_sound
@@ -55,6 +57,7 @@ def solve(
     eigenmodes: Callable[..., Modes] = eigenmodes,
     begin: Callable = lambda found: None,
     dynamics: Dynamics = "compressed",
+    listen: Callable[[Track, float], Heard] = listen,
 ) -> Result:
     """Solve a scene and return the result without writing files.
 
@@ -73,6 +76,8 @@ def solve(
         the sound.
     dynamics : str
         Dynamics of audible.wav, "compressed" or "natural".
+    listen : callable
+        Analyses the pressure up to the end of the motion; `sonify.listen` by default.
 
     Returns
     -------
@@ -131,7 +136,7 @@ def solve(
         sound = replace(sound, dynamics=dynamics)
     begin(replace(solved, sound=sound))
     with stages.stage("findings"):
-        hearing = in_background(analyse_sound, sound)
+        hearing = in_background(analyse_sound, sound, listen)
         checks = all_checks(scene, motion, modes, sound)
         findings = motion_and_mode_findings(motion, modes)
         heard, silence = hearing.result()
@@ -294,6 +299,7 @@ def run(
             scene,
             stages=stages,
             eigenmodes=cached_modes,
+            listen=listen_in_worker,
             begin=pictures.begin,
             dynamics=dynamics,
         )

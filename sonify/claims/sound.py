@@ -1,5 +1,7 @@
 """Findings on the rendered sound, compared with the solved motion and modes."""
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.signal import sosfilt
 
@@ -25,9 +27,13 @@ FINAL_INTERVAL_DURATION = 1.0
 pitch."""
 
 
-def analyse_sound(sound: Sound) -> tuple[Heard | None, list[str]]:
+def analyse_sound(
+    sound: Sound, listen: Callable[[Track, float], Heard] = listen
+) -> tuple[Heard | None, list[str]]:
     """Return the analysis of the rendered sound, or None, and notes on claims that were
-    not judged."""
+    not judged.
+
+    `listen` analyses the pressure up to the end of the motion."""
     try:
         heard = listen(sound.pressure, sound.source_end)
     except RecordingError as error:

@@ -10,13 +10,12 @@ import os
 import sys
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import suppress
 from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
 from typing import Any
 
-from sonify.runtime.workers import WorkerDiedError, WorkerProcess, serve_calls
+from sonify.runtime.workers import BackgroundWorker, serve_calls
 
 
 def draw_png(module: str, name: str, data: dict) -> bytes:
@@ -27,7 +26,7 @@ def draw_png(module: str, name: str, data: dict) -> bytes:
     return file.getvalue()
 
 
-class Painter:
+class Painter(BackgroundWorker):
     """Draws pictures in a worker process, or in this process if no worker can be
     started.
 
@@ -35,12 +34,8 @@ class Painter:
     """
 
     def __init__(self):
+        super().__init__(__name__, single_threaded=False)
         self._gathering = ThreadPoolExecutor(1, "gathering")
-        self._waiting = ThreadPoolExecutor(1, "painter")
-        self._worker = self._waiting.submit(
-            WorkerProcess, __name__, single_threaded=False
-        )
-        self._loaded = False
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
         """Return the Future of `draw_png`; pictures are drawn one after another.
@@ -49,7 +44,7 @@ class Painter:
         """
         gathered = self._gathering.submit(data)
         return self._waiting.submit(
-            lambda: self._call_worker_or_run_here(
+            lambda: self.call_worker_or_run_here(
                 draw_png, module, name, gathered.result()
             )
         )
@@ -62,24 +57,7 @@ class Painter:
         """
         if not self._loaded:
             return function(*arguments, **options)
-        return self._waiting.submit(
-            self._call_worker_or_run_here, function, *arguments, **options
-        ).result()
-
-    def _call_worker_or_run_here(self, function, *arguments, **options):
-        try:
-            answer = self._worker.result().call(function, *arguments, **options)
-        except (OSError, WorkerDiedError):  # the worker was not started or has died
-            return function(*arguments, **options)
-        self._loaded = True
-        return answer
-
-    def close(self):
-        """End the worker process."""
-        with suppress(OSError):
-            self._worker.result().kill()
-        self._worker = Future()
-        self._worker.set_exception(BrokenPipeError("ended"))
+        return self.submit(function, *arguments, **options).result()
 
 
 @lru_cache(1)

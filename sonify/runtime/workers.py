@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from queue import Empty, SimpleQueue
 from typing import Any
@@ -60,6 +61,42 @@ class WorkerProcess:
         """Kill the worker, wait for its exit, and close its pipes."""
         with suppress(OSError), self.process:
             self.process.kill()
+
+
+class BackgroundWorker:
+    """Worker process whose calls are made one after another in a background thread.
+
+    Calls run in this process if the worker cannot be started or has died. The arguments
+    are those of `WorkerProcess`."""
+
+    def __init__(self, module: str, single_threaded: bool = True):
+        self._waiting = ThreadPoolExecutor(1, module)
+        self._worker = self._waiting.submit(WorkerProcess, module, single_threaded)
+        self._loaded = False
+
+    def submit(self, function: Callable, *arguments: Any, **options: Any) -> Future:
+        """Return the Future of a call of a module-level `function`."""
+        return self._waiting.submit(
+            self.call_worker_or_run_here, function, *arguments, **options
+        )
+
+    def call_worker_or_run_here(
+        self, function: Callable, *arguments: Any, **options: Any
+    ) -> Any:
+        """Return the result of a module-level `function`."""
+        try:
+            answer = self._worker.result().call(function, *arguments, **options)
+        except (OSError, WorkerDiedError):  # the worker was not started or has died
+            return function(*arguments, **options)
+        self._loaded = True
+        return answer
+
+    def close(self) -> None:
+        """End the worker process."""
+        with suppress(OSError):
+            self._worker.result().kill()
+        self._worker = Future()
+        self._worker.set_exception(BrokenPipeError("ended"))
 
 
 def serve_calls(

@@ -59,6 +59,16 @@ class Track:
         listener."""
         return self.columns[first:last][:, self.column]
 
+    def without_stems(self) -> "Track":
+        """Return this track with a copy of its own samples alone."""
+        tracks = (self, *self.others)
+        columns = np.column_stack([track.read() for track in tracks])
+        first, *others = (
+            replace(track, columns=columns, column=i, others=())
+            for i, track in enumerate(tracks)
+        )
+        return replace(first, others=tuple(others))
+
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Return a new iterator over float32 blocks (k, channels), beginning at sample
         `start`."""

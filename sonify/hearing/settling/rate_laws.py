@@ -87,33 +87,33 @@ def phase(family, ratio, exponent, x):
 
 
 @njit(cache=True, nogil=True)
-def place(code, ratio, exponent, phase):
-    """Return the relative time, from 0 to 1, at a phase."""
-    if code >= 3:
-        return 1 - place(code - 3, ratio, exponent, 1 - phase)
-    if code == 0:
-        left = 1 / (ratio ** (1 / exponent) - 1)
-        if abs(exponent - 1) < 1e-6:
-            return (left + 1) * (1 - (left / (left + 1)) ** phase)
-        power = 1 - exponent
-        begin = (left + 1) ** power
-        return left + 1 - (begin - phase * (begin - left**power)) ** (1 / power)
-    if abs(ratio - 1) < 1e-9:
-        return phase
-    if code == 1:
-        curvature = (ratio - 1) / 2
-        return (math.sqrt(1 + 2 * curvature * phase * (1 + ratio)) - 1) / (
-            2 * curvature
-        )
-    return math.log1p(phase * (ratio - 1)) / math.log(ratio)
-
-
-@njit(cache=True, nogil=True)
 def places(code, ratio, exponent, phases):
-    """Return the relative times (n,) at phases (n,)."""
+    """Return the relative times (n,), from 0 to 1, at phases (n,)."""
+    slowing = code >= 3
+    family = code - 3 if slowing else code
+    uniform = family > 0 and abs(ratio - 1) < 1e-9
+    logarithmic = abs(exponent - 1) < 1e-6
+    left = 1 / (ratio ** (1 / exponent) - 1) if family == 0 else 0.0
+    power = 1 - exponent
+    begin = (left + 1) ** power
+    span = begin - left**power
+    curvature = (ratio - 1) / 2
     found = np.empty(len(phases))
     for k in range(len(phases)):
-        found[k] = place(code, ratio, exponent, phases[k])
+        phase = 1 - phases[k] if slowing else phases[k]
+        if uniform:
+            x = phase
+        elif family == 0 and logarithmic:
+            x = (left + 1) * (1 - (left / (left + 1)) ** phase)
+        elif family == 0:
+            x = left + 1 - (begin - phase * span) ** (1 / power)
+        elif family == 1:
+            x = (math.sqrt(1 + 2 * curvature * phase * (1 + ratio)) - 1) / (
+                2 * curvature
+            )
+        else:
+            x = math.log1p(phase * (ratio - 1)) / math.log(ratio)
+        found[k] = 1 - x if slowing else x
     return found
 
 

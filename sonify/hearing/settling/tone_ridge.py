@@ -137,7 +137,7 @@ def _best_paths(evidence, slopes, bend_penalty):
     frames, bins = evidence.shape
     penalty = np.float32(bend_penalty)
     score = np.zeros((len(slopes), bins), np.float32)
-    updated = np.zeros_like(score)
+    updated = np.zeros((len(slopes), bins), np.float32)
     highest = np.zeros(bins, np.float32)
     back = np.full((frames, len(slopes), bins), -1, np.int8)
     best = np.float32(0)
@@ -160,8 +160,11 @@ def _best_paths(evidence, slopes, bend_penalty):
                 reached[i] += weight * (high[i] - low[i])
             for b in range(bins):
                 highest[b] = max(highest[b], updated[k, b])
-        if highest.max() > best:
-            best = highest.max()
+        top = np.float32(0)
+        for b in range(bins):
+            top = max(top, highest[b])
+        if top > best:
+            best = top
             for k in range(len(slopes)):
                 for b in range(bins):
                     if updated[k, b] == best:

@@ -103,23 +103,26 @@ def _largest_sums(power, first):
     two = np.float32(0)
     three = np.float32(0)
     four = np.float32(0)
-    limits = [max((bins - 1) // h + 1, first) for h in (4, 3, 2, 1)]
-    for k in range(first, limits[0]):
+    last = bins - 1
+    begin_three = max(last // 4 + 1, first)
+    begin_two = max(last // 3 + 1, first)
+    begin_one = max(last // 2 + 1, first)
+    for k in range(first, begin_three):
         pair = power[k] + power[2 * k]
         triple = pair + power[3 * k]
         one = max(one, power[k])
         two = max(two, pair)
         three = max(three, triple)
         four = max(four, triple + power[4 * k])
-    for k in range(limits[0], limits[1]):
+    for k in range(begin_three, begin_two):
         pair = power[k] + power[2 * k]
         one = max(one, power[k])
         two = max(two, pair)
         three = max(three, pair + power[3 * k])
-    for k in range(limits[1], limits[2]):
+    for k in range(begin_two, begin_one):
         one = max(one, power[k])
         two = max(two, power[k] + power[2 * k])
-    for k in range(limits[2], limits[3]):
+    for k in range(begin_one, bins):
         one = max(one, power[k])
     return one, two, three, four
 

@@ -1,0 +1,59 @@
+"""Analyse the sound of a run in a worker process.
+
+The worker loads or compiles the detector while the main process solves the motion.
+"""
+
+import atexit
+import os
+import sys
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from sonify.runtime.workers import BackgroundWorker, serve_calls
+
+if TYPE_CHECKING:
+    from sonify.hearing.recording import Heard
+    from sonify.sound.pressure import Track
+
+
+@lru_cache(1)
+def listener() -> BackgroundWorker:
+    """Return the single listener of this process; the first call starts its worker."""
+    one = BackgroundWorker(__name__)
+    atexit.register(one.close)
+    return one
+
+
+if sys.platform != "win32":
+    os.register_at_fork(
+        after_in_child=listener.cache_clear
+    )  # processes cannot share a listener
+
+
+def listen_in_worker(sound: "Track", end: float) -> "Heard":
+    """Return `listen(sound, end)` from the listener, or from here for long sounds."""
+    import numpy as np
+
+    from sonify.hearing.recording import listen
+
+    if not isinstance(sound.columns, np.ndarray):
+        return listen(sound, end)
+    return listener().submit(listen, sound.without_stems(), end).result()
+
+
+def detect_rising_tone() -> None:
+    """Detect a short tone, which compiles the detector."""
+    import numpy as np
+
+    from sonify.hearing.settling.detector import strongest_tone
+    from sonify.sound.pressure import Track
+
+    rate = 8000
+    left = 0.65 - np.arange(0.6 * rate) / rate
+    tone = np.cos(800 * np.sqrt(left)).astype(np.float32)
+    strongest_tone(Track(sample_rate=rate, columns=tone[:, None], column=0))
+
+
+if __name__ == "__main__":
+    detect_rising_tone()
+    serve_calls()
