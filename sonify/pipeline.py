@@ -121,7 +121,15 @@ def solve(
         scene=scene, plan=plan, modes=modes, table=table, motion=motion
     )
     begin(solved)
-    halt = in_background(halt_findings, scene, motion)  # may repeat the two-way motion
+    waiting: dict[
+        str, Callable
+    ] = {}  # the stage that waits for repetitions of the two-way motion
+    halt = in_background(
+        halt_findings,
+        scene,
+        motion,
+        lambda share: waiting.get("watch", lambda _: None)(share),
+    )
     with stages.stage("sound") as watch:
         sound = render_sound(
             scene,
@@ -135,7 +143,8 @@ def solve(
         )
         sound = replace(sound, dynamics=dynamics)
     begin(replace(solved, sound=sound))
-    with stages.stage("findings"):
+    with stages.stage("findings") as watch:
+        waiting["watch"] = watch
         hearing = in_background(analyse_sound, sound, listen)
         checks = all_checks(scene, motion, modes, sound)
         findings = motion_and_mode_findings(motion, modes)

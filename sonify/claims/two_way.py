@@ -95,11 +95,15 @@ def energy_budget(motion: Motion, t, heard=None) -> EnergyBudget:
     )
 
 
-def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
+def motion_findings(
+    scene: Scene,
+    motion: Motion,
+    watch: Callable[[float], None] = lambda share: None,
+) -> list[Finding]:
     """Return the findings on two-way coupling.
 
     The list is empty without two-way coupling if the disk rattles or did not come
-    to rest.
+    to rest. `watch` receives the completed share of the reruns.
     """
     found = two_way_part(motion)
     if isinstance(motion, RattlingMotion):
@@ -108,7 +112,7 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
         return [air_carries_earlier(scene, motion)]
     if found is None or motion.outcome.name not in ("SETTLED", "FELL"):
         return []
-    others = variation_runs(scene, found[0])
+    others = variation_runs(scene, found[0], watch)
     judges = [
         halt_comes_earlier,
         waves_make_the_halt,
@@ -129,11 +133,15 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     ]
 
 
-def variation_runs(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMotion]:
+def variation_runs(
+    scene: Scene,
+    part: CompliantMotion,
+    watch: Callable[[float], None] = lambda share: None,
+) -> dict[str, CompliantMotion]:
     """Return reruns with half the time step and with twice the contact stiffness, by
     name.
 
-    They start at the onset of two-way coupling.
+    They start at the onset of two-way coupling. `watch` receives the completed share.
     """
     start = two_way_start(scene, part)
     span = scene.numerics.time_limit - start
@@ -143,9 +151,17 @@ def variation_runs(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMo
         HALF_STEP: part.model.with_half_time_step(),
         TWICE_STIFF: part.model.with_double_stiffness(),
     }
+    expected = part.t[-1] - start
+
+    def rerun(number, model):
+        def show(t, inclination, doing):
+            watch((number + min(t / expected, 1.0)) / len(models))
+
+        return simulate_from(model, state, force, span, FLAT_INCLINATION, show)
+
     return {
-        name: simulate_from(model, state, force, span, FLAT_INCLINATION)
-        for name, model in models.items()
+        name: rerun(number, model)
+        for number, (name, model) in enumerate(models.items())
     }
 
 
