@@ -231,8 +231,11 @@ def step_normal_with_modes(
         resistance += loss * elastic_force * (h * h / 2 * W + E)
         newton_change = error / (1 + resistance) if damped_force > 0 else error
         # In a hard impact Newton's method alternates around the solution, which the secant between
-        # both forces approaches.
-        if error * other_error < 0 and 2 * abs(error) > abs(other_error):
+        # both forces approaches; where the dashpot pulls, both are of no use.
+        alternates = error * other_error < 0
+        if alternates and damped_force <= 0:
+            next_force = (N + other_force) / 2
+        elif alternates and 2 * abs(error) > abs(other_error):
             next_force = N - error * (N - other_force) / (error - other_error)
         else:
             next_force = max(0.0, N + newton_change)

@@ -375,14 +375,20 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
     """Find the contact of a disk with axis (n0, n1, n2) and centre (x, y) on the table.
 
     One Newton step updates each minimum of the gap; the lowest one is the contact.
+    While the disk is almost parallel to the table below it, the opposite side of the
+    rim may become the lowest in any step, and the whole rim is scanned every time.
     `rough` contains the height profiles of table and edge, their path lengths [m] at
     the previous contact, and the half-length of the ellipse. The mode shapes at the
     contact are stored as `shape_after`. Returns the direction [rad], the sum of the
     heights of table and edge [m], and the path length from the previous contact [m].
     """
+    # curvature of the gap along the rim, divided by that on a level table, below which the disk
+    # is almost parallel to the table
+    min_curvature_ratio = 0.5
     field = scratch[6]
     rim_field = scratch[7]
     R = constants.core_radius
+    level_curvature = R * np.sqrt(n0 * n0 + n1 * n1)
     x = waves.table_is_fixed * x
     y = waves.table_is_fixed * y
     waves.contact[CONTACT.steps_to_scan] -= 1
@@ -404,7 +410,10 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
         slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
         bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
-        step = slope / max(down - bend, 0.1 * R * np.sqrt(n0 * n0 + n1 * n1) + 1e-300)
+        curvature = down - bend
+        if curvature < min_curvature_ratio * level_curvature:
+            waves.contact[CONTACT.steps_to_scan] = 0
+        step = slope / max(curvature, 0.1 * level_curvature + 1e-300)
         step = min(max(step, -0.1), 0.1)
         waves.contact[CONTACT.minimum_angles + n] = angle + step
         value = field[0] + rim_field[0] + down + step * slope / 2
