@@ -31,7 +31,7 @@ from dynamics.compliant.state_conversion import (
 )
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
-from dynamics.compliant.stepping.table_modes import CONTACT
+from dynamics.compliant.stepping.table_modes import CONTACT, store_table_shapes
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.compliant.two_way_onset import (
     may_be_two_way,
@@ -86,6 +86,36 @@ def test_the_gap_is_that_of_the_geometry(elastic):
         amplitude = waves.state[:, MODE_STATE.amplitude]
         table = amplitude @ waves.state[:, MODE_STATE.shape_before]
         assert y[STATE.gap] == pytest.approx(lowest - table, abs=1e-14)  # [m]
+
+
+def test_the_contact_changes_sides_with_a_disk_that_tilts_through_flat(elastic):
+    """The contact is the lowest point of the rim in every step, compared with 240 points."""
+    model = standing(elastic, 2e5, elastic.friction, (1, 1000.0, 0.02, 0.3))
+    y = preloaded_compliant_state(model, steady(contact_law(elastic), 3e-4)[0])
+    waves = model.supporting_modes(y)
+    k = model.constants
+    first = y[STATE.axis : STATE.axis + 2].copy()
+    tilting = first / np.hypot(*first)
+    momentum = y[STATE.angular_momentum : STATE.angular_momentum + 2]
+    momentum *= 0.05
+    momentum -= 2.0 * k.diametral_inertia * np.array([-tilting[1], tilting[0]])
+    angles = np.linspace(0, 2 * np.pi, 240)
+    shapes = np.zeros(len(waves.state))
+    for _ in range(60):
+        list(model.run(y, 1, 1 / model.rate, waves=waves))
+        gaps = []
+        for c, s in zip(np.cos(angles), np.sin(angles), strict=True):
+            down = y[STATE.axis] * c + y[STATE.axis + 1] * s
+            reach = k.core_radius * y[STATE.axis + 2] - k.core_depth * down
+            lowest = (
+                y[2] - k.core_radius * down + k.core_depth * (1 - y[STATE.axis + 2])
+            )
+            store_table_shapes(
+                waves, reach * c, reach * s, np.zeros((3, 4)), np.zeros((3, 4)), shapes
+            )
+            gaps.append(lowest - waves.state[:, MODE_STATE.amplitude] @ shapes)
+        assert y[STATE.gap] == pytest.approx(min(gaps), abs=1e-8)  # [m]
+    assert first @ y[STATE.axis : STATE.axis + 2] < 0
 
 
 @pytest.mark.parametrize(
