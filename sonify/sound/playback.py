@@ -72,10 +72,11 @@ class CachedTrack(DerivedTrack):
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Return a new iterator over blocks (k, channels), beginning at sample
         `start`."""
-        done = 0
+        skipped = start
         for block in self._cached_blocks or self.computed_blocks():
-            yield block[max(start - done, 0) :]
-            done += len(block)
+            if skipped < len(block):  # an empty part would keep its block in memory
+                yield block[skipped:]
+            skipped = max(skipped - len(block), 0)
 
 
 @dataclass(frozen=True, kw_only=True)
