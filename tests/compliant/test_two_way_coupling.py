@@ -71,6 +71,15 @@ def test_energy_is_kept_and_never_gained(elastic, damping):
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
 
 
+def rim_point(y, constants, angle):
+    """Return the height above a level table and the place relative to the centre [m] of the rim."""
+    e = np.array([np.cos(angle), np.sin(angle)])
+    down = y[STATE.axis : STATE.axis + 2] @ e
+    upright = y[STATE.axis + 2]
+    height = y[2] - constants.core_radius * down + constants.core_depth * (1 - upright)
+    return height, (constants.core_radius * upright - constants.core_depth * down) * e
+
+
 def test_the_gap_is_that_of_the_geometry(elastic):
     """The gap of the state, the sum of its changes, equals the distance between edge and table,
     through rolling, impacts and jumps to other waves."""
@@ -80,9 +89,7 @@ def test_the_gap_is_that_of_the_geometry(elastic):
     waves = model.supporting_modes(y)
     k = model.constants
     for _ in model.run(y, 10, 0.05, waves=waves):
-        angle = waves.contact[CONTACT.angle]
-        down = y[STATE.axis] * np.cos(angle) + y[STATE.axis + 1] * np.sin(angle)
-        lowest = y[2] - k.core_radius * down + k.core_depth * (1 - y[STATE.axis + 2])
+        lowest, _ = rim_point(y, k, waves.contact[CONTACT.angle])
         amplitude = waves.state[:, MODE_STATE.amplitude]
         table = amplitude @ waves.state[:, MODE_STATE.shape_before]
         assert y[STATE.gap] == pytest.approx(lowest - table, abs=1e-14)  # [m]
@@ -104,14 +111,10 @@ def test_the_contact_changes_sides_with_a_disk_that_tilts_through_flat(elastic):
     for _ in range(60):
         list(model.run(y, 1, 1 / model.rate, waves=waves))
         gaps = []
-        for c, s in zip(np.cos(angles), np.sin(angles), strict=True):
-            down = y[STATE.axis] * c + y[STATE.axis + 1] * s
-            reach = k.core_radius * y[STATE.axis + 2] - k.core_depth * down
-            lowest = (
-                y[2] - k.core_radius * down + k.core_depth * (1 - y[STATE.axis + 2])
-            )
+        for angle in angles:
+            lowest, place = rim_point(y, k, angle)
             store_table_shapes(
-                waves, reach * c, reach * s, np.zeros((3, 4)), np.zeros((3, 4)), shapes
+                waves, *place, np.zeros((3, 4)), np.zeros((3, 4)), shapes
             )
             gaps.append(lowest - waves.state[:, MODE_STATE.amplitude] @ shapes)
         assert y[STATE.gap] == pytest.approx(min(gaps), abs=1e-8)  # [m]
