@@ -121,9 +121,8 @@ def solve(
         scene=scene, plan=plan, modes=modes, table=table, motion=motion
     )
     begin(solved)
-    waiting: dict[
-        str, Callable
-    ] = {}  # the stage that waits for repetitions of the two-way motion
+    # the stage that waits for repetitions of the two-way motion
+    waiting: dict[str, Callable[[float], None]] = {}
     halt = in_background(
         halt_findings,
         scene,

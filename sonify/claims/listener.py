@@ -3,31 +3,19 @@
 The worker loads or compiles the detector while the main process solves the motion.
 """
 
-import atexit
-import os
-import sys
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from sonify.runtime.workers import BackgroundWorker, serve_calls
+from sonify.runtime.workers import BackgroundWorker, one_per_process, serve_calls
 
 if TYPE_CHECKING:
     from sonify.hearing.recording import Heard
     from sonify.sound.pressure import Track
 
 
-@lru_cache(1)
+@one_per_process
 def listener() -> BackgroundWorker:
     """Return the single listener of this process; the first call starts its worker."""
-    one = BackgroundWorker(__name__)
-    atexit.register(one.close)
-    return one
-
-
-if sys.platform != "win32":
-    os.register_at_fork(
-        after_in_child=listener.cache_clear
-    )  # processes cannot share a listener
+    return BackgroundWorker(__name__)
 
 
 def listen_in_worker(sound: "Track", end: float) -> "Heard":

@@ -4,18 +4,16 @@ The worker also imports matplotlib and solves modes while the main process solve
 motion.
 """
 
-import atexit
 import gc
 import os
 import sys
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
-from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
 from typing import Any
 
-from sonify.runtime.workers import BackgroundWorker, serve_calls
+from sonify.runtime.workers import BackgroundWorker, one_per_process, serve_calls
 
 
 def draw_png(module: str, name: str, data: dict) -> bytes:
@@ -60,18 +58,10 @@ class Painter(BackgroundWorker):
         return self.submit(function, *arguments, **options).result()
 
 
-@lru_cache(1)
+@one_per_process
 def painter() -> Painter:
     """Return the single painter of this process; the first call starts its worker."""
-    one = Painter()
-    atexit.register(one.close)
-    return one
-
-
-if sys.platform != "win32":
-    os.register_at_fork(
-        after_in_child=painter.cache_clear
-    )  # processes cannot share a painter
+    return Painter()
 
 
 def serve():

@@ -1,5 +1,6 @@
 """Worker processes that serve pickled calls and exit with their parent process."""
 
+import atexit
 import os
 import pickle
 import signal
@@ -9,8 +10,9 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
+from functools import lru_cache, wraps
 from queue import Empty, SimpleQueue
-from typing import Any
+from typing import Any, TypeVar
 
 
 class WorkerDiedError(Exception):
@@ -97,6 +99,27 @@ class BackgroundWorker:
             self._worker.result().kill()
         self._worker = Future()
         self._worker.set_exception(BrokenPipeError("ended"))
+
+
+Worker = TypeVar("Worker", bound=BackgroundWorker)
+
+
+def one_per_process(make: Callable[[], Worker]) -> Any:
+    """Decorate a function without arguments that makes a `BackgroundWorker`.
+
+    Every call in a process returns the same worker, which ends with the process. A
+    forked process makes its own."""
+
+    @lru_cache(1)
+    @wraps(make)
+    def one() -> Worker:
+        worker = make()
+        atexit.register(worker.close)
+        return worker
+
+    if sys.platform != "win32":
+        os.register_at_fork(after_in_child=one.cache_clear)
+    return one
 
 
 def serve_calls(
