@@ -1,12 +1,11 @@
 """Export the motion of a scene as an animated model or as a table."""
 
+import csv
 from collections.abc import Callable
 from math import ceil, isfinite
 from pathlib import Path
 
 import numpy as np
-import pyarrow as pa
-from pyarrow import csv, parquet
 
 from dynamics import Motion
 from dynamics.compliant.two_way_onset import must_compute_table_modes
@@ -19,6 +18,7 @@ from sonify.export.scene_source import scene_or_run_record
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, solve_motion
 from sonify.plan.table import with_table
+from sonify.runtime.extras import require_extra
 from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene
@@ -63,10 +63,13 @@ def export_motion(
     Raises
     ------
     InputError
-        If the scene cannot be solved, or the rate is out of range.
+        If the scene cannot be solved, if the rate is out of range, or if the package
+        for Parquet files is missing.
     """
     if rate is not None and not (isfinite(rate) and rate > 0):
         raise InputError(f"--rate = {rate:g}: must be greater than 0")
+    if form == "parquet":
+        require_extra("--as parquet", "pyarrow", "sweep")
     scene = check_solvable_scene(scene_or_run_record(scene), None)
     path = Path(out or f"{scene.name}.{MOTION_SUFFIXES[form]}")
     stages = stages or Stages()
@@ -78,9 +81,9 @@ def export_motion(
             as_text = path.suffix.lower() == ".gltf"
             temporary.write_bytes(animated_model(scene, motion, times, as_text))
         elif form == "parquet":
-            parquet.write_table(motion_table(motion, times), temporary)
+            write_parquet(motion, times, temporary)
         else:
-            csv.write_csv(motion_table(motion, times), temporary)
+            write_csv(motion, times, temporary)
     return path
 
 
@@ -119,9 +122,26 @@ def _row_times(motion: Motion, rate: float | None) -> np.ndarray:
     return np.append(np.arange(ceil(end * rate)) / rate, end)
 
 
-def motion_table(motion: Motion, times: np.ndarray) -> pa.Table:
-    """Return a table of the column "t" and those of `Motion.to_frame` at times (k,)
-    [s]."""
-    rows = np.column_stack([times, *motion.at_and_force(times)])
+def motion_rows(motion: Motion, times: np.ndarray) -> tuple[list[str], np.ndarray]:
+    """Return the names (c,) and values (k, c) of the column "t" and those of
+    `Motion.to_frame` at times (k,) [s]."""
     names = ["t", *COLUMNS, *FORCE_COLUMNS]
-    return pa.table(dict(zip(names, map(pa.array, rows.T.copy()), strict=True)))
+    return names, np.column_stack([times, *motion.at_and_force(times)])
+
+
+def write_parquet(motion: Motion, times: np.ndarray, path: Path):
+    """Write the rows of a motion to a Parquet file."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    names, rows = motion_rows(motion, times)
+    pq.write_table(pa.table(dict(zip(names, rows.T.copy(), strict=True))), path)
+
+
+def write_csv(motion: Motion, times: np.ndarray, path: Path):
+    """Write the rows of a motion to a text file, with all digits of each number."""
+    names, rows = motion_rows(motion, times)
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(names)
+        writer.writerows(row.tolist() for row in rows)

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from sonify.runtime.extras import require_extra
 from sonify.runtime.files import OutputError, atomic_write
 from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import AbortedError
@@ -28,7 +29,7 @@ from sonify.sweeps.executors import (
 from sonify.sweeps.row_processes import RowProcess
 from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
-from sonify.sweeps.verdict import require_index_library, verdict_conclusion
+from sonify.sweeps.verdict import verdict_conclusion
 
 
 class RunTime(NamedTuple):
@@ -161,7 +162,7 @@ def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
     """Load a sweep; raise InputError if a library that it needs is not installed."""
     sweep_spec = load_sweep(source)
     if "verdict" in sweep_spec.stages:
-        require_index_library()
+        require_extra('find = "verdict"', "SALib", "verdict")
     return sweep_spec
 
 

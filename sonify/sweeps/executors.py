@@ -16,6 +16,7 @@ from itertools import islice
 from time import monotonic
 from typing import Any
 
+from sonify.runtime.extras import require_extra
 from sonify.runtime.signals import AbortedError
 from sonify.scene_errors import InputError
 from sonify.sweeps.row_processes import (
@@ -80,12 +81,9 @@ def local_executor(processes: int):
 
 def import_dask():
     """Import and return the Dask package. Raises InputError if it is not installed."""
-    try:
-        import distributed
-    except ModuleNotFoundError:
-        raise InputError(
-            '--scheduler requires Dask; install it with: python -m pip install -e ".[cluster]"'
-        ) from None
+    require_extra("--scheduler", "distributed", "cluster")
+    import distributed
+
     return distributed
 
 

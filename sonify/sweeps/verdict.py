@@ -2,14 +2,12 @@
 axes."""
 
 from collections import Counter
-from importlib.util import find_spec
 from typing import NamedTuple
 
 import numpy as np
 import pyarrow as pa
 
 from sonify.claims.shares import share_of
-from sonify.scene_errors import InputError
 from sonify.sweeps.axes import salib_problem
 from sonify.sweeps.sweep import Sweep
 
@@ -40,14 +38,6 @@ class SensitivityIndex(NamedTuple):
         # Maximum width of the 95 % confidence interval of a resolved index
         max_interval_width = 0.2
         return 2 * self.error <= max_interval_width
-
-
-def require_index_library() -> None:
-    """Raise InputError if the library for sensitivity indices is not installed."""
-    if find_spec("SALib") is None:
-        raise InputError(
-            'find = "verdict": requires SALib; install it with: python -m pip install -e ".[verdict]"'
-        )
 
 
 def first_order_indices(
