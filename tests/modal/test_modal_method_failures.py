@@ -20,9 +20,10 @@ from benchmarks.charts.stability_modes import (
     free_disk,
     rate_below_elastic,
 )
-from modal import Material, Plate
+from modal import Material, Plate, eigenmodes
 from modal.elements.elastic import inverse_at
 from modal.mesh.symmetry import Mirror
+from sonify import load_scene
 
 DISK = Plate(
     radius=0.03755,
@@ -122,3 +123,17 @@ def test_meshes_split_pairs_as_they_err():
         beats.append(abs(one - other))
     assert beats[0] > 0.1
     assert beats[0] > 4 * beats[1]
+
+
+@pytest.mark.slow
+def test_a_foil_whose_tractions_are_dependent_is_solved_by_finite_elements():
+    foil = load_scene("published").replace(
+        "disk.thickness=1.28e-4", "disk.mass=0.004387", "numerics.accuracy=draft"
+    )
+    modes = eigenmodes(foil, below=3000.0)
+    assert modes.method == "finite elements"
+    assert 40 <= len(modes.frequency) <= 46
+    # a thin plate held at its edge: frequencies in proportion to the thickness
+    thicker = foil.replace("disk.thickness=2.56e-4", "disk.mass=0.008774")
+    lowest = eigenmodes(thicker, below=300.0)
+    assert modes.frequency[0] * 2 == pytest.approx(lowest.frequency[0], rel=0.08)
