@@ -38,8 +38,8 @@ EXPORT_FORMS: dict[str, tuple[str, ...]] = {
 }
 """File formats of each kind of export."""
 EXPORT_OPTIONS = {
-    "modes": ("--strike",),
-    "motion": ("--rate",),
+    "modes": ("--as", "--strike"),
+    "motion": ("--as", "--rate"),
     "sound": ("--rate", "--takes", "--seed"),
 }
 """Options that are valid for each kind of export."""
@@ -246,7 +246,7 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
     from sonify.claims.surface_summary import complete_answers
 
     for name in ("sound.wav", "spectrogram.png", "report.html"):
-        click.echo(str(result.out / name))
+        click.echo(result.out / name)
     for question, answer in complete_answers(result.findings).items():
         click.echo(f"{question}: {answer}")
     for line in repeated.lines() if ensemble else []:
@@ -326,7 +326,7 @@ def fit(recordings, scene, out, like, begin, end):
                 simulated = simulated_numbers(fits.scene, seconds[0])
             for line in comparison_sentences(fits, simulated):
                 click.echo(line)
-        click.echo(str(write_fits(fits, out, simulated)))
+        click.echo(write_fits(fits, out, simulated))
 
 
 @main.command()
@@ -440,51 +440,40 @@ def export(what, scene, form, strike, rate, takes, seed, out):
     sounds as WAV files SCENE-01.wav, ... for samplers, trimmed and with loop points;
     the release and the roughness vary from file to file. SCENE is a shipped name, a
     TOML file, or the folder or run.json of an earlier run."""
-    options = {"--strike": strike, "--rate": rate, "--takes": takes, "--seed": seed}
-    _check_export_options(what, form, options)
+    numbers = {"--strike": strike, "--rate": rate, "--takes": takes, "--seed": seed}
+    _check_export_options(what, {"--as": form} | numbers)
     from sonify.console import Console
 
-    if what == "modes":
-        from sonify.export.modes import export_modes
+    with Console() as stages:
+        if what == "modes":
+            from sonify.export.modes import export_modes
 
-        click.echo(str(export_modes(scene, form, out, strike)))
-    elif what == "sound":
-        from sonify.export.takes import export_takes
+            click.echo(export_modes(scene, form, out, strike))
+        elif what == "motion":
+            from sonify.export.motion import export_motion
 
-        with Console() as stages:
-            export_takes(
-                scene,
-                1 if takes is None else takes,
-                1 if seed is None else seed,
-                rate,
-                out,
-                stages,
-                lambda path: click.echo(str(path)),
-            )
-    else:
-        from sonify.export.motion import export_motion
+            click.echo(export_motion(scene, form, out, rate, stages))
+        else:
+            from sonify.export.takes import export_takes
 
-        with Console() as stages:
-            path = export_motion(scene, form, out, rate, stages)
-        click.echo(str(path))
+            seed = 1 if seed is None else seed
+            export_takes(scene, takes or 1, seed, rate, out, stages, click.echo)
 
 
-def _check_export_options(what, form, options):
-    """Raise UsageError for a missing or unsuitable format, or an inapplicable
-    option."""
-    forms = EXPORT_FORMS[what]
-    allowed = ", ".join(forms)
-    if forms and form is None:
+def _check_export_options(what, options):
+    """Raise UsageError for an inapplicable option, or a missing or unsuitable
+    format."""
+    for option, value in options.items():
+        if value is not None and option not in EXPORT_OPTIONS[what]:
+            raise click.UsageError(f"{option} = {value!r}: does not apply to {what}")
+    form = options["--as"]
+    allowed = ", ".join(EXPORT_FORMS[what])
+    if allowed and form is None:
         raise click.UsageError(
             f"--as is missing: give the format of the {what}, one of {allowed}"
         )
-    if form is not None and not forms:
-        raise click.UsageError(f"--as = {form!r}: does not apply to {what}")
-    if form is not None and form not in forms:
+    if form and form not in EXPORT_FORMS[what]:
         raise click.UsageError(f"--as = {form!r}: {what} can be exported as {allowed}")
-    for option, value in options.items():
-        if value is not None and option not in EXPORT_OPTIONS[what]:
-            raise click.UsageError(f"{option} = {value}: does not apply to {what}")
 
 
 @main.command()
@@ -494,9 +483,11 @@ def _check_export_options(what, form, options):
 )
 @click.option(
     "--host",
+    type=TEXT,
     default="127.0.0.1",
     show_default=True,
-    help="Address to listen on; the default accepts connections from this machine only.",
+    help="Address to listen on; the default accepts connections from this machine only, "
+    "0.0.0.0 on all addresses of this machine.",
 )
 def serve(folder, port, host):
     """Serve the finished runs in FOLDER (default outputs) to a browser, with a list and
@@ -559,17 +550,14 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     from sonify.sweeps.command import plan, summarize
     from sonify.sweeps.command import sweep as run_all
 
-    if planned:
-        with Console() as stages:
-            lines = plan(sweep, processes, stages)
-        click.echo("\n".join(lines))
-        return
     with Console() as stages:
+        if planned:
+            click.echo("\n".join(plan(sweep, processes, stages)))
+            return
         table = run_all(sweep, scheduler, out, processes, yes, retry, stages)
-    click.echo(str(table))
-    lines, passed = summarize(table)
-    for line in lines:
-        click.echo(line)
+    line, passed = summarize(table)
+    click.echo(table)
+    click.echo(line)
     sys.exit(0 if passed else 1)
 
 
@@ -594,7 +582,7 @@ def draw(table, x, y, of, out):
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two axes."""
     from sonify.sweeps.maps import make_map
 
-    click.echo(str(make_map(table, of, x, y, out)))
+    click.echo(make_map(table, of, x, y, out))
 
 
 def start(name="sonify"):

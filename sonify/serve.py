@@ -6,6 +6,7 @@ The studio adds the pages that edit and run scenes.
 import json
 import re
 import socket
+from collections.abc import Callable
 from mimetypes import guess_type
 from pathlib import Path
 
@@ -45,23 +46,15 @@ SECURITY_HEADERS = {
     "Referrer-Policy": "no-referrer",
 }
 """HTTP headers of every response."""
-RUN_DATA_PATTERN = re.compile(
-    r'<script type="application/json" class="run">(.*?)</script>', re.DOTALL
-)
-"""Pattern for the JSON data that the page of a run embeds."""
 
 
-def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=print):
+def serve(folder: str | Path, host: str, port: int, note: Callable[[str], object]):
     """Serve the runs in `folder` until interrupted; pass the address to `note`.
 
     Port 0 selects any free port. Raises InputError if the folder does not exist, or if
     the address or the port is invalid or unavailable."""
     if not Path(folder).is_dir():
         raise InputError(f"{folder}: no such folder; python -m sonify run creates it")
-    if not host:
-        raise InputError(
-            "--host = '': must be an address; 0.0.0.0 selects all addresses of this machine"
-        )
     with listening_socket(host, port) as listening:
         note(address(host, listening))
         run_application(application(folder, host), SECURITY_HEADERS, listening)
@@ -147,9 +140,10 @@ def file_response(request: Request, root: Path) -> Response:
     """Return the file in `root` named in a request; for the folder of a run, its
     page."""
     path = path_inside(root, request.path_params["path"])
-    if path.is_dir() and not request.url.path.endswith("/"):
-        return RedirectResponse(f"{request.url.path}/")
-    path = path / "report.html" if path.is_dir() else path
+    if path.is_dir():
+        if not request.url.path.endswith("/"):
+            return RedirectResponse(f"{request.url.path}/")
+        path /= "report.html"
     if not path.is_file():
         raise HTTPException(404, "no such file")
     return FileResponse(
@@ -204,12 +198,15 @@ def _failed_check_lines(checks):
     failed = []
     for record in checks:
         if not record["passed"]:
-            bars = {
+            numbers = {
                 name: float(record[name]) for name in ("value", "expected", "tolerance")
             }
-            one_sided = record["one_sided"]
             check = Check(
-                key="", name=record["name"], source="", one_sided=one_sided, **bars
+                key="",
+                name=record["name"],
+                source="",
+                one_sided=record["one_sided"],
+                **numbers,
             )
             failed.append(
                 f"{check.name}: {check.value:.4g}, expected {check.expectation}"
@@ -222,14 +219,11 @@ def run_data(page: Path) -> str:
 
     Raises HTTPException 404 if the page does not exist or contains no data.
     """
-    held = (
-        RUN_DATA_PATTERN.search(page.read_text(encoding="utf-8"))
-        if page.is_file()
-        else None
-    )
-    if not held:
-        raise HTTPException(404, "no such run")
-    return held[1]
+    text = page.read_text(encoding="utf-8") if page.is_file() else ""
+    embedded = '<script type="application/json" class="run">(.*?)</script>'
+    if data := re.search(embedded, text, re.DOTALL):
+        return data[1]
+    raise HTTPException(404, "no such run")
 
 
 def _page(name, **values):

@@ -1,5 +1,6 @@
 """Axes of a sweep, which define the values of the scene keys for each run number."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
@@ -90,10 +91,6 @@ class Samples:
             return nan
         return self.widths[(run - self.n) // self.points_per_width]
 
-    def point(self, run: int) -> int:
-        """Return the index of the sampled point of a run."""
-        return run if run < self.n else (run - self.n) % self.points_per_width
-
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
@@ -108,15 +105,23 @@ class Axis:
     ends: tuple[tuple, ...] = ()
     log: bool = False
 
+    @property
+    def entries(self) -> list[dict[str, Any]]:
+        """The listed values, or both ends of the range, as values by key."""
+        return [
+            dict(zip(self.keys, entry, strict=True))
+            for entry in self.values or self.ends
+        ]
+
     def at(self, share: float, width: float = 1.0) -> tuple:
         """Return the values of the keys at the fraction `share` of the axis, in [0, 1].
 
         A range is widened about its centre by the factor `width`; a list of values is
         not."""
-        if not self.values and width != 1.0:
-            share = 0.5 + (share - 0.5) * width
         if self.values:
             return self.values[min(int(share * self.n), self.n - 1)]
+        if width != 1.0:
+            share = 0.5 + (share - 0.5) * width
         if share in (0.0, 1.0):
             return self.ends[int(share)]
         return tuple(
@@ -132,12 +137,10 @@ class Axis:
         if self.values:
             return self.values[k]
         inside = self.at(k / max(self.n - 1, 1))
-        whole = all(isinstance(end, int) for ends in self.ends for end in ends)
-        return (
-            tuple(map(int, inside))
-            if whole and all(float(v).is_integer() for v in inside)
-            else inside
-        )
+        whole = all(isinstance(end, int) for end in chain(*self.ends))
+        if whole and all(float(value).is_integer() for value in inside):
+            return tuple(map(int, inside))
+        return inside
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,13 +153,21 @@ class Points:
     axes: tuple[Axis, ...]
     samples: Samples | None = None
 
-    @cached_property
-    def _shares(self):
-        return self.samples.shares(len(self.axes)) if self.samples else None
+    @property
+    def keys(self) -> list[str]:
+        """Scene keys of all axes."""
+        return [key for axis in self.axes for key in axis.keys]
 
     @cached_property
-    def _total_shares(self):
-        return self.samples.total_shares(len(self.axes)) if self.samples else None
+    def _shares(self):
+        """Sampled points of all runs (count, axes) with coordinates in [0, 1)."""
+        assert self.samples
+        drawn = self.samples.shares(len(self.axes))
+        repeated = drawn[: self.samples.points_per_width]
+        parts = [drawn, *(repeated for _ in self.samples.widths)]
+        if self.samples.total:
+            parts.append(self.samples.total_shares(len(self.axes)))
+        return np.concatenate(parts)
 
     @property
     def count(self) -> int:
@@ -166,24 +177,21 @@ class Points:
         return self.samples.count + self.samples.total * (len(self.axes) + 2)
 
     def __getitem__(self, run: int) -> dict[str, Any]:
-        if self.samples:
-            if run < self.samples.count:
-                shares = self._shares[self.samples.point(run)]
-                width = self.samples.width(run)
-            else:
-                shares = self._total_shares[run - self.samples.count]
-                width = 1.0
-            found = [
-                axis.at(share, width)
-                for axis, share in zip(self.axes, shares, strict=True)
-            ]
-        else:
+        if self.samples is None:
             steps = np.unravel_index(run, [axis.n for axis in self.axes])
-            found = [
+            return self.point(
                 axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)
-            ]
-        keys = [key for axis in self.axes for key in axis.keys]
-        return dict(zip(keys, chain.from_iterable(found), strict=True))
+            )
+        width = self.samples.width(run) if run < self.samples.count else 1.0
+        return self.point(
+            axis.at(share, width)
+            for axis, share in zip(self.axes, self._shares[run], strict=True)
+        )
+
+    def point(self, values_of_axes: Iterable[tuple]) -> dict[str, Any]:
+        """Return the values by key of a point, given by the values of each axis."""
+        values = chain.from_iterable(values_of_axes)
+        return dict(zip(self.keys, values, strict=True))
 
 
 def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
@@ -201,10 +209,10 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
         for name, given in axes.items()
     ]
     found.sort(key=lambda axis: not _changes_modes(axis))
-    keys = [key for axis in found for key in axis.keys]
-    if twice := [key for key in keys if keys.count(key) > 1]:
+    points = Points(axes=tuple(found), samples=samples)
+    if twice := [key for key in points.keys if points.keys.count(key) > 1]:
         raise InputError(f"axes.{twice[0]}: on more than one axis")
-    return Points(axes=tuple(found), samples=samples)
+    return points
 
 
 def axis_of(name: str, given: Any) -> Axis:

@@ -1,8 +1,7 @@
 """Run a sweep file and write its table, pictures and conclusions (`python -m sonify
 sweep`)."""
 
-from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import chain, islice
 from math import ceil
 from pathlib import Path
@@ -10,6 +9,7 @@ from time import perf_counter
 from typing import Any, NamedTuple
 
 import numpy as np
+import pyarrow as pa
 
 from sonify.runtime.extras import require_extra
 from sonify.runtime.files import OutputError, atomic_write
@@ -27,9 +27,12 @@ from sonify.sweeps.executors import (
     solve_tasks,
 )
 from sonify.sweeps.row_processes import RowProcess
-from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
+from sonify.sweeps.store import RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
-from sonify.sweeps.verdict import verdict_conclusion
+from sonify.sweeps.verdict import (
+    outcome_counts,
+    verdict_conclusion,
+)
 
 
 class RunTime(NamedTuple):
@@ -108,9 +111,9 @@ def sweep(
     sweep_spec = load_with_libraries(source)
     stages = stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / sweep_spec.name)
+    count = sweep_spec.points.count
     max_unconfirmed_runs = 1_000_000
-    if sweep_spec.points.count > max_unconfirmed_runs and not yes:
-        count = sweep_spec.points.count
+    if count > max_unconfirmed_runs and not yes:
         processes = processes or core_count()
         time = duration_in_words(
             run_time(sweep_spec, processes, stages).total(count, processes)
@@ -118,20 +121,14 @@ def sweep(
         raise InputError(
             f"{count} runs, about {time} on this machine: add --yes to start them"
         )
-    axes = [key for axis in sweep_spec.points.axes for key in axis.keys]
     with (
         open_executor(scheduler, processes) as (submit, capacity),
         RunStore(
-            folder, sweep_spec.identity, axes, sweep_spec.points.count, retry
+            folder, sweep_spec.identity, sweep_spec.points.keys, count, retry
         ) as table,
         stages.stage("runs") as watch,
     ):
-        for rows in solved_rows(
-            sweep_spec,
-            pending_tasks(sweep_spec, table, folder.absolute()),
-            submit,
-            capacity,
-        ):
+        for rows in solved_rows(sweep_spec, table, submit, capacity):
             table.add(rows)
             note = (
                 f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
@@ -140,11 +137,10 @@ def sweep(
                 table.done.mean(),
                 note if capacity() else f"{note}, waiting for workers",
             )
-    held = read_table(folder / RUNS_FILE)[0].num_rows
-    if held < sweep_spec.points.count:
+    found, _ = read_table(table.path)
+    if len(found) < count:
         raise OutputError(
-            f"{folder}: contains {held} of {sweep_spec.points.count} rows: its files were changed "
-            "during the sweep"
+            f"{folder}: contains {len(found)} of {count} rows: its files were changed during the sweep"
         )
     with stages.stage("pictures"):
         from sonify.sweeps.maps import (
@@ -152,10 +148,10 @@ def sweep(
         )  # deferred: the drawing libraries load slowly
 
         draw_maps(folder, sweep_spec.find)
-    if sentences := conclusion(sweep_spec, folder):
+    if sentences := conclusion(sweep_spec, found):
         with atomic_write(folder / "conclusion.md") as temporary:
             temporary.write_text("\n".join(sentences) + "\n", "utf-8")
-    return folder / RUNS_FILE
+    return table.path
 
 
 def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
@@ -166,30 +162,26 @@ def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
     return sweep_spec
 
 
-def conclusion(sweep_spec: Sweep, folder: Path) -> list[str]:
+def conclusion(sweep_spec: Sweep, table: pa.Table) -> list[str]:
     """Return the lines of the conclusions from the table of a sweep, possibly none."""
     if "verdict" in sweep_spec.stages:
-        return verdict_conclusion(read_table(folder / RUNS_FILE)[0], sweep_spec)
+        return verdict_conclusion(table, sweep_spec)
     if sweep_spec.name in CONCLUSIONS:
-        return CONCLUSIONS[sweep_spec.name](read_table(folder / RUNS_FILE)[0])
+        return CONCLUSIONS[sweep_spec.name](table)
     return []
 
 
-def summarize(path: str | Path) -> tuple[list[str], bool]:
-    """Return a one-line summary of a table, as a list, and True if no self-check
-    failed."""
+def summarize(path: str | Path) -> tuple[str, bool]:
+    """Return a one-line summary of a table, and True if no self-check failed."""
     table = read_table(path)[0].to_pydict()
-    ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
-    errors = sum(error is not None for error in table["error"])
-    failed = table.get("passed", []).count(False)
-    sentences = [f"{n} {name}" for name, n in ends.most_common()]
-    sentences += [f"{errors} with an error"] * bool(errors) + [
-        f"{failed} with a FAILED self-check"
-    ] * bool(failed)
-    sentences += [f"by {len(set(table['version']))} versions of the program"] * (
-        len(set(table["version"])) > 1
-    )
-    return [f"{len(table['run'])} runs: {', '.join(sentences)}"], not failed
+    parts = outcome_counts(table.get("outcome", []))
+    if errors := sum(error is not None for error in table["error"]):
+        parts.append(f"{errors} with an error")
+    if failed := table.get("passed", []).count(False):
+        parts.append(f"{failed} with a FAILED self-check")
+    if (versions := len(set(table["version"]))) > 1:
+        parts.append(f"by {versions} versions of the program")
+    return f"{len(table['run'])} runs: {', '.join(parts)}", not failed
 
 
 def plan(
@@ -306,14 +298,6 @@ def _valid_runs(sweep_spec, start, stride):
         yield run
 
 
-def pending_tasks(sweep_spec, table, folder) -> Iterator[tuple[int, dict]]:
-    """Yield the run number and the task of each run that is not in the table."""
-    return (
-        (int(run), task_of_run(sweep_spec, int(run), folder))
-        for run in np.flatnonzero(~table.done)
-    )
-
-
 def task_of_run(sweep_spec, run, folder):
     """Return the arguments of `row_of` for a run."""
     own = str(folder / "runs" / str(run)) if sweep_spec.keep else ""
@@ -325,8 +309,17 @@ def task_of_run(sweep_spec, run, folder):
     }
 
 
-def solved_rows(sweep_spec, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
-    """Yield lists of finished rows, including the values of the axes."""
+def solved_rows(
+    sweep_spec: Sweep, table: RunStore, submit: Submit, capacity: Callable[[], int]
+) -> Iterator[list[dict]]:
+    """Solve the runs that are not in the table, and yield lists of finished rows.
+
+    The rows include the values of the axes."""
+    folder = table.folder.absolute()
+    tasks = (
+        (run, task_of_run(sweep_spec, run, folder))
+        for run in map(int, np.flatnonzero(~table.done))
+    )
     for found in solve_tasks(tasks, sweep_spec.limit, submit, capacity):
         yield [
             {"run": run} | sweep_spec.columns(run) | {"error": None} | row

@@ -85,10 +85,14 @@ def halt_conclusion(table: pa.Table) -> list[str]:
 def halt_table_conclusion(table: pa.Table) -> list[str]:
     """Return sentences on the end of the motion on a table with one mode, over mass and
     pressure."""
-    mass, pressure, kept, end = numeric_columns(
-        table, "surface.modes.0.modal_mass", "air.pressure", "contact_kept", "t_end"
+    mass, pressure, kept, end, returned = numeric_columns(
+        table,
+        "surface.modes.0.modal_mass",
+        "air.pressure",
+        "contact_kept",
+        "t_end",
+        "dissipation_never_falls",
     )
-    (back,) = numeric_columns(table, "dissipation_never_falls")
     air = text_mask(table, "ended_by", "the film of air")
     solved = ~np.isnan(kept)
     waves = text_mask(table, "ended_by", "the table")
@@ -96,7 +100,7 @@ def halt_table_conclusion(table: pa.Table) -> list[str]:
     light, heavy = (np.nanmedian(end[mass == m]) for m in (mass.min(), mass.max()))
     over_air = max(np.ptp(end[solved & (mass == m)]) for m in np.unique(mass[solved]))
     gains = (
-        f"; in {failed} runs the film returns up to {np.nanmax(back):.1g} of the energy, and a "
+        f"; in {failed} runs the film returns up to {np.nanmax(returned):.1g} of the energy, and a "
         "self-check fails"
     )
     return [
@@ -117,8 +121,9 @@ def halt_table_conclusion(table: pa.Table) -> list[str]:
 def pitch_conclusion(table: pa.Table) -> list[str]:
     """Return sentences on the source of the rising tone, over plate thickness and
     distance."""
-    thickness, distance = numeric_columns(table, "surface.thickness", "audio.distance")
-    (table_level,) = numeric_columns(table, "table_carries_the_tone")
+    thickness, distance, table_level = numeric_columns(
+        table, "surface.thickness", "audio.distance", "table_carries_the_tone"
+    )
     heard = ~np.isnan(table_level)
     plate = heard & (table_level > 0)
     steps = [
@@ -137,15 +142,12 @@ def pitch_conclusion(table: pa.Table) -> list[str]:
 
 def text_mask(table: pa.Table, name: str, text: str) -> np.ndarray:
     """Return a mask (n,) of the rows in which column `name` equals `text`."""
-    return np.array([value == text for value in table[name].to_pylist()])
+    return table[name].to_numpy() == text
 
 
 def numeric_columns(table: pa.Table, *names: str) -> list[np.ndarray]:
     """Return numeric columns as arrays (n,), with NaN for missing values."""
-    return [
-        np.array([np.nan if v is None else v for v in table[name].to_pylist()])
-        for name in names
-    ]
+    return [table[name].cast("float64").to_numpy() for name in names]
 
 
 def fit_power_law(

@@ -11,7 +11,7 @@ from concurrent.futures import (
     ThreadPoolExecutor,
     wait,
 )
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from itertools import islice
 from time import monotonic
 from typing import Any
@@ -49,20 +49,15 @@ def open_executor(
     If `scheduler` is LOCAL_SCHEDULER, a scheduler is started on this machine. Raises
     InputError if the scheduler does not answer, has no workers, or has workers with
     another version of this program."""
-    if scheduler == LOCAL_SCHEDULER:
-        count = processes or core_count()
-        local = import_dask().LocalCluster(
-            n_workers=1, threads_per_worker=count, dashboard_address=None
-        )
-        with local, dask_executor(local.scheduler_address) as made:
-            yield made
-    else:
-        with (
-            dask_executor(scheduler)
-            if scheduler
-            else local_executor(processes or core_count()) as made
-        ):
-            yield made
+    processes = processes or core_count()
+    with ExitStack() as stack:
+        if scheduler == LOCAL_SCHEDULER:
+            cluster = import_dask().LocalCluster(
+                n_workers=1, threads_per_worker=processes, dashboard_address=None
+            )
+            scheduler = stack.enter_context(cluster).scheduler_address
+        executor = dask_executor(scheduler) if scheduler else local_executor(processes)
+        yield stack.enter_context(executor)
 
 
 @contextmanager

@@ -51,8 +51,9 @@ def make_map(
     axes = points_of(
         about["axes"], about["samples"] and Samples(**about["samples"])
     ).axes
-    keys = [axis.keys[0] for axis in axes]
-    x, y = (x, y) if x else (keys[0], y or (keys[1] if len(keys) > 1 else None))
+    if not x:
+        x, *others = (axis.keys[0] for axis in axes)
+        y = y or next(iter(others), None)
     for name in (x, y, of):
         if name is not None and name not in table.column_names:
             known = ", ".join(table.column_names)

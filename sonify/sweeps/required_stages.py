@@ -77,7 +77,7 @@ def stages_for(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
 
     `find` names stages, scalars, findings or checks; if it is empty, the sound stage is
     required. Raises InputError for an unknown name."""
-    known = stage_by_quantity() | {stage: stage for stage in STAGES}
+    known = stage_by_quantity() | dict(zip(STAGES, STAGES, strict=True))
     stages = {STAGE_OF_OUTPUT[kind] for kind in keep}
     for name in find:
         key = name.removesuffix("_holds").removesuffix("_passed")
@@ -87,8 +87,6 @@ def stages_for(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
                 f"find = {name!r}: unknown quantity; known: {', '.join(known)}{hint}"
             )
         stages.add(known[key])
-    return (
-        ("sound",)
-        if "sound" in stages or not find
-        else tuple(stage for stage in STAGES if stage in stages)
-    )
+    if "sound" in stages or not find:
+        return ("sound",)
+    return tuple(stage for stage in STAGES if stage in stages)

@@ -58,11 +58,7 @@ def _row(scene, stages, keep, folder, watch):
         result = solve(scene, stages=watch, eigenmodes=cached_modes)
         for kind in keep:
             FILE_WRITERS[kind](result, folder, watch)
-        return {
-            key: value
-            for key, value in summary(result).items()
-            if not key.startswith("seconds_")
-        }
+        return summary(result)
     row: dict[str, Any] = {}
     for stage in stages:
         with watch.stage(stage):
@@ -81,13 +77,18 @@ def solve_motion_only(scene, folder):
         else None
     )
     motion = solve_motion(scene, table=table)
+    return (
+        outcome_scalars(motion, folder)
+        | end_cause_scalars(scene, motion)
+        | verdict_columns(motion_findings(scene, motion), motion_checks(motion))
+    )
+
+
+def outcome_scalars(motion, folder):
+    """Return the outcome and the end [s] of a motion; write it to `folder` if given."""
     if folder:
         write_motion(motion, folder / "motion.npz")
-    row = {
-        "outcome": motion.outcome.name,
-        "t_end": float(motion.t[-1]),
-    } | end_cause_scalars(scene, motion)
-    return row | verdict_columns(motion_findings(scene, motion), motion_checks(motion))
+    return {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
 
 
 def solve_modes_only(scene, folder):
@@ -103,10 +104,9 @@ def solve_verdict(scene, folder):
     given."""
     simple = simplest_scene(scene)
     motion = solve_motion(simple, table=modes_of_table(simple, plan_of(simple)))
-    if folder:
-        write_motion(motion, folder / "motion.npz")
-    row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
-    return row | verdict_columns(verdict_findings(scene, motion), motion_checks(motion))
+    return outcome_scalars(motion, folder) | verdict_columns(
+        verdict_findings(scene, motion), motion_checks(motion)
+    )
 
 
 def write_arrays(result, folder, _):

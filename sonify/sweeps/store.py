@@ -28,8 +28,6 @@ RUNS_FILE = "runs.parquet"
 DATABASE_FILE = "runs.sqlite"
 IDENTITY_KEY = b"sonify.sweep"
 """Metadata key in the Parquet file for the identity of the sweep."""
-LEADING_COLUMNS = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
-"""Leading columns of every table; the columns of the axes follow the run number."""
 
 
 class RunStore:
@@ -176,14 +174,22 @@ class RunStore:
             raise OutputError(f"{self.database_path}: {error}") from None
 
     def _write(self, table):
-        names = [*LEADING_COLUMNS[:1], *self.axes, *LEADING_COLUMNS[1:]]
+        leading = [
+            "run",
+            *self.axes,
+            "outcome",
+            "error",
+            "t_end",
+            "passed",
+            "seconds",
+            "version",
+        ]
         rest = sorted(
-            set(table.column_names) - set(names),
+            set(table.column_names) - set(leading),
             key=lambda name: (name.startswith("seconds_"), name),
         )
-        table = table.select(
-            [name for name in [*names, *rest] if name in table.column_names]
-        )
+        present = [name for name in leading if name in table.column_names]
+        table = table.select(present + rest)
         table = table.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
         with atomic_write(self.path) as temporary:
             pq.write_table(table, temporary, compression="zstd")
@@ -231,7 +237,8 @@ def column_array(name, values, known, axis):
         boolean = given or name.endswith(
             "_holds"
         )  # null if a finding is undecided or absent
-        return pa.array(values, pa.bool_() if boolean else known_type(known, name))
+        absent = known.field(name).type if name in known.names else pa.null()
+        return pa.array(values, pa.bool_() if boolean else absent)
     if given <= {int, float}:
         numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
         return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
@@ -239,11 +246,6 @@ def column_array(name, values, known, axis):
         [v if v is None or isinstance(v, str) else json.dumps(v) for v in values],
         pa.string(),
     )
-
-
-def known_type(schema, name):
-    """Return the type of a column in a schema, or the null type if it is absent."""
-    return schema.field(name).type if name in schema.names else pa.null()
 
 
 def _sync_folder(folder):

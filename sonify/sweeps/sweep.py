@@ -1,6 +1,7 @@
 """Definition of a sweep, read from TOML and validated."""
 
 import json
+from collections import defaultdict
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
@@ -13,7 +14,7 @@ from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from sonify.plan.unused import unused_keys
 from sonify.runtime.toml_files import find_file, read_toml, shipped_names
-from sonify.scene import from_document, load_scene
+from sonify.scene import from_document, load_scene, scene_with_accuracy
 from sonify.scene_errors import (
     ContradictionError,
     InputError,
@@ -61,11 +62,7 @@ class Sweep:
         """Document of the scene common to all runs."""
         near = self.folder / self.scene
         scene = load_scene(near if near.is_file() else self.scene).replace(*self.set)
-        return (
-            scene.replace(f"numerics.accuracy={self.accuracy}")
-            if self.accuracy
-            else scene
-        ).document
+        return scene_with_accuracy(scene, self.accuracy).document
 
     @cached_property
     def points(self) -> Points:
@@ -119,17 +116,13 @@ class Sweep:
 
     @cached_property
     def _json_columns(self):
-        kinds: dict[str, list[type]] = {
-            key: [] for axis in self.points.axes for key in axis.keys
-        }
+        kinds = defaultdict[str, set[type]](set)
         for axis in self.points.axes:
-            for values in axis.values or axis.ends:
-                for key, value in zip(axis.keys, values, strict=True):
-                    kinds[key].append(float if type(value) is int else type(value))
+            for entry in axis.entries:
+                for key, value in entry.items():
+                    kinds[key].add(float if type(value) is int else type(value))
         return {
-            key
-            for key, found in kinds.items()
-            if {*found} not in ({float}, {bool}, {str})
+            key for key, found in kinds.items() if found not in ({float}, {bool}, {str})
         }
 
     def check(self):
@@ -139,27 +132,25 @@ class Sweep:
         and without them. Raises SceneError if a value is invalid in each of these
         scenes or if an axis has no valid value. A value that merely contradicts other
         keys causes errors in the affected runs."""
-        axes = self.points.axes
-        ends = [
-            {
-                key: v
-                for a in axes
-                for key, v in zip(a.keys, a.step(k % a.n), strict=True)
-            }
-            for k in (0, -1)
-        ]
-        for axis in axes:
-            faults = []
-            for value in axis.values or axis.ends:
-                own = dict(zip(axis.keys, value, strict=True))
-                documents = [
-                    with_values(self.document, others | own) for others in (*ends, {})
-                ]
-                faults.append(_contradiction(documents))
+        points = self.points
+        first = points.point(axis.step(0) for axis in points.axes)
+        last = points.point(axis.step(axis.n - 1) for axis in points.axes)
+        for axis in points.axes:
+            faults = [
+                _contradiction(
+                    [
+                        with_values(self.document, others | own)
+                        for others in (first, last, {})
+                    ]
+                )
+                for own in axis.entries
+            ]
             if all(faults):
                 raise faults[0]
             if all(
-                self._is_unused(axis, value, ends) for value in axis.values or axis.ends
+                self._is_unused(own, others)
+                for own in axis.entries
+                for others in (first, last)
             ):
                 raise InputError(
                     f"axes.{axis.keys[0]}: no effect on the runs of this sweep"
@@ -171,18 +162,14 @@ class Sweep:
         for key in self.sources.keys() - {*self.axes}:
             raise InputError(f"sources.{key}: no such axis")
 
-    def _is_unused(self, axis, value, ends) -> bool:
-        """Return True if no stage reads the keys of an axis at the given value in any
-        tested scene."""
-        own = dict(zip(axis.keys, value, strict=True))
-        for others in ends:
-            try:
-                scene = from_document(with_values(self.document, others | own))
-            except SceneError:
-                return False
-            if not set(axis.keys) <= set(unused_keys(scene)):
-                return False
-        return True
+    def _is_unused(self, own, others) -> bool:
+        """Return True if no stage reads the keys in `own` in the scene with the values
+        `others` and `own`."""
+        try:
+            scene = from_document(with_values(self.document, others | own))
+        except SceneError:
+            return False
+        return own.keys() <= set(unused_keys(scene))
 
 
 def _contradiction(documents):
@@ -245,17 +232,16 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
     # Largest number of runs of a sweep, limited by the memory for their completion
     # flags
     max_runs = 1_000_000_000
-    path = (
-        Path()
-        if isinstance(source, dict)
-        else find_file(source, SHIPPED_SWEEPS_FOLDER, "sweep", InputError)
-    )
-    document = source if isinstance(source, dict) else read_toml(path, InputError)
+    folder = Path()
+    if not isinstance(source, dict):
+        path = find_file(source, SHIPPED_SWEEPS_FOLDER, "sweep", InputError)
+        folder = path.parent
+        source = read_toml(path, InputError)
     try:
-        sweep = TypeAdapter(Sweep).validate_json(json.dumps(document, default=str))
+        sweep = TypeAdapter(Sweep).validate_json(json.dumps(source, default=str))
     except ValidationError as error:
         raise InputError(error_sentence(error, Sweep)) from None
-    object.__setattr__(sweep, "folder", path.parent)
+    object.__setattr__(sweep, "folder", folder)
     if sweep.points.count > max_runs:
         raise InputError(
             f"axes: {sweep.points.count:.3g} runs are more than {max_runs:.0e}; divide the sweep into "

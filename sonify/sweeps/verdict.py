@@ -2,6 +2,7 @@
 axes."""
 
 from collections import Counter
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -19,14 +20,12 @@ CLAIM_TEXTS = {
     "resonance_rises": "The contact resonance rises by at least a fifth",
 }
 """Text of each claim, by table column."""
-BOOTSTRAP_RESAMPLES = 100
-"""Number of bootstrap resamples of an index."""
 WIDTH_IN_WORDS = {0.5: "halved", 2.0: "doubled"}
 
 
 class SensitivityIndex(NamedTuple):
-    """First-order sensitivity index of an axis, with the half-width of its 95 %
-    confidence interval."""
+    """Sensitivity index of an axis, with the half-width of its 95 % confidence
+    interval, which SALib computes from 100 resamples."""
 
     axis: str
     value: float
@@ -65,11 +64,9 @@ def first_order_indices(
             draws,
             result,
             M=index_harmonics,
-            num_resamples=BOOTSTRAP_RESAMPLES,
-            conf_level=0.95,
             seed=1,
         )
-    return _largest_first(names, found["S1"], found["S1_conf"])
+    return _largest_first(names, found, "S1")
 
 
 def total_indices(names: list[str], result: np.ndarray) -> list[SensitivityIndex]:
@@ -84,16 +81,16 @@ def total_indices(names: list[str], result: np.ndarray) -> list[SensitivityIndex
         salib_problem(names),
         result.ravel(),
         calc_second_order=False,
-        num_resamples=BOOTSTRAP_RESAMPLES,
-        conf_level=0.95,
         seed=1,
     )
-    return _largest_first(names, found["ST"], found["ST_conf"])
+    return _largest_first(names, found, "ST")
 
 
-def _largest_first(names, values, half_widths) -> list[SensitivityIndex]:
-    """Return the index of each axis, the largest first."""
-    indices = map(SensitivityIndex, names, map(float, values), map(float, half_widths))
+def _largest_first(names, found, kind) -> list[SensitivityIndex]:
+    """Return the index of each axis from a result of SALib, the largest first."""
+    values = map(float, found[kind])
+    half_widths = map(float, found[f"{kind}_conf"])
+    indices = map(SensitivityIndex, names, values, half_widths)
     return sorted(indices, key=lambda index: -index.value)
 
 
@@ -103,18 +100,18 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
     samples = sweep.points.samples
     if samples is None:
         return ["The shares require sampled points, but this sweep is a grid."]
-    runs = np.array(table["run"].to_pylist())
+    runs = table["run"].to_numpy()
     width = np.array([samples.width(int(run)) for run in runs])
     names = [axis.keys[0] for axis in sweep.points.axes]
     ranks = np.array([value_ranks(table, name) for name in names]).T
-    failed = np.array([error is not None for error in table["error"].to_pylist()])
+    errors = table["error"].drop_null()
     sentences = []
     for key, claim in CLAIM_TEXTS.items():
         if f"{key}_holds" not in table.column_names:
             continue
-        holds = table[f"{key}_holds"].to_pylist()
-        known = np.array([value is not None for value in holds])
-        yes = np.array([value is True for value in holds])
+        holds = table[f"{key}_holds"]
+        known = holds.is_valid().to_numpy()
+        yes = holds.fill_null(False).to_numpy()
         nominal = known & (width == 1.0)
         if not nominal.any():
             continue
@@ -139,10 +136,9 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
         ]
         sentences.append("; ".join([words, *others]) + ".")
     sentences.append(outcomes_in_words(table, width == 1.0))
-    if failed.any():
-        first = next(error for error in table["error"].to_pylist() if error)
+    if len(errors):
         sentences.append(
-            f"Draws without a result: {failed.sum()} of {len(runs)}. The first error is: {first}."
+            f"Draws without a result: {len(errors)} of {len(runs)}. The first error is: {errors[0]}."
         )
     passed = table["passed"].to_pylist() if "passed" in table.column_names else []
     if unsound := passed.count(False):
@@ -155,8 +151,7 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
 
 def value_ranks(table: pa.Table, name: str) -> np.ndarray:
     """Return the ranks (n,) of the values of an axis, which may be text."""
-    values = np.array(table[name].to_pylist())
-    return np.unique(values, return_inverse=True)[1].astype(float)
+    return np.unique(table[name].to_numpy(), return_inverse=True)[1].astype(float)
 
 
 def dependence_clause(indices: list[SensitivityIndex]) -> str:
@@ -173,19 +168,23 @@ def dependence_clause(indices: list[SensitivityIndex]) -> str:
     ][:3]
     if not words:
         return "the draws do not resolve the main dependence"
-    return f"depends most on {' and '.join([', '.join(words[:-1]), words[-1]] if words[1:] else words)}"
+    *others, last = words
+    return f"depends most on {', '.join(others)}{' and ' if others else ''}{last}"
 
 
 def outcomes_in_words(table: pa.Table, nominal: np.ndarray) -> str:
     """Return a sentence on the outcomes and durations of the `nominal` draws (n,)."""
-    outcome = np.array(table["outcome"].to_pylist(), dtype=object)[nominal]
+    counts = ", ".join(outcome_counts(table["outcome"].to_numpy()[nominal]))
     ends = [
         t
         for t, use in zip(table["t_end"].to_pylist(), nominal, strict=True)
         if use and t
     ]
-    counts = ", ".join(
-        f"{n} {name}" for name, n in Counter(filter(None, outcome)).most_common()
-    )
     low, middle, high = np.percentile(ends, [0, 50, 100])
     return f"Outcomes: {counts}; the motion lasts {middle:.3g} s ({low:.3g} to {high:.3g} s)."
+
+
+def outcome_counts(outcomes: Iterable[str | None]) -> list[str]:
+    """Return the number and the name of each outcome, the most frequent first."""
+    counts = Counter(filter(None, outcomes))
+    return [f"{count} {name}" for name, count in counts.most_common()]

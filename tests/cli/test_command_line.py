@@ -370,7 +370,10 @@ EMPTY += [
     "run",
     "serve",
 ]
-EMPTY += ["studio"]
+EMPTY += [
+    "studio",
+    "serve --host",  # the socket would listen on every address
+]
 
 
 @pytest.mark.parametrize("command", EMPTY)

@@ -186,8 +186,6 @@ def test_a_name_that_is_not_this_machine_is_refused(get):
 
 def test_a_folder_or_port_that_cannot_be_had_is_one_line(root):
     with pytest.raises(InputError, match="no such folder"):
-        serve(root / "nowhere")
+        serve(root / "nowhere", "127.0.0.1", 0, print)
     with pytest.raises(InputError, match="--port"):
-        serve(root, port=70_000)
-    with pytest.raises(InputError, match="--host"):
-        serve(root, host="")  # the socket would listen on every address
+        serve(root, "127.0.0.1", 70_000, print)

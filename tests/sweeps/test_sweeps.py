@@ -653,7 +653,7 @@ def test_a_failed_check_is_told(tmp_path):
             [ROWS[0] | {"version": "1"}, ROWS[1] | {"passed": False, "version": "1"}]
         )
     assert summarize(tmp_path / RUNS_FILE) == (
-        ["2 runs: 2 SETTLED, 1 with a FAILED self-check"],
+        "2 runs: 2 SETTLED, 1 with a FAILED self-check",
         False,
     )
 
