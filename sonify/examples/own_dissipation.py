@@ -14,9 +14,6 @@ from dynamics import Loads, Motion, OwnLaw, simulate
 from dynamics.disk import GRAVITY
 from sonify import load_scene
 
-DRAG_COEFFICIENT = 1e-9
-"""Drag coefficient c [W s^3]."""
-
 
 @dataclass(frozen=True)
 class Turbulent(OwnLaw):
@@ -35,11 +32,12 @@ class Turbulent(OwnLaw):
 def main() -> Motion:
     """Solve the published motion without and with drag, print both durations, and
     return the motion with drag."""
+    drag_coefficient = 1e-9  # c [W s^3]
     scene = load_scene("published").replace("numerics.accuracy=draft")
     inertia = (
         scene.disk.weight / GRAVITY * scene.disk.radius**2
     )  # unit of c [kg m^2], in which the units of time cancel
-    slowed = simulate(scene, loads=Turbulent(DRAG_COEFFICIENT / inertia))
+    slowed = simulate(scene, loads=Turbulent(drag_coefficient / inertia))
     print(f"{simulate(scene).t[-1]:.3f} s without, {slowed.t[-1]:.3f} s with the drag")
     return slowed
 

@@ -16,23 +16,20 @@ import soundfile
 
 from sonify import Heard, listen
 
-SAMPLE_RATE = 22050  # Hz
-TONE_END_TIME = 4.0  # s
-CHIRP_COEFFICIENT = 60.0  # Hz s
-
 
 def write_rising_tone(path: Path) -> Path:
-    """Write a tone that rises until TONE_END_TIME [s] and then stops, with weak noise
+    """Write a tone that rises until its end and then stops, with weak noise
     throughout."""
-    t = np.arange(5 * SAMPLE_RATE) / SAMPLE_RATE
-    phase = (
-        -2 * np.pi * CHIRP_COEFFICIENT * np.log(np.maximum(1 - t / TONE_END_TIME, 1e-3))
-    )
+    sample_rate = 22050  # Hz
+    end = 4.0  # s
+    coefficient = 60.0  # frequency times remaining time [Hz s]
+    t = np.arange(5 * sample_rate) / sample_rate
+    phase = -2 * np.pi * coefficient * np.log(np.maximum(1 - t / end, 1e-3))
     noise = np.random.default_rng(1).normal(size=len(t))
     soundfile.write(
         path,
-        np.where(t < TONE_END_TIME, 0.3 * np.sin(phase), 0.0) + 0.003 * noise,
-        SAMPLE_RATE,
+        np.where(t < end, 0.3 * np.sin(phase), 0.0) + 0.003 * noise,
+        sample_rate,
     )
     return path
 

@@ -14,10 +14,6 @@ from pathlib import Path
 import meshio
 import numpy as np
 
-TABLE_LENGTH = 0.6  # m
-TABLE_WIDTH = 0.4  # m
-TOP_LAYER_HEIGHTS = (-0.02, 0.0)
-"""Heights of the cell boundaries in the top [m]."""
 FOOT_LAYER_HEIGHTS = (-0.04, -0.035, -0.025, -0.02)
 """Heights of the cell boundaries in the feet [m], with thin layers at both ends."""
 CELL_COUNTS = 15, 10
@@ -35,9 +31,11 @@ Corner = tuple[int, int, float]
 def write_table_mesh(path: Path) -> Path:
     """Write a hexahedral mesh with its top face at z = 0 and a surface "feet"; return
     its path."""
+    length = 0.6  # m
+    width = 0.4  # m
     x, y = (
         np.linspace(-size / 2, size / 2, n + 1)
-        for size, n in zip((TABLE_LENGTH, TABLE_WIDTH), CELL_COUNTS, strict=True)
+        for size, n in zip((length, width), CELL_COUNTS, strict=True)
     )
     feet = [(i, j) for i in (1, CELL_COUNTS[0] - 2) for j in (1, CELL_COUNTS[1] - 2)]
     foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in CELL_CORNERS}
@@ -85,7 +83,8 @@ def write_table_mesh(path: Path) -> Path:
             inside = square(*foot, inner)
             sides = [[out[k - 1], out[k], inside[k], inside[k - 1]] for k in range(4)]
             (around if outer > 1 else within).extend(sides)
-    top = hexahedra(rest + around + within, TOP_LAYER_HEIGHTS)
+    top_layer = (-0.02, 0.0)  # heights of both sides [m]
+    top = hexahedra(rest + around + within, top_layer)
     legs = hexahedra(within, FOOT_LAYER_HEIGHTS)
     stand = [
         [number(corner, FOOT_LAYER_HEIGHTS[0]) for corner in corners]
