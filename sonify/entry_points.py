@@ -21,7 +21,9 @@ def run(
     stages: Stages | None = None,
     dynamics: Literal["compressed", "natural"] = "compressed",
 ) -> "Result":
-    """Solve a scene and write the result into `out`, as `sonify.pipeline.run` does.
+    """Solve a scene and write the result into `out`.
+
+    Write access to the folder is checked before any computation.
 
     Parameters
     ----------
@@ -47,6 +49,8 @@ def run(
         If the scene is invalid or cannot be solved.
     OutputError
         If `out` cannot be written.
+    OSError
+        If the disk is full.
 
     Examples
     --------
@@ -60,7 +64,7 @@ def run(
     listener()
     from sonify import pipeline  # slow to import
 
-    return pipeline.run(scene, out, stages=stages, dynamics=dynamics)
+    return pipeline.run(scene, out, stages or Stages(), dynamics)
 
 
 def begin_run(scene: Scene | str | Path, accuracy: str | None) -> Scene:

@@ -258,45 +258,14 @@ def write(
 
 @one_blas_thread
 def run(
-    scene: Scene | str | Path,
-    out: str | Path | None = None,
-    accuracy: str | None = None,
-    stages: Stages | None = None,
-    dynamics: Dynamics = "compressed",
+    scene: Scene, out: str | Path | None, stages: Stages, dynamics: Dynamics
 ) -> Result:
     """Solve a scene with `solve` and write the result into `out` with `write`.
 
-    Write access to the folder is checked before any computation.
-
-    Parameters
-    ----------
-    scene : Scene, str or Path
-        A scene, or a name or path that `load_scene` accepts.
-    out : str or Path, optional
-        Output folder; outputs/<scene name> by default.
-    accuracy : str, optional
-        "draft", "standard" or "reference"; replaces the accuracy of the scene.
-    stages : Stages, optional
-        Receives the progress of the run.
-    dynamics : str
-        Dynamics of audible.wav, "compressed" or "natural".
-
-    Returns
-    -------
-    Result
-        The result with its folder in `out`.
-
-    Raises
-    ------
-    SceneError
-        If the scene is invalid or cannot be solved.
-    OutputError
-        If `out` cannot be written.
-    OSError
-        If the disk is full.
+    Write access to the folder is checked before any computation. `sonify.run` describes
+    the parameters.
     """
-    scene = check_solvable_scene(scene, accuracy)
-    stages = stages or Stages()
+    scene = check_solvable_scene(scene, None)
     with claimed_folder(out or Path("outputs") / scene.name) as folder:
         if notice := replaced_results(scene, folder):
             stages.notice(notice)

@@ -91,7 +91,7 @@ class ListenerPosition:
         elevation = radians(self.elevation_deg)
         if self.kind == "point":
             for name in ("head_radius", "facing_deg", "ear_angle_deg"):
-                if vars(self)[name] != type(self).__dataclass_fields__[name].default:
+                if getattr(self, name) != getattr(ListenerPosition, name):
                     raise ValueError(f"{key}.{name}: requires {key}.kind = 'head'")
             above = self.distance * sin(max(elevation - inclination, 0.0))
             if self.distance <= disk.radius and above <= disk.thickness / 2:
@@ -220,18 +220,16 @@ class Scene(MotionScene):
 
             check_roughness(self.roughness, self.disk.radius)
         plate = self.surface
-        if isinstance(plate, PlateSurface) and plate.radius < self.disk.radius:
-            raise ValueError(
-                f"surface.radius = {plate.radius:g}: must be at least disk.radius"
-            )
-        if (
-            isinstance(plate, PlateSurface)
-            and hypot(*plate.place) + self.disk.radius > plate.radius
-        ):
+        if isinstance(plate, PlateSurface):
             most = plate.radius - self.disk.radius
-            raise ValueError(
-                f"surface.place = {list(plate.place)}: must not be more than {most:g} m from the centre"
-            )
+            if most < 0:
+                raise ValueError(
+                    f"surface.radius = {plate.radius:g}: must be at least disk.radius"
+                )
+            if hypot(*plate.place) + self.disk.radius > plate.radius:
+                raise ValueError(
+                    f"surface.place = {list(plate.place)}: must not be more than {most:g} m from the centre"
+                )
 
     @property
     def document(self) -> dict:
@@ -430,20 +428,17 @@ def shipped_scenes() -> dict[str, str]:
     >>> "published" in shipped_scenes()
     True
     """
-    texts = {
-        name: (SHIPPED_SCENES_FOLDER / f"{name}.toml").read_text("utf-8")
-        for name in shipped_names(SHIPPED_SCENES_FOLDER)
-    }
-    return {
-        name: text.splitlines()[0].removeprefix("#").strip()
-        for name, text in texts.items()
-    }
+    summaries = {}
+    for name in shipped_names(SHIPPED_SCENES_FOLDER):
+        text = (SHIPPED_SCENES_FOLDER / f"{name}.toml").read_text("utf-8")
+        summaries[name] = text.splitlines()[0].removeprefix("#").strip()
+    return summaries
 
 
 def _document(sections):
     """Return the document of a scene from its sections, without None and derived
     values."""
-    document = _set_values(sections)
+    document = _plain_value(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
     if "restitution" in document["contact"]:
@@ -481,13 +476,6 @@ def _scene_of_record(record):
     return document
 
 
-def _set_values(section):
-    """Return a section without None values and with tuples converted to lists."""
-    return {
-        key: _plain_value(value) for key, value in section.items() if value is not None
-    }
-
-
 def differing_values(one: dict, other: dict) -> dict[str, tuple[Any, Any]]:
     """Return the values that differ between two nested documents, by key path."""
     here = _flat_keys(one)
@@ -511,9 +499,15 @@ def _flat_keys(section, path=""):
 
 
 def _plain_value(value):
+    """Return a value with tuples converted to lists and sections without None
+    values."""
     if isinstance(value, tuple):
         return list(map(_plain_value, value))
-    return _set_values(value) if isinstance(value, dict) else value
+    if isinstance(value, dict):
+        return {
+            key: _plain_value(item) for key, item in value.items() if item is not None
+        }
+    return value
 
 
 def _assign(document, assignment):

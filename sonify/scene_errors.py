@@ -105,11 +105,10 @@ def error_sentence(error, schema: type) -> str:
         key=lambda fault: fault["type"] not in UNKNOWN_KEY_ERRORS,
     )
     fault = faults[0]
-    context = faults[0].get("ctx", {})
+    context = fault.get("ctx", {})
     steps, sections = _key_at_location(schema, fault["loc"])
     value = fault["input"]
-    kind = "discriminator" in context
-    if kind:
+    if "discriminator" in context:
         steps = [*steps, context["discriminator"].strip("'")]
         value = context.get("tag")
     path = ".".join(map(str, steps))

@@ -11,7 +11,6 @@ from pydantic import ConfigDict, TypeAdapter
 
 from sonify.scene import Scene
 
-JSON_SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 BOUND_SYMBOLS = {
     "exclusiveMinimum": ">",
     "minimum": ">=",
@@ -50,9 +49,8 @@ class DocumentedScene(Scene):  # its schema contains the docstrings of the keys
 def schema() -> dict:
     """Return the JSON schema of a scene, which editors use to complete and check scene
     files."""
-    whole = {"$schema": JSON_SCHEMA_DIALECT} | TypeAdapter(
-        DocumentedScene
-    ).json_schema()
+    dialect = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
+    whole = dialect | TypeAdapter(DocumentedScene).json_schema()
     for section in (whole, *whole["$defs"].values()):
         section["additionalProperties"] = False
     return whole
@@ -175,10 +173,6 @@ def _default(name, key, section):
     if name in section.get("required", ()):
         return "required"
     default = key.get("default")
-    return (
-        "-"
-        if default is None
-        else default
-        if isinstance(default, str)
-        else json.dumps(default)
-    )
+    if default is None:
+        return "-"
+    return default if isinstance(default, str) else json.dumps(default)

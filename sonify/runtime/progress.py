@@ -81,8 +81,8 @@ class StageProgress:
             elapsed = now - self.began
             spent = f" for {duration_in_words(elapsed)}" if elapsed >= 1.0 else ""
             return self.name + spent
-        unfinished = min(self.share, 0.999)
-        parts = [f"{self.name} {percent_text(unfinished)}"]
+        percent = min(floor(100 * self.share), 99)  # 100 % is for a completed stage
+        parts = [f"{self.name} {percent} %"]
         remaining = self.remaining(now)
         if remaining is not None:
             parts.append(f"about {duration_in_words(max(round(remaining), 1))} left")
@@ -91,25 +91,15 @@ class StageProgress:
         return ", ".join(parts)
 
 
-def percent_text(share: float) -> str:
-    """Format a share as a percentage, rounded down so that only a complete stage shows
-    100 %."""
-    return f"{floor(100 * share)} %"
-
-
 def duration_in_words(seconds: float) -> str:
     """Format a duration [s] in a suitable unit: "0.8 s", "12 min", "3.4 h", "2.1
-    days"."""
-    for size, unit in ((86400.0, "days"), (3600.0, "h"), (60.0, "min")):
-        if seconds >= 1.5 * size:
-            return f"{two_significant_digits(seconds / size)} {unit}"
-    return f"{two_significant_digits(seconds)} s"
+    days".
 
-
-def two_significant_digits(number):
-    """Format a number with two significant digits, or more if its integer part needs
-    them."""
-    return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
+    The number has two significant digits, or more if its integer part needs them."""
+    sizes = {"days": 86400.0, "h": 3600.0, "min": 60.0}
+    unit = next((unit for unit, size in sizes.items() if seconds >= 1.5 * size), "s")
+    number = seconds / sizes.get(unit, 1.0)
+    return f"{number:.0f} {unit}" if number >= 10 else f"{number:.2g} {unit}"
 
 
 def in_background(work: Callable, *arguments: Any) -> Future:

@@ -26,8 +26,8 @@ def find_file(
         or not str(source).replace("-", "").replace("_", "").isalnum()
     ):
         return Path(source)
-    if str(source) not in shipped_names(folder):
-        names = shipped_names(folder)
+    names = shipped_names(folder)
+    if str(source) not in names:
         choice = f"give a TOML file or one of: {', '.join(names)}"
         raise fault(
             f"{source}: no such {what}; {choice}{did_you_mean(str(source), names)}"
