@@ -166,6 +166,11 @@ TO_OPTION = click.option(
 )
 
 
+def out_option(help_text, **attributes):
+    """Return the option --out of a command."""
+    return click.option("--out", type=PATH, help=help_text, **attributes)
+
+
 def _exit_with_message(message, status):
     click.echo(f"sonify: {' '.join(str(message).split())}", err=True)
     sys.exit(status)
@@ -181,7 +186,7 @@ def main():
 
 @main.command(cls=AssignmentCommand)
 @click.argument("scene", default="published", type=TEXT)
-@click.option("--out", type=PATH, help="Output folder; default outputs/<scene name>.")
+@out_option("Output folder; default outputs/<scene name>.")
 @click.option(
     "--accuracy",
     type=click.Choice(ACCURACY_LEVELS),
@@ -256,11 +261,7 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
 
 @main.command()
 @click.argument("recording", type=PATH)
-@click.option(
-    "--out",
-    type=PATH,
-    help="Output folder; default outputs/listen/<name of the file>.",
-)
+@out_option("Output folder; default outputs/listen/<name of the file>.")
 @click.option(
     "--scene",
     type=TEXT,
@@ -288,11 +289,7 @@ def listen(recording, out, scene, begin, end):
     help="Scene that provides radius, thickness and air (a name or a file; default toy). The sound "
     "of a given scene is simulated and compared with the recordings.",
 )
-@click.option(
-    "--out",
-    type=PATH,
-    help="Output folder; default outputs/fit/<name of the first file>.",
-)
+@out_option("Output folder; default outputs/fit/<name of the first file>.")
 @click.option(
     "--like",
     type=click.Choice(["fu-berlin"]),
@@ -363,13 +360,7 @@ def scenes(keys, schema):
     is_flag=True,
     help="Fewer settings per method; takes less than two minutes.",
 )
-@click.option(
-    "--out",
-    type=PATH,
-    default="outputs/charts",
-    show_default=True,
-    help="Output folder.",
-)
+@out_option("Output folder.", default="outputs/charts", show_default=True)
 @click.option(
     "--redraw",
     is_flag=True,
@@ -426,11 +417,9 @@ def chart(name, quick, out, redraw):
     metavar="S",
     help="Seed of the variations; default 1.",
 )
-@click.option(
-    "--out",
-    type=PATH,
-    help="Output file; default <scene name> with the suffix of the format. For sound, the output "
-    "folder; default the current folder.",
+@out_option(
+    "Output file; default <scene name> with the suffix of the format. For sound, the output "
+    "folder; default the current folder."
 )
 def export(what, scene, form, strike, rate, takes, seed, out):
     """Export modes, motion or sound of SCENE (default published) for other programs.
@@ -530,7 +519,7 @@ def studio(folder, port):
     type=click.IntRange(1),
     help="Number of local processes; default: one per core.",
 )
-@click.option("--out", type=PATH, help="Output folder; default outputs/sweeps/<name>.")
+@out_option("Output folder; default outputs/sweeps/<name>.")
 @click.option(
     "--plan",
     "planned",
@@ -573,11 +562,7 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     required=True,
     help="Column to draw, e.g. t_end or outcome.",
 )
-@click.option(
-    "--out",
-    type=PATH,
-    help="Output picture; default <of>.png in the folder of the table.",
-)
+@out_option("Output picture; default <of>.png in the folder of the table.")
 def draw(table, x, y, of, out):
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two axes."""
     from sonify.sweeps.maps import make_map

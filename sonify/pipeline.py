@@ -121,13 +121,12 @@ def solve(
         scene=scene, plan=plan, modes=modes, table=table, motion=motion
     )
     begin(solved)
-    # the stage that waits for repetitions of the two-way motion
-    waiting: dict[str, Callable[[float], None]] = {}
+    watch_findings: Callable[[float], None] | None = None  # set when its stage begins
     halt = in_background(
         halt_findings,
         scene,
         motion,
-        lambda share: waiting.get("watch", lambda _: None)(share),
+        lambda share: watch_findings and watch_findings(share),
     )
     with stages.stage("sound") as watch:
         sound = render_sound(
@@ -143,7 +142,7 @@ def solve(
         sound = replace(sound, dynamics=dynamics)
     begin(replace(solved, sound=sound))
     with stages.stage("findings") as watch:
-        waiting["watch"] = watch
+        watch_findings = watch
         hearing = in_background(analyse_sound, sound, listen)
         checks = all_checks(scene, motion, modes, sound)
         findings = motion_and_mode_findings(motion, modes)
@@ -190,15 +189,15 @@ def _plan_and_modes(
 ) -> tuple[Plan, Modes, SurfaceModes | None]:
     """Return the plan, the modes of the disk and the modes of the table (None if it has
     none)."""
-    of_the_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
+    share_of_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
     with stages.stage("modes") as watch, progress_reported_to(watch):
-        with progress_range(0.0, of_the_disk):
+        with progress_range(0.0, share_of_disk):
             plan, modes = plan_with_modes(scene, eigenmodes)
-        with progress_range(of_the_disk, 1.0):
-            found = with_table(with_air(plan, scene), scene)
+        with progress_range(share_of_disk, 1.0):
+            plan, table = with_table(with_air(plan, scene), scene)
     compile_oscillators()
     compile_radiators()
-    return found[0], modes, found[1]
+    return plan, modes, table
 
 
 @one_blas_thread

@@ -313,18 +313,13 @@ def from_document(document: dict) -> Scene:
     Raises SceneError if a key or value is invalid, or its subclass ContradictionError
     if valid values cannot be combined."""
     _refuse_non_finite(document)
-    contact = document.get("contact")
-    if isinstance(contact, dict) and {"restitution", "loss_factor"} <= contact.keys():
+    if {"restitution", "loss_factor"} <= _section(document, "contact").keys():
         raise ContradictionError(
             "contact.restitution: cannot be combined with loss_factor; give one of them"
         )
     complete = _with_density(document)
-    table = complete.get("surface")
-    if (
-        isinstance(table, dict)
-        and table
-        and {"sag", "diameter", "place"} >= table.keys()
-    ):
+    table = _section(complete, "surface")
+    if table and table.keys() <= {"sag", "diameter", "place"}:
         complete = complete | {"surface": {"kind": "rigid"} | table}
     try:
         scene = scene_adapter().validate_json(json.dumps(complete, default=str))
@@ -341,16 +336,15 @@ def from_document(document: dict) -> Scene:
 def _with_density(document):
     """Return the document with the density of its named material, if it has neither
     mass nor density."""
-    material = document.get("material")
-    disk = document.get("disk")
-    name = material.get("name") if isinstance(material, dict) else None
+    name = _section(document, "material").get("name")
+    disk = _section(document, "disk")
     if not isinstance(name, str):
         return document
     if name not in MATERIALS:
         allowed = ", ".join(map(repr, MATERIALS))
         meant = did_you_mean(name, MATERIALS)
         raise SceneError(f"material.name = {name!r}: must be one of {allowed}{meant}")
-    if not isinstance(disk, dict) or {"mass", "density"} & set(disk):
+    if not disk or disk.keys() & {"mass", "density"}:
         return document
     return document | {"disk": disk | {"density": MATERIALS[name].density}}
 
@@ -399,11 +393,17 @@ def load_scene(source: str | Path = "published") -> Scene:
 def _with_mesh(document, folder):
     """Return the document with its mesh file as a path in `folder`, if the file exists
     there."""
-    surface = document.get("surface")
-    file = surface.get("file") if isinstance(surface, dict) else None
+    surface = _section(document, "surface")
+    file = surface.get("file")
     if isinstance(file, str) and (folder / file).is_file():
         surface["file"] = str(folder / file)
     return document
+
+
+def _section(document, name):
+    """Return a section of a document; empty if it is missing or not a section."""
+    section = document.get(name)
+    return section if isinstance(section, dict) else {}
 
 
 def scene_with_accuracy(

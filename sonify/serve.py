@@ -171,8 +171,8 @@ def finished_runs(root: Path) -> list[dict]:
     records = [
         path for depth in range(4) for path in root.glob("*/" * depth + "run.json")
     ]
-    records = sorted(records, key=lambda path: path.stat().st_mtime, reverse=True)
-    return [run for run in (_run_entry(root, path) for path in records) if run]
+    records.sort(key=lambda path: path.stat().st_mtime, reverse=True)
+    return [run for path in records if (run := _run_entry(root, path))]
 
 
 def _run_entry(root, path):

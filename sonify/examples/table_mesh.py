@@ -23,9 +23,8 @@ FOOT_SQUARE_SIZES = 1.4, 1.0, 0.6
 """Sizes of concentric squares around a foot, relative to the cell; the cells between
 them are narrow at the sides of the foot."""
 CELL_CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
-Corner = tuple[int, int, float]
-"""Indices of a node along length and width, and the relative size of the square around
-    a foot to which it belongs."""
+Corner = tuple[float, float]
+"""Position of the corner of a cell along length and width [m]."""
 
 
 def write_table_mesh(path: Path) -> Path:
@@ -39,33 +38,29 @@ def write_table_mesh(path: Path) -> Path:
     )
     feet = [(i, j) for i in (1, CELL_COUNTS[0] - 2) for j in (1, CELL_COUNTS[1] - 2)]
     foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in CELL_CORNERS}
-    numbers: dict[tuple[int, int, float, float], int] = {}
+    numbers: dict[tuple[float, float, float], int] = {}
 
     def number(corner: Corner, z: float) -> int:
-        i, j, ring = corner
-        return numbers.setdefault(
-            (i, j, ring if (i, j) in foot_of else 1.0, z), len(numbers)
-        )
+        return numbers.setdefault((*corner, z), len(numbers))
 
-    def place(i: int, j: int, ring: float, z: float) -> list[float]:
-        a, b = foot_of.get((i, j), (i, j))
-        middle = (
-            np.array([x[a : a + 2].mean(), y[b : b + 2].mean()])
-            if (i, j) in foot_of
-            else np.zeros(2)
-        )
-        return [*(middle + ring * (np.array([x[i], y[j]]) - middle)), z]
+    def place(i: int, j: int, size: float) -> Corner:
+        """Return the position of a corner; at a foot, of a square of relative `size`."""
+        if (i, j) not in foot_of:
+            return x[i], y[j]
+        a, b = foot_of[i, j]
+        middle_x = x[a : a + 2].mean()
+        middle_y = y[b : b + 2].mean()
+        return middle_x + size * (x[i] - middle_x), middle_y + size * (y[j] - middle_y)
 
-    def square(i: int, j: int, ring: float) -> list[Corner]:
-        return [(i + a, j + b, ring) for a, b in CELL_CORNERS]
+    def square(i: int, j: int, size: float) -> list[Corner]:
+        return [place(i + a, j + b, size) for a, b in CELL_CORNERS]
 
     def hexahedra(
         squares: list[list[Corner]], heights: tuple[float, ...]
     ) -> list[list[int]]:
-        layers = pairwise(heights)
         return [
-            [number(corner, z) for z in pair for corner in corners]
-            for pair in layers
+            [number(corner, z) for z in layer for corner in corners]
+            for layer in pairwise(heights)
             for corners in squares
         ]
 
@@ -92,7 +87,7 @@ def write_table_mesh(path: Path) -> Path:
     ]
     tags = [np.full(len(top) + len(legs), 1), np.full(len(stand), 2)]
     mesh = meshio.Mesh(
-        [place(*key) for key in numbers],
+        [*numbers],
         [("hexahedron", top + legs), ("quad", stand)],
         cell_data={"gmsh:physical": tags, "gmsh:geometrical": tags},
         field_data={"wood": np.array([1, 3]), "feet": np.array([2, 2])},

@@ -12,7 +12,6 @@ from annotated_types import Ge, Gt, Le
 
 from sonify.scene_errors import InputError
 
-RANGE_KEYS = {"from", "to", "n", "scale"}
 MODE_SECTIONS = ("disk", "material", "support", "surface", "numerics", "audio")
 """Sections on which the modes depend; their axes come first, so that successive runs
 share modes."""
@@ -236,7 +235,7 @@ def axis_of(name: str, given: Any) -> Axis:
 
 def range_axis(name, keys, given):
     """Parse an axis of a sweep file given as a range."""
-    if unknown := set(given) - RANGE_KEYS:
+    if unknown := given.keys() - {"from", "to", "n", "scale"}:
         raise InputError(
             f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale"
         )

@@ -85,7 +85,9 @@ def verdict_text(holds: bool | None, value: float | None) -> str | None:
     finding."""
     if value is None:
         return None
-    return "undecided" if holds is None else "yes" if holds else "no"
+    if holds is None:
+        return "undecided"
+    return "yes" if holds else "no"
 
 
 def draw_maps(folder: Path, find=()):
