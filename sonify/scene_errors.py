@@ -3,6 +3,8 @@
 from copy import deepcopy
 from dataclasses import fields, is_dataclass
 from difflib import get_close_matches
+from functools import reduce
+from operator import getitem
 from types import UnionType
 from typing import Annotated, Union, get_args, get_origin
 
@@ -87,10 +89,7 @@ def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
         whole = isinstance(value, float) and value.is_integer() and abs(value) <= exact
         if fault["type"] == "int_type" and whole:
             *sections, key = _key_at_location(schema, fault["loc"])[0]
-            section = given
-            for step in sections:
-                section = section[step]
-            section[key] = int(value)
+            reduce(getitem, sections, given)[key] = int(value)
             changed = True
     return given if changed else None
 

@@ -109,11 +109,10 @@ def _keys(section, sections, path):
                 [list(_keys(own, sections, f"{path}{name}.")) for own in inner]
             )
         else:
-            meaning, unit = _unit_and_meaning(" ".join(key["description"].split()))
+            meaning, unit = meaning_and_unit(key["description"])
             span = " or ".join(map(_range, options))
-            yield SceneKey(
-                f"{path}{name}", unit, span, _default(name, key, section), meaning
-            )
+            default = _default(name, key, section)
+            yield SceneKey(f"{path}{name}", unit or "-", span, default, meaning)
 
 
 def _merged_sections(sections):
@@ -137,13 +136,12 @@ def _merged_sections(sections):
     ]
 
 
-def _unit_and_meaning(description):
-    """Split a description into its meaning and its bracketed unit, or "-" without a
+def meaning_and_unit(description: str) -> tuple[str, str]:
+    """Split a description into its meaning and its bracketed unit, or "" without a
     unit."""
-    unit = re.search(r" \[([^]]*)\]", description)
-    return (
-        (description.replace(unit[0], "", 1), unit[1]) if unit else (description, "-")
-    )
+    meaning = " ".join(description.split())
+    unit = re.search(r" \[([^]]*)\]", meaning)
+    return (meaning.replace(unit[0], "", 1), unit[1]) if unit else (meaning, "")
 
 
 def _range(key):

@@ -52,12 +52,8 @@ def halt_conclusion(table: pa.Table) -> list[str]:
     pressure, moment, squeezed = numeric_columns(
         table, "air.pressure", "dissipation.contour_moment", "film_squeezed"
     )
-    held = [
-        p
-        for p in np.unique(pressure)
-        if (squeezed[pressure >= p] < max_verified_compressibility).all()
-    ]
-    known = pressure >= min(held, default=np.inf)
+    unverified = ~(squeezed < max_verified_compressibility)
+    known = pressure > pressure[unverified].max(initial=-np.inf)
     airborne = text_mask(table, "outcome", "AIRBORNE")
     by_air = text_mask(table, "ended_by", "the film of air")
     still = by_air & ~known

@@ -240,8 +240,11 @@ def column_array(name, values, known, axis):
         absent = known.field(name).type if name in known.names else pa.null()
         return pa.array(values, pa.bool_() if boolean else absent)
     if given <= {int, float}:
-        numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
-        return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
+        numbers = [
+            float(value) if value is not None and (axis or np.isfinite(value)) else None
+            for value in values
+        ]
+        return pa.array(numbers, pa.float64())
     return pa.array(
         [v if v is None or isinstance(v, str) else json.dumps(v) for v in values],
         pa.string(),

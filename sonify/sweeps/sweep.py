@@ -86,12 +86,14 @@ class Sweep:
         drawn = asdict(self.samples) if self.samples else None
         if drawn and not drawn["total"]:
             del drawn["total"]  # tables of earlier versions lack it
-        same = {"scene": scene, "axes": self.axes, "samples": drawn}
-        return json.loads(
-            json.dumps(
-                same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str
-            )
-        )
+        content = {
+            "scene": scene,
+            "axes": self.axes,
+            "samples": drawn,
+            "stages": self.stages,
+            "keep": sorted(self.keep),
+        }
+        return json.loads(json.dumps(content, default=str))
 
     def scene_of(self, run: int) -> dict:
         """Return the scene document of a run."""
@@ -103,16 +105,13 @@ class Sweep:
 
         Each column has one type; mixed types, lists and tables are stored as JSON.
         """
-        samples = self.points.samples
-        width = (
-            {"width": samples.width(run)}
-            if samples and (samples.widths or samples.total)
-            else {}
-        )
-        values = self.points[run].items()
-        return {
-            k: json.dumps(v) if k in self._json_columns else v for k, v in values
-        } | width
+        row = {
+            key: json.dumps(value) if key in self._json_columns else value
+            for key, value in self.points[run].items()
+        }
+        if self.samples and (self.samples.widths or self.samples.total):
+            row["width"] = self.samples.width(run)
+        return row
 
     @cached_property
     def _json_columns(self):
