@@ -58,7 +58,6 @@ FORMER_SCENES: dict[str, tuple[str, ...]] = {
 
 Distance = Annotated[float, Gt(0), Le(1000)]
 Elevation = Annotated[float, Ge(0), Le(90)]
-DEFAULT_ELEVATION = 45.0  # degrees
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,7 +71,7 @@ class ListenerPosition:
     """Distance from the centre of the disk [m] to the microphone or to the centre of
     the head; a microphone nearer than the radius must be above the disk and clear of
     its motion."""
-    elevation_deg: Elevation = DEFAULT_ELEVATION
+    elevation_deg: Elevation = 45.0
     """Elevation above the table [degrees]."""
     azimuth_deg: Annotated[float, Ge(-360), Le(360)] = 0.0
     """Direction on the table, from its x axis to its y axis [degrees]."""
@@ -129,7 +128,7 @@ class Audio:
     distance: Distance = 0.5
     """Distance of the listener from the centre of the disk [m]; a listener nearer than
     the radius must be above the disk and clear of its motion."""
-    elevation_deg: Elevation = DEFAULT_ELEVATION
+    elevation_deg: Elevation = ListenerPosition.elevation_deg
     """Elevation of the listener above the table [degrees]."""
     listeners: Annotated[tuple[ListenerPosition, ...], MaxLen(16)] = ()
     """Several listeners that replace the single one, each with its own channel in the

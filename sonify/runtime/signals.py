@@ -49,12 +49,11 @@ def signal_handlers():
         ).start()
 
     main = threading.current_thread() is threading.main_thread()
-    handled = [
-        number
+    before = {
+        number: signal.signal(number, end)
         for number in TERMINATION_SIGNALS
         if main and signal.getsignal(number) is not signal.SIG_IGN
-    ]
-    before = {number: signal.signal(number, end) for number in handled}
+    }
     try:
         yield
     finally:
