@@ -237,9 +237,9 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
     from sonify.console import Console
 
     with Console() as stages:
-        from sonify.entry_points import run as solve
+        from sonify.entry_points import run as solve_and_write
 
-        result = solve(scene, out, accuracy, stages, dynamics)
+        result = solve_and_write(scene, out, accuracy, stages, dynamics)
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)

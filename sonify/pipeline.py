@@ -23,7 +23,7 @@ from sonify.claims.rattling import rattling_findings
 from sonify.claims.rigid_motion import motion_and_mode_findings
 from sonify.claims.sound import analyse_sound, sound_findings
 from sonify.claims.table import table_findings
-from sonify.claims.two_way import motion_findings as halt_findings
+from sonify.claims.two_way import motion_findings as two_way_findings
 from sonify.hearing.recording import Heard, listen
 from sonify.plan.air import limits_of_film_law, with_air
 from sonify.plan.body_scene import BodyScene, body_scene
@@ -122,8 +122,8 @@ def solve(
     )
     begin(solved)
     watch_findings: Callable[[float], None] | None = None  # set when its stage begins
-    halt = in_background(
-        halt_findings,
+    two_way = in_background(
+        two_way_findings,
         scene,
         motion,
         lambda share: watch_findings and watch_findings(share),
@@ -148,7 +148,7 @@ def solve(
         findings = motion_and_mode_findings(motion, modes)
         heard, silence = hearing.result()
         findings += sound_findings(heard, motion, modes, sound, plan.error("sound"))
-        findings += halt.result()
+        findings += two_way.result()
         findings += table_findings(
             scene,
             motion,
