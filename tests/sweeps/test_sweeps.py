@@ -10,6 +10,7 @@ import re
 import tomllib
 from contextlib import suppress
 from math import inf
+from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
@@ -736,6 +737,15 @@ def test_the_conclusion_on_a_table_that_acts_back_is_that_of_its_table():
     assert lines[1].endswith(
         "in 1 runs the film returns up to 2e-05 of the energy, and a self-check fails."
     )
+
+
+@pytest.mark.parametrize("name", CONCLUSIONS)
+def test_the_shown_conclusion_is_written_from_its_table(name):
+    """Of verdict sweeps, the intervals of the indices also depend on the version of SALib."""
+    folder = Path(sonify.__file__).parents[1] / "outputs/shown/sweeps" / name
+    table, _ = read_table(folder / "runs.parquet")
+    shown = (folder / "conclusion.md").read_text("utf-8").splitlines()
+    assert CONCLUSIONS[name](table) == shown
 
 
 def test_the_conclusions_on_halt_and_pitch_are_those_of_their_tables():
