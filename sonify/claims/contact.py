@@ -26,7 +26,9 @@ from sonify.claims.finding import (
     finding,
     median_with_margin,
     register_judge,
+    rise_over_tenths,
 )
+from sonify.claims.literature import energy_lost_by_cause
 from sonify.hearing.noise_band import NoiseBand, band_centroid, noise_band
 from sonify.hearing.recording import Heard
 from sonify.scene import Scene
@@ -34,15 +36,8 @@ from sonify.sound.pressure import Sound
 from sonify.sound.radiation import listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
 
-VIBRATION_TIME_COUNT = 96
-"""Number of instants at which the vibration of a motion is predicted."""
 NOISE_BAND_INTERVAL = 0.5
 """Length of the intervals in which the noise band is measured [s]."""
-
-MIN_AIR_BAND_FREQUENCY_RATIO = 1.1
-"""Ratio of the frequency of the noise band to that of the contact force above which the
-air determines the band."""
-
 MIN_OPEN_SHARE = 1e-4
 """Smallest share of the time without contact that is attributed to vibrations and not to a
 slip."""
@@ -89,13 +84,9 @@ def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
     """Return the predicted vibration along a motion while the contact is a single
     ellipse."""
     table = tabulated_law_of(scene, motion)
-    t = (
-        last_single_ellipse_time(motion)
-        * (np.arange(VIBRATION_TIME_COUNT) + 0.5)
-        / VIBRATION_TIME_COUNT
-    )
+    t = vibration_times(motion)
     inclination, load, speed, rolls = contact_conditions(motion, t)
-    rms, power, shift = np.zeros((3, VIBRATION_TIME_COUNT))
+    rms, power, shift = np.zeros((3, len(t)))
     if scene.roughness is not None:
         rms = predicted_rms(table, scene.roughness, inclination, load, speed)
         power = predicted_power(table, scene.roughness, inclination, load, speed)
@@ -119,13 +110,9 @@ def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
         return np.ones(len(t))
     some = np.linspace(t[0], t[-1], 12)
     inclination, load, speed, _ = contact_conditions(motion, some)
-    return np.interp(
-        t,
-        some,
-        effective_load_factor(
-            tabulated_law_of(scene, motion), scene.roughness, inclination, load, speed
-        ),
-    )
+    table = tabulated_law_of(scene, motion)
+    factor = effective_load_factor(table, scene.roughness, inclination, load, speed)
+    return np.interp(t, some, factor)
 
 
 def contact_conditions(motion: Motion, t):
@@ -155,55 +142,46 @@ def contact_findings(
         return [], []
     expected = predicted_vibration(scene, motion)
     marked = several_contacts_notes(expected.t, expected.shift)
-    broken = [
-        contact_is_lost(motion, expected),
-        *([micro_flights(motion)] if motion.contact_losses else []),
-    ]
-    if scene.roughness is None:
-        return broken, marked
-    min_line_duration_share = 0.2  # of the sound
-    lasting = (
-        [
-            c
-            for c in known.lines
-            if c.end - c.begin > min_line_duration_share * known.duration
-        ]
-        if known
-        else []
-    )
-    max_steady_spread = 5.0  # cents
-    lines = [c.frequency for c in lasting if c.spread < max_steady_spread]
+    found = [contact_is_lost(motion, expected)]
+    if motion.contact_losses:
+        found.append(micro_flights(motion))
+    rough = scene.roughness
+    if rough is None:
+        return found, marked
+    lines = steady_line_frequencies(known) if known else []
     heard = measured_noise_band(sound, motion, expected, lines)
-    found = (
-        noise_band_findings(scene, motion, expected, heard)
-        if np.isfinite(heard.frequency).sum() >= 3
-        else []
-    )
-    rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms) / 2**0.5
-    rough = (
-        [loss_begins_at(float(rms), expected)]
-        if rms and not scene.roughness.profile
-        else []
-    )
+    if np.isfinite(heard.frequency).sum() >= 3:
+        found = noise_band_findings(scene, motion, expected, heard) + found
+    rms = np.hypot(rough.rms or 0.0, rough.edge_rms) / 2**0.5
+    if rms and not rough.profile:
+        found.append(loss_begins_at(float(rms), expected))
+    return [*found, roughness_ends_it(rough.loss, motion, expected)], marked
+
+
+def steady_line_frequencies(heard: Heard) -> list[float]:
+    """Return the frequencies [Hz] of the spectral lines that are long and steady."""
+    min_duration_share = 0.2  # of the sound
+    max_spread = 5.0  # cents
     return [
-        *found,
-        *broken,
-        *rough,
-        roughness_ends_it(scene.roughness.loss, motion, expected),
-    ], marked
+        line.frequency
+        for line in heard.lines
+        if line.end - line.begin > min_duration_share * heard.duration
+        and line.spread < max_spread
+    ]
 
 
 def noise_band_findings(
     scene, motion, expected: PredictedVibration, heard: NoiseBand
 ) -> list[Finding]:
     """Return the findings on the noise band."""
-    recorded = [
+    bands = radiated_bands(scene, motion, expected, heard)
+    return [
+        carrier_rises(heard),
+        carrier_is_contact(bands),
+        *([air_moves_carrier(bands)] if motion.film else []),
         carrier_passes_recorded_peaks(expected),
         constant_peaks_are_the_contact(expected),
     ]
-    found = radiated_bands(scene, motion, expected, heard)
-    by_air = [air_moves_carrier(found)] if motion.film else []
-    return [carrier_rises(heard), carrier_is_contact(found), *by_air, *recorded]
 
 
 def measured_noise_band(
@@ -232,13 +210,7 @@ def carrier_rises(heard: NoiseBand):
 
     Each is the median of a tenth of the intervals.
     """
-    found = heard.frequency[np.isfinite(heard.frequency)]
-    tenth = max(len(found) // 10, 1)
-    first = median_with_margin(found[:tenth])
-    last = median_with_margin(found[-tenth:])
-    ratio = last.value / first.value
-    margin = ratio * np.hypot(first.margin / first.value, last.margin / last.value)
-    return Measured(ratio, margin, {"from": first.value, "to": last.value})
+    return rise_over_tenths(heard.frequency[np.isfinite(heard.frequency)])
 
 
 class RadiatedBands(NamedTuple):
@@ -271,33 +243,23 @@ def radiated_bands(
     predictions_per_interval = 12
     f = np.arange(500.0, 20e3, 10.0)
     disk = VibratingDisk(scene, listener_of(scene)) if motion.film else None
-    shown = np.flatnonzero(np.isfinite(heard.frequency))[
-        :: max(np.isfinite(heard.frequency).sum() // predictions_per_interval, 1)
-    ]
+    known = np.flatnonzero(np.isfinite(heard.frequency))
     found = []
-    for i in shown:
+    for i in known[:: max(len(known) // predictions_per_interval, 1)]:
         t = heard.time[i] + NOISE_BAND_INTERVAL * (
             (np.arange(predictions_per_interval) + 0.5) / predictions_per_interval - 0.5
         )
         inclination, load, *rest = contact_conditions(
             motion, np.minimum(t, expected.t[-1])
         )
-        places = zip(
-            inclination,
-            load * np.interp(t, expected.t, expected.load_factor),
-            *rest,
-            strict=True,
-        )
+        softened_load = load * np.interp(t, expected.t, expected.load_factor)
         force = [
             predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r)
-            for b, N, V, r in places
+            for b, N, V, r in zip(inclination, softened_load, *rest, strict=True)
         ]
-        louder = np.array(
-            [
-                disk.mean_square_pressure(b, f) if disk else np.ones_like(f)
-                for b in inclination
-            ]
-        )
+        louder = np.ones((len(t), len(f)))
+        if disk:
+            louder = np.array([disk.mean_square_pressure(b, f) for b in inclination])
         solved = (
             solved_spectrum(motion, t[[0, -1]], f)
             if motion.solves_contact
@@ -316,16 +278,11 @@ def radiated_bands(
 def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     """Return the power spectral density (f,) [N^2/Hz] of the normal force in a time
     span [s], at frequencies f (f,) [Hz]."""
-    # Sample rate of the spectrum of a solved contact force [1/s]
-    force_sample_rate = 96e3
-    t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / force_sample_rate)
-    welch_segment = 4096  # samples
-    return np.interp(
-        f,
-        *welch(
-            motion.force(t)[:, 2], force_sample_rate, nperseg=min(welch_segment, len(t))
-        ),
-    )
+    sample_rate = 96e3  # 1/s
+    segment_length = 4096  # samples
+    t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / sample_rate)
+    load = motion.force(t)[:, 2]
+    return np.interp(f, *welch(load, sample_rate, nperseg=min(segment_length, len(t))))
 
 
 @finding(
@@ -353,7 +310,7 @@ def carrier_is_contact(found: RadiatedBands):
     "contact force and radiation of a disk over its film; noise band determined from the "
     "sound alone",
     needs=("motion", "contact law", "sound"),
-    at_least=MIN_AIR_BAND_FREQUENCY_RATIO,
+    at_least=1.1,
 )
 def air_moves_carrier(found: RadiatedBands):
     """The median frequency ratio of the measured noise band to that of the contact
@@ -375,17 +332,13 @@ def carrier_passes_recorded_peaks(expected: PredictedVibration):
     """The time [s] during which the contact resonance is within the range of the
     recorded peak."""
     # Range of the rising spectral peak recorded from the toy on granite [Hz]
-    recorded_rising_peak = (1840.0, 2280.0)
-    when = expected.t[
-        (contact_resonance_frequency(expected) > recorded_rising_peak[0])
-        & (contact_resonance_frequency(expected) < recorded_rising_peak[1])
-    ]
+    lowest, highest = (1840.0, 2280.0)
+    frequency = contact_resonance_frequency(expected)
+    when = expected.t[(frequency > lowest) & (frequency < highest)]
     span = {"from": when[0], "to": when[-1]} if len(when) else {}
-    return Measured(
-        len(when) * expected.t[-1] / VIBRATION_TIME_COUNT,
-        2 * expected.t[-1] / VIBRATION_TIME_COUNT,
-        span,
-    )
+    end = expected.t[-1]
+    count = len(expected.t)
+    return Measured(len(when) * end / count, 2 * end / count, span)
 
 
 @finding(
@@ -404,14 +357,11 @@ def constant_peaks_are_the_contact(expected: PredictedVibration):
     """
     step = expected.t[1] - expected.t[0]
     recorded_peaks = (5040.0, 8230.0)  # Hz
+    frequency = contact_resonance_frequency(expected)
     stays = [
-        float(
-            np.sum(np.abs(contact_resonance_frequency(expected) / peak - 1) < 0.02)
-            * step
-        )
-        for peak in recorded_peaks
+        np.sum(np.abs(frequency / peak - 1) < 0.02) * step for peak in recorded_peaks
     ]
-    return Measured(max(stays) / expected.t[-1], 2 / VIBRATION_TIME_COUNT)
+    return Measured(max(stays) / expected.t[-1], 2 / len(expected.t))
 
 
 @finding(
@@ -427,31 +377,23 @@ def contact_is_lost(motion: Motion, expected: PredictedVibration):
     The share is solved for an elastic contact or a motion with losses of contact.
     Otherwise it is predicted for a Gaussian vibration."""
     flights = motion.contact_losses
-    solved = bool(motion.contact_losses) or motion.solves_contact
+    solved = bool(flights) or motion.solves_contact
     if solved:
         lasts = np.array([f.duration for f in flights])
         share = lasts.sum() / motion.t[-1]
         first = flights[0].t if flights else np.inf
-        margin = (
-            2 * np.sqrt(np.sum(lasts**2)) / motion.t[-1]
-        )  # flights as independent events
+        # flights as independent events
+        margin = 2 * np.sqrt(np.sum(lasts**2)) / motion.t[-1]
     else:
         lost = open_contact_share(expected, 1.0)
         share = lost.mean()
         first = expected.t[lost > MIN_OPEN_SHARE].min(initial=np.inf)
-        underestimation = (
-            1.1,
-            1.9,
-        )  # factors on the rms of N' of the filter, for rolling and for sliding
-        margin = (
-            open_contact_share(
-                expected, np.where(expected.rolls, *underestimation)
-            ).mean()
-            - share
-        )
-    details = {"solved": float(solved)} | (
-        {"first": first} if np.isfinite(first) else {}
-    )
+        # factors on the rms of N' of the filter, for rolling and for sliding
+        underestimation = np.where(expected.rolls, 1.1, 1.9)
+        margin = open_contact_share(expected, underestimation).mean() - share
+    details = {"solved": float(solved)}
+    if np.isfinite(first):
+        details["first"] = first
     return Measured(share, margin, details)
 
 
@@ -477,9 +419,7 @@ def micro_flights(motion: Motion):
     flights = motion.contact_losses
     longest = np.sort([f.duration for f in flights])[::-1]
     details = {"number": len(flights), "height": max(f.height for f in flights)}
-    return Measured(
-        longest[0], longest[0] - longest[: len(longest) // 10 + 1][-1], details
-    )
+    return Measured(longest[0], longest[0] - longest[len(longest) // 10], details)
 
 
 @finding(
@@ -497,10 +437,8 @@ def loss_begins_at(rms: float, expected: PredictedVibration):
     """
     most = expected.rms.max() / expected.table.law.disk.weight
     certain_loss_rms = 0.4  # above it, contact is lost in every motion
-    return Measured(
-        rms * CONTACT_LOSS_RMS / most,
-        rms * (certain_loss_rms - CONTACT_LOSS_RMS) / most,
-    )
+    margin = rms * (certain_loss_rms - CONTACT_LOSS_RMS) / most
+    return Measured(rms * CONTACT_LOSS_RMS / most, margin)
 
 
 @register_judge(needs=("motion", "contact law"))
@@ -512,25 +450,19 @@ def roughness_ends_it(
     It consists of the solved losses in contact and creep, or of the predicted power.
     `loss` is the key `roughness.loss`, "own" or "fitted"."""
     fitted = loss == "fitted"
+    where = "in addition to friction"
     if motion.solves_contact:
-        lost = {
-            cause: float(energy[0])
-            for cause, energy in motion.energy_lost(motion.t[-1:]).items()
-        }
-        where = "as a part of friction" if fitted else "in addition to friction"
-        share = (lost["contact"] + lost["creep"]) / sum(lost.values())
+        taken = energy_lost_by_cause(motion)
+        share = (taken["contact"] + taken["creep"]) / sum(taken.values())
+        if fitted:
+            where = "as a part of friction"
     else:
         took = expected.power.mean() * expected.t[-1]
         lost = motion.state[-1, 10]
         share = took / (lost if fitted else lost + took)
-        where = (
-            "included in friction"
-            if fitted
-            else "in addition to friction and to this motion"
-        )
-    relative_loss_margin = (
-        0.2  # error of the prediction, and differences between surfaces
-    )
+        where = "included in friction" if fitted else f"{where} and to this motion"
+    # error of the prediction, and differences between surfaces
+    relative_loss_margin = 0.2
     return Finding(
         key="roughness_ends_it",
         claim="Roughness ends the motion",
@@ -566,21 +498,14 @@ def contact_resonance_line(
 
     Returns None for a rigid contact and for a motion with several simultaneous
     contacts."""
-    # Number of points of the plotted contact resonance, enough for its oscillation
-    # with the nutation
-    resonance_curve_points = 800
     if scene.contact.law == "rigid" or isinstance(motion, RattlingMotion):
         return None
-    t = (
-        last_single_ellipse_time(motion)
-        * (np.arange(resonance_curve_points) + 0.5)
-        / resonance_curve_points
-    )
+    point_count = 800  # enough for the oscillation with the nutation
+    t = single_ellipse_times(motion, point_count)
     inclination, load, speed, _ = contact_conditions(motion, t)
     soft = effective_load_factors(scene, motion, t) * load
-    return t + delay, tabulated_law_of(scene, motion).contact_resonance(
-        inclination, soft, speed
-    ).frequency
+    table = tabulated_law_of(scene, motion)
+    return t + delay, table.contact_resonance(inclination, soft, speed).frequency
 
 
 def contact_resonance_frequency(expected: PredictedVibration) -> np.ndarray:
@@ -590,8 +515,19 @@ def contact_resonance_frequency(expected: PredictedVibration) -> np.ndarray:
     ).frequency
 
 
+def vibration_times(motion: Motion) -> np.ndarray:
+    """Return the times (k,) [s] at which the vibration of a motion is predicted."""
+    time_count = 96
+    return single_ellipse_times(motion, time_count)
+
+
+def single_ellipse_times(motion: Motion, count: int) -> np.ndarray:
+    """Return equally spaced times (count,) [s] at which the contact of a motion is a
+    single ellipse."""
+    return last_single_ellipse_time(motion) * (np.arange(count) + 0.5) / count
+
+
 def last_single_ellipse_time(motion: Motion) -> float:
     """Return the last time [s] at which the contact of a motion is a single ellipse."""
-    return float(
-        motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
-    )
+    steep = motion.state[:, 1] >= MIN_CONTACT_INCLINATION
+    return float(motion.t[steep][-1])

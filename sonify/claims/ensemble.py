@@ -3,7 +3,7 @@ states."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,12 +12,12 @@ from dynamics.compliant.compliant_motion import CompliantMotion, simulate_from
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.rattling.rattling_motion import RattlingMotion
 from sonify.claims.air import final_loss_shares
+from sonify.claims.shares import Share, share_of
 from sonify.claims.two_way import losses_above_flat, two_way_part, two_way_start
 from sonify.scene import Scene
 
 
-@dataclass(frozen=True, kw_only=True)
-class Quantity:
+class Quantity(NamedTuple):
     """Values (n,) of a quantity in an ensemble; NaN in runs without it."""
 
     name: str
@@ -59,26 +59,23 @@ class Ensemble:
     claims: dict[str, np.ndarray]
     """Mask (n,) of the runs in which each claim holds, by the text of the claim."""
 
+    @property
+    def shares(self) -> dict[str, Share]:
+        """The share of the runs in which each claim holds, by the text of the claim."""
+        return {claim: share_of(holds) for claim, holds in self.claims.items()}
+
     def lines(self) -> list[str]:
         """Return one line for each quantity and claim."""
-        from sonify.claims.shares import share_of
-
         claims = (
-            f"{claim}: {share_of(holds).draw_count_text}"
-            for claim, holds in self.claims.items()
+            f"{claim}: {share.draw_count_text}" for claim, share in self.shares.items()
         )
         return [*map(str, self.quantities), *claims]
 
     def record(self) -> dict[str, Any]:
         """Return the content of ensemble.json."""
-        from sonify.claims.shares import share_of
-
-        claims = {
-            claim: share_of(holds)._asdict() for claim, holds in self.claims.items()
-        }
         return {
             "quantities": [one.summary for one in self.quantities],
-            "claims": claims,
+            "claims": {claim: share._asdict() for claim, share in self.shares.items()},
         }
 
 
@@ -86,7 +83,6 @@ def repeat_final_part(
     scene: Scene,
     motion: Motion,
     count: int,
-    seed: int = 1,
     watch: Callable[[float], None] = lambda share: None,
 ) -> Ensemble:
     """Repeat the chaotic final part of a motion from perturbed states.
@@ -100,40 +96,34 @@ def repeat_final_part(
         A scene and its motion.
     count : int
         Number of repetitions.
-    seed : int
-        Seed of the perturbations.
     watch : callable
         Called with the completed share.
     """
     # Relative standard deviation of the perturbed angular velocities
     relative_perturbation = 1e-5
-    random = np.random.default_rng(seed)
-    found = two_way_part(motion)
-    rattles = isinstance(motion, RattlingMotion)
+    random = np.random.default_rng(1)
     table = motion.model.modes if isinstance(motion, RattlingMotion) else None
+    found = None if isinstance(motion, RattlingMotion) else two_way_part(motion)
+    begin = found[1] + two_way_start(scene, found[0]) if found else 0.0
     repeated: list[Motion] = []
     for i in range(count):
         factors = 1 + relative_perturbation * random.standard_normal(3)
-        if found is None or rattles:
-            repeated.append(repeat_from_release(scene, factors, table))
-        else:
+        if found:
             repeated.append(repeat_two_way_part(scene, found[0], factors))
+        else:
+            repeated.append(repeat_from_release(scene, factors, table))
         watch((i + 1) / count)
-    begin = (
-        0.0 if found is None or rattles else found[1] + two_way_start(scene, found[0])
-    )
     return ensemble_results(repeated, begin)
 
 
-def repeat_from_release(scene: Scene, factors, table: Any = None) -> Motion:
+def repeat_from_release(scene: Scene, factors, table: Any) -> Motion:
     """Return the motion with the released angular velocities multiplied by `factors` (3,).
 
     `table` contains the modes of a table that moves with the disk.
     """
     omega = tuple(np.multiply(scene.release.omega, factors).tolist())
-    return simulate(
-        replace(scene, release=replace(scene.release, omega=omega)), surface_modes=table
-    )
+    perturbed = replace(scene, release=replace(scene.release, omega=omega))
+    return simulate(perturbed, surface_modes=table)
 
 
 def repeat_two_way_part(
@@ -146,10 +136,9 @@ def repeat_two_way_part(
     start = two_way_start(scene, part)
     state = part.at([start])[0]
     state[5:8] *= factors
+    force = part.force([start])[0]
     span = scene.numerics.time_limit - start
-    return simulate_from(
-        part.model, state, part.force([start])[0], span, FLAT_INCLINATION
-    )
+    return simulate_from(part.model, state, force, span, FLAT_INCLINATION)
 
 
 def ensemble_results(motions: list[Motion], begin: float) -> Ensemble:
@@ -161,30 +150,22 @@ def ensemble_results(motions: list[Motion], begin: float) -> Ensemble:
             t = max(one.contact_losses[0].t, 0.0)
             first[i] = one.t[-1] - t, one.at([t])[0, 1]
     shares = [final_loss_shares(one) for one in motions]
+    impacts = np.array([share["contact"] for share in shares])
+    table = np.array([share["table"] for share in shares])
     quantities = (
         Quantity(
-            name="end of the motion",
-            unit="s",
-            values=begin + np.array([one.t[-1] for one in motions]),
+            "end of the motion", "s", begin + np.array([m.t[-1] for m in motions])
         ),
-        Quantity(name="losses of contact", unit="", values=losses.astype(float)),
-        Quantity(name="first loss before the end", unit="s", values=first[:, 0]),
-        Quantity(name="inclination at the first loss", unit="rad", values=first[:, 1]),
-        Quantity(
-            name="share of impacts in the last tenth of the energy",
-            unit="",
-            values=np.array([share["contact"] for share in shares]),
-        ),
-        Quantity(
-            name="share of the table in the last tenth of the energy",
-            unit="",
-            values=np.array([share["table"] for share in shares]),
-        ),
+        Quantity("losses of contact", "", losses.astype(float)),
+        Quantity("first loss before the end", "s", first[:, 0]),
+        Quantity("inclination at the first loss", "rad", first[:, 1]),
+        Quantity("share of impacts in the last tenth of the energy", "", impacts),
+        Quantity("share of the table in the last tenth of the energy", "", table),
     )
     claims = {
         "contact is lost": losses > 0,
         "impacts take most of the last tenth of the energy": np.array(
-            [max(share, key=lambda name: share[name]) == "contact" for share in shares]
+            [max(share, key=share.__getitem__) == "contact" for share in shares]
         ),
         "the air carries the disk": np.array(
             [one.outcome.name == "AIRBORNE" for one in motions]

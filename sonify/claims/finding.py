@@ -114,16 +114,13 @@ class Finding:
         """The value and its margin, rounded to the first digit of the margin."""
         if not (self.margin > 0 and isfinite(self.value) and isfinite(self.margin)):
             return f"{self.value:.4g}"
-        margin = float(f"{self.margin:.1g}")
         if self.margin > abs(self.value):
-            return f"{self.value:.2g} ± {margin:g}"
-        digits = -int(np.floor(np.log10(self.margin)))
-        shown = round(self.value, digits) + 0.0
-        return (
-            f"{shown:.{digits}f} ± {margin:g}"
-            if 0 <= digits <= 6
-            else f"{shown:.6g} ± {margin:g}"
-        )
+            shown = f"{self.value:.2g}"
+        else:
+            digits = -int(np.floor(np.log10(self.margin)))
+            rounded = round(self.value, digits) + 0.0
+            shown = f"{rounded:.{digits}f}" if 0 <= digits <= 6 else f"{rounded:.6g}"
+        return f"{shown} ± {float(f'{self.margin:.1g}'):g}"
 
     @property
     def expectation(self) -> str:
@@ -156,9 +153,7 @@ def finding(
     source: str,
     *,
     needs: tuple[Need, ...],
-    at_least: float = -inf,
-    at_most: float = inf,
-    tolerance: float = 0.0,
+    **limits: Any,
 ):
     """Convert a function that returns a number or `Measured` to one that returns a
     `Finding`.
@@ -169,8 +164,9 @@ def finding(
         As in `Finding`.
     needs : tuple of str
         Inputs of the function.
-    at_least, at_most, tolerance : float
-        Range of values for which the claim holds.
+    **limits : float
+        Range of values for which the claim holds: `at_least`, `at_most` and
+        `tolerance`, as in `Finding`.
     """
 
     def decorator(function: Callable[..., float | Measured]) -> Callable[..., Finding]:
@@ -190,9 +186,7 @@ def finding(
                 undecided_because=measured.undecided_because,
                 needs=needs,
                 source=source,
-                at_least=at_least,
-                at_most=at_most,
-                tolerance=tolerance,
+                **limits,
             )
 
         return register_judge(needs)(judge)
@@ -219,10 +213,21 @@ def median_with_margin(values, independent: float = 1.0) -> Measured:
     values are independent."""
     low, middle, high = np.percentile(values, [25, 50, 75])
     sigma = (high - low) / 1.349
-    return Measured(
-        float(middle),
-        float(2 * 1.25 * sigma / np.sqrt(max(independent * len(values), 1.0))),
-    )
+    margin = 2 * 1.25 * sigma / np.sqrt(max(independent * len(values), 1.0))
+    return Measured(float(middle), float(margin))
+
+
+def rise_over_tenths(values) -> Measured:
+    """Return the ratio of the median of the last tenth of values (n,) to that of the
+    first tenth.
+
+    The details contain both medians."""
+    tenth = max(len(values) // 10, 1)
+    first = median_with_margin(values[:tenth])
+    last = median_with_margin(values[-tenth:])
+    ratio = last.value / first.value
+    margin = ratio * np.hypot(first.margin / first.value, last.margin / last.value)
+    return Measured(ratio, margin, {"from": first.value, "to": last.value})
 
 
 class Findings(list[Finding]):

@@ -21,19 +21,13 @@ def literature_findings(
     The claim on impacts needs losses of contact, the claim on force peaks needs
     roughness on an elastic contact, and the claim on modes needs a free disk."""
     found = motion_findings(motion)
-    found += (
-        [force_peaks_sound(motion, sound)]
-        if scene.contact.law == "elastic" and scene.roughness
-        else []
-    )
-    found += (
-        [deformation_makes_the_tone(sound)] if motion.outcome.name == "SETTLED" else []
-    )
-    return found + (
-        [mode_ratio(modes)]
-        if scene.support.kind == "free" and len(set(modes.order)) > 1
-        else []
-    )
+    if scene.contact.law == "elastic" and scene.roughness:
+        found.append(force_peaks_sound(motion, sound))
+    if motion.outcome.name == "SETTLED":
+        found.append(deformation_makes_the_tone(sound))
+    if scene.support.kind == "free" and len(set(modes.order)) > 1:
+        found.append(mode_ratio(modes))
+    return found
 
 
 def motion_findings(motion: Motion) -> list[Finding]:
@@ -58,13 +52,11 @@ def slip_is_the_loss(motion: Motion):
     middle = (motion.t[1:] + motion.t[:-1]) / 2
     lost = np.diff(motion.state[:, 10])
     share = lost[np.char.startswith(motion.regime(middle), "slide")].sum() / lost.sum()
-    margin = 0.0
-    if (
-        motion.solves_contact
-    ):  # the work of slip also includes slips shorter than a piece
-        taken = energy_lost_by_cause(motion)
-        margin = abs(taken["slip"] / sum(taken.values()) - share)
-    return Measured(share, margin)
+    if not motion.solves_contact:
+        return share
+    # the work of slip also includes slips shorter than a piece
+    taken = energy_lost_by_cause(motion)
+    return Measured(share, abs(taken["slip"] / sum(taken.values()) - share))
 
 
 @finding(
@@ -104,14 +96,13 @@ def energy_lost_by_cause(motion: Motion) -> dict[str, float]:
 def force_peaks_sound(motion: Motion, sound: Sound):
     """The correlation of sound level and normal force after removal of slow
     variations."""
-    # Length of the median filter that removes slow variations [samples]
-    smoothing_samples = 101
-    delay = sound.source_end - motion.t[-1]
+    smoothing_samples = 101  # of the median filter that removes slow variations
     window_duration = 0.01  # s
+    lowest_frequency = 700.0  # Hz
+    delay = sound.source_end - motion.t[-1]
     seen = spectrogram(
         sound.pressure, window_duration, columns=1 << 20, span=(delay, sound.source_end)
     )
-    lowest_frequency = 700.0  # Hz
     power = seen.power[seen.frequency > lowest_frequency].sum(axis=0)
     sounds = power > 0
     level = np.log(power[sounds])
@@ -120,7 +111,7 @@ def force_peaks_sound(motion: Motion, sound: Sound):
     if len(t) < smoothing_samples:
         return Measured(0.0, 1.0, undecided_because="the sound is too short")
     swings = [row - median_filter(row, smoothing_samples) for row in (level, load)]
-    if min(np.ptp(swing) for swing in swings) == 0:
+    if min(map(np.ptp, swings)) == 0:
         return Measured(
             0.0, 1.0, undecided_because="the level or the force does not vary"
         )
@@ -154,6 +145,5 @@ def deformation_makes_the_tone(sound: Sound):
 def mode_ratio(modes: Modes):
     """The frequency ratio of the first two modes of the free disk with different
     orders."""
-    first = modes.frequency[0]
     second = modes.frequency[modes.order != modes.order[0]][0]
-    return second / first
+    return second / modes.frequency[0]

@@ -83,20 +83,16 @@ def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
     The margin assumes that the flights are independent events."""
     max_repeated_duration = 0.4  # s
     until = min(float(motion.t[-1]), max_repeated_duration)
-    limit = f"numerics.time_limit={until}"
-    with_all, margin = open_share_until(motion, until)
     table = motion.model.modes
-    rigid = solve_rattling_motion(
-        scene.replace(limit, "contact.body=rigid"), modes=table
-    )
+    with_all, margin = open_share_until(motion, until)
+    short = scene.replace(f"numerics.time_limit={until}")
+    rigid = solve_rattling_motion(short.replace("contact.body=rigid"), modes=table)
     without_modes, own_margin = open_share_until(rigid, until)
     smooth_rms = 1e-12  # m; too small to affect a contact
     smooth = scene.roughness and replace(
         scene.roughness, rms=smooth_rms, rms_edge=0.0, profile=None, profile_edge=None
     )
-    even = solve_rattling_motion(
-        scene.replace(limit).part(roughness=smooth), modes=table
-    )
+    even = solve_rattling_motion(short.part(roughness=smooth), modes=table)
     without_roughness, _ = open_share_until(even, until)
     opens = "vibration" if without_modes < with_all / 2 else "unevenness"
     return Finding(
@@ -134,19 +130,15 @@ def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
     """
     # Lowest frequency [Hz] of the sound power that is compared with the modes
     min_heard_frequency = 100.0
-    pressure = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
     welch_length = 8192  # samples
+    pressure = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
     length = min(welch_length, len(pressure))
     frequency, power = welch(pressure, sound.sample_rate, nperseg=length)
     audible = frequency > min_heard_frequency
+    distance = np.abs(frequency[:, None] / modes.frequency - 1).min(axis=1)
     shares = []
-    for width in (
-        MODE_BAND_HALF_WIDTH / 2,
-        MODE_BAND_HALF_WIDTH,
-        2 * MODE_BAND_HALF_WIDTH,
-    ):
-        distance = np.abs(frequency[:, None] / modes.frequency - 1).min(axis=1)
-        near = audible & (distance < width)
+    for factor in (0.5, 1.0, 2.0):
+        near = audible & (distance < factor * MODE_BAND_HALF_WIDTH)
         shares.append(float(power[near].sum() / power[audible].sum()))
     return Finding(
         key="free_modes_are_heard",
@@ -189,9 +181,9 @@ def rate_follows_unevenness(
     The expected value follows from the spectrum of the unevenness. The margin is the
     change of n if the first or the last third of the motion is excluded."""
     expected = precession_rate_exponent(spectrum_exponent)
-    t = np.linspace(0.0, motion.t[-1], FITTED_INSTANT_COUNT + 1)[:-1]
+    t = np.linspace(0.0, motion.t[-1], FITTED_INSTANT_COUNT, endpoint=False)
     inclination = motion.inclination(t)
-    third = FITTED_INSTANT_COUNT // 3
+    third = len(t) // 3
     value = fitted_exponent(t, inclination)
     others = [
         fitted_exponent(t[part], inclination[part])
@@ -211,8 +203,17 @@ def rate_follows_unevenness(
     )
 
 
-@register_judge(needs=("scene", "motion", "contact law"))
-def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
+@finding(
+    "On this table the precession rate is the same function of time for disks of any size",
+    "times the precession rate due to impacts alone, a function of the rms height and the "
+    "restitution, median over the last second",
+    "d beta/dt = -k sqrt(g s)/R for impacts on unevenness without a preferred scale",
+    needs=("scene", "motion", "contact law"),
+    at_least=1.0,
+    at_most=1.0,
+    tolerance=0.25,
+)
+def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion):
     """The ratio of the precession rate to that of a disk slowed by impacts alone.
 
     The latter, f = (g/s)^(1/4)/(pi sqrt(k (t_end - t))), is independent of radius and
@@ -227,20 +228,8 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
     k = impact_coefficient(motion.model.constants.damping_ratio)
     curve = (GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k * left))
     two_sigma_scatter = 0.08  # over seeds of the heights
-    return Finding(
-        key="rate_is_that_of_the_table",
-        claim="On this table the precession rate is the same function of time for disks of any size",
-        value=float(np.median(rate / curve)),
-        unit="times the precession rate due to impacts alone, a function of the rms height and the "
-        "restitution, median over the last second",
-        at_least=1.0,
-        at_most=1.0,
-        tolerance=0.25,
-        margin=two_sigma_scatter,
-        details={"rate_at_1s": float((GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k)))},
-        needs=("scene", "motion", "contact law"),
-        source="d beta/dt = -k sqrt(g s)/R for impacts on unevenness without a preferred scale",
-    )
+    details = {"rate_at_1s": (GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k))}
+    return Measured(np.median(rate / curve), two_sigma_scatter, details)
 
 
 def impact_coefficient(damping_ratio: float) -> float:

@@ -11,11 +11,6 @@ from modal.tabletop.solve import surface_modes
 from sonify.hearing.spectral_lines import SpectralLine
 from sonify.scene import Scene
 
-MAX_MATCH_DISTANCE = 50.0
-"""Distance [cents] below which a spectral line matches a resonance."""
-MIN_RESONANCE_INCLINATION = 0.003
-"""Smallest inclination at which the contact resonance is computed [rad]."""
-
 
 class Match(NamedTuple):
     """Resonance nearest to a spectral line.
@@ -33,42 +28,37 @@ def resonances(scene: Scene) -> list[tuple[str, float]]:
     scene.
 
     The contact resonance under the weight is computed for inclinations from the release
-    down to MIN_RESONANCE_INCLINATION."""
-    found = [("disk", f) for f in eigenmodes(scene).frequency]
+    downwards."""
+    frequencies = {"disk": eigenmodes(scene).frequency}
     table = surface_modes(scene)
-    found += [("table", f) for f in table.frequency] if table is not None else []
-    return found + [
-        ("contact", f)
-        for f in (_contact_resonances(scene) if scene.contact.law == "elastic" else ())
-    ]
+    if table is not None:
+        frequencies["table"] = table.frequency
+    if scene.contact.law == "elastic":
+        frequencies["contact"] = _contact_resonances(scene)
+    return [(of, f) for of, values in frequencies.items() for f in values]
 
 
 def nearest_resonance(
     line: SpectralLine, known: list[tuple[str, float]]
 ) -> Match | None:
-    """Return the resonance nearest to a spectral line; None if it is beyond
-    MAX_MATCH_DISTANCE."""
+    """Return the resonance nearest to a spectral line; None if it is too far away."""
+    max_match_distance = 50.0  # cents
     matches = [
         Match(of, float(f), float(1200 * np.log2(line.frequency / f)))
         for of, f in known
     ]
-    best = min(matches, key=lambda match: abs(match.cents), default=None)
-    return best if best is not None and abs(best.cents) < MAX_MATCH_DISTANCE else None
+    near = [match for match in matches if abs(match.cents) < max_match_distance]
+    return min(near, key=lambda match: abs(match.cents), default=None)
 
 
 def _contact_resonances(scene):
-    resonance_inclination_count = 40
+    min_inclination = 0.003  # rad
+    inclination_count = 40
     disk = scene.disk
+    release = np.radians(scene.release.inclination_deg)
     beta = np.geomspace(
-        MIN_RESONANCE_INCLINATION,
-        max(np.radians(scene.release.inclination_deg), 2 * MIN_RESONANCE_INCLINATION),
-        resonance_inclination_count,
+        min_inclination, max(release, 2 * min_inclination), inclination_count
     )
     speed = np.array([steady_precession_rate(scene, b) for b in beta]) * disk.radius
-    return (
-        law_table(scene)
-        .contact_resonance(
-            beta, np.full(resonance_inclination_count, disk.weight), speed
-        )
-        .frequency
-    )
+    weight = np.full(inclination_count, disk.weight)
+    return law_table(scene).contact_resonance(beta, weight, speed).frequency

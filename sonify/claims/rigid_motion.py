@@ -14,9 +14,14 @@ from dynamics.observables import (
 )
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import Modes
-from sonify.claims.finding import Finding, Measured, finding, median_with_margin
+from sonify.claims.finding import (
+    Finding,
+    Measured,
+    finding,
+    median_with_margin,
+    rise_over_tenths,
+)
 
-AUDIBLE_RANGE = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
 PAPER_FORCING_FREQUENCY = 2.5
 """Frequency of the normal force in figure 4, in units of 1/chi."""
 PAPER_FORCING_FREQUENCY_TIME = 214.6
@@ -60,26 +65,17 @@ def contact_kept(motion: Motion):
 def load_frequency_rises(motion: Motion):
     """The ratio of the frequencies of the normal force in the last and first tenths of
     its peaks."""
-    frequency = nutation_frequency(motion)[1]
-    tenth = max(len(frequency) // 10, 1)
-    early = median_with_margin(frequency[:tenth])
-    late = median_with_margin(frequency[-tenth:])
-    ratio = late.value / early.value
-    margin = ratio * float(
-        np.hypot(early.margin / early.value, late.margin / late.value)
-    )
-    return Measured(ratio, margin, nutation_end_times(motion))
+    rise = rise_over_tenths(nutation_frequency(motion)[1])
+    return rise._replace(details=nutation_end_times(motion))
 
 
 def nutation_end_times(motion: Motion) -> dict[str, float]:
     """Return the times [s] at which nutation and motion end; empty if they end
     together."""
     end = nutation_end_time(motion)
-    return (
-        {}
-        if end is None
-        else {"nutates_until": end, "motion_ends": float(motion.t[-1])}
-    )
+    if end is None:
+        return {}
+    return {"nutates_until": end, "motion_ends": float(motion.t[-1])}
 
 
 @finding(
@@ -155,9 +151,9 @@ def powers_by_regime(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     at_least=4.0,
 )
 def audible_modes(modes: Modes):
-    """The number of modes in AUDIBLE_RANGE."""
-    low, high = AUDIBLE_RANGE
-    distance = np.abs(np.subtract.outer(modes.frequency, AUDIBLE_RANGE)).min(axis=1)
+    """The number of modes in the audible range."""
+    low, high = audible_range = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
+    distance = np.abs(np.subtract.outer(modes.frequency, audible_range)).min(axis=1)
     uncertain = distance < modes.error * modes.frequency
     inside = (modes.frequency >= low) & (modes.frequency <= high)
     return Measured(int(inside.sum()), int(uncertain.sum()))
@@ -182,9 +178,7 @@ def centre_comes_to_rest(motion: Motion):
 def extent_ratio(path: np.ndarray) -> float:
     """Return the ratio of the extents of the last and first fifths of a path (k, 2)."""
     fifth = len(path) // 5
-    return float(
-        np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max()
-    )
+    return np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max()
 
 
 @finding(
@@ -220,18 +214,16 @@ def motion_findings(motion: Motion) -> list[Finding]:
     Claims about the frequency of the normal force require peaks of that force, claims
     about sliding require rolling before and after it, and claims about the end require
     a disk that settles."""
-    has_peaks = len(nutation_frequency(motion)[0]) > 0
-    has_slides = len(powers_by_regime(motion)[1]) > 0
-    settles = motion.outcome.name == "SETTLED"
-    claims = [
-        repeated_slips,
-        contact_kept,
-        *([load_frequency_rises, load_frequency_reached] if has_peaks else []),
-        energy_falls,
-        *([sliding_costs_more] if has_slides else []),
-        *([centre_comes_to_rest] if settles else []),
-        *([no_singularity] if settles and allows_end_fit(motion) else []),
-    ]
+    claims = [repeated_slips, contact_kept]
+    if len(nutation_frequency(motion)[0]):
+        claims += [load_frequency_rises, load_frequency_reached]
+    claims.append(energy_falls)
+    if len(powers_by_regime(motion)[1]):
+        claims.append(sliding_costs_more)
+    if motion.outcome.name == "SETTLED":
+        claims.append(centre_comes_to_rest)
+        if allows_end_fit(motion):
+            claims.append(no_singularity)
     return [claim(motion) for claim in claims]
 
 
@@ -242,4 +234,4 @@ def mode_findings(modes: Modes) -> list[Finding]:
 
 def motion_and_mode_findings(motion: Motion, modes: Modes) -> list[Finding]:
     """Return the findings on the motion and the modes of a run."""
-    return [*motion_findings(motion), *mode_findings(modes)]
+    return motion_findings(motion) + mode_findings(modes)

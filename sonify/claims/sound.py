@@ -38,34 +38,28 @@ def analyse_sound(
         heard = listen(sound.pressure, sound.source_end)
     except RecordingError as error:
         return None, [f"Verdicts on the sound: {error}.", *omitted_analyses()]
-    silent = (
-        ["Claims on the rising tone, because no rising tone stands out."]
-        if heard.tone is None
-        else []
-    )
-    return heard, [*omitted_analyses(), *silent]
+    notes = [*omitted_analyses()]
+    if heard.tone is None:
+        notes.append("Claims on the rising tone, because no rising tone stands out.")
+    return heard, notes
 
 
 def sound_findings(
-    heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0
+    heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float
 ) -> list[Finding]:
     """Return the findings on the sound of a run.
 
     Claims about the end require a disk that settles. `error` is the predicted relative rms
     deviation of the sound from that at accuracy "reference"."""
-    energy = [modes_take_little(motion, sound, error), sound_is_audible(sound)]
-    if heard is None:
-        return energy
-    found = [carriers_are_steady(heard)] if heard.lines else []
-    found += (
-        [carriers_are_modes(heard, modes)]
-        if heard.lines and len(modes.frequency)
-        else []
-    )
-    found += energy
-    if motion.outcome.name != "SETTLED" or heard.tone is None:
+    found = []
+    if heard is not None and heard.lines:
+        found.append(carriers_are_steady(heard))
+        if len(modes.frequency):
+            found.append(carriers_are_modes(heard, modes))
+    found += [modes_take_little(motion, sound, error), sound_is_audible(sound)]
+    tone = None if heard is None else heard.tone
+    if tone is None or motion.outcome.name != "SETTLED":
         return found
-    tone = heard.tone
     return [
         pitch_rises(tone),
         *tone_rate_findings(tone, motion, sound),
@@ -91,10 +85,12 @@ def tone_rate_findings(tone, motion: Motion, sound: Sound) -> list[Finding]:
     early = (time < sound.source_end - 4 * FINAL_INTERVAL_DURATION) & (
         time - delay <= nutates[-1]
     )
-    found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
-    return found + (
-        [tone_was_nutation(tone, early, motion, sound)] if early.any() else []
-    )
+    found = []
+    if last.any():
+        found.append(tone_is_precession(tone, last, motion, sound))
+    if early.any():
+        found.append(tone_was_nutation(tone, early, motion, sound))
+    return found
 
 
 @finding(
@@ -112,9 +108,8 @@ def pitch_rises(tone):
 def rise_of(tone) -> Measured:
     """Return the ratio of the final to the initial frequency of a tone."""
     factor = tone.ridge.factor
-    return Measured(
-        factor, factor * np.log(factor) * tone.exponent.half_width / tone.exponent.value
-    )
+    margin = factor * np.log(factor) * tone.exponent.half_width / tone.exponent.value
+    return Measured(factor, margin)
 
 
 @finding(
@@ -169,23 +164,18 @@ def tone_ends_with_the_motion(tone, sound: Sound):
 def tone_is_heard(tone, sound: Sound):
     """The time before the end [s] from which the third-octave band of the tone stays
     above the threshold of hearing."""
-    seen = spectrogram(sound.pressure, LEVEL_WINDOW_S / 4)
-    inside = (
-        seen.time < min(tone.t_end.value, sound.source_end) - LEVEL_WINDOW_S / 8
-    ) & (seen.time > 0.1)
+    window = LEVEL_WINDOW_S / 4
+    seen = spectrogram(sound.pressure, window)
+    end = min(tone.t_end.value, sound.source_end) - window / 2
+    inside = (seen.time < end) & (seen.time > 0.1)
+    time = seen.time[inside]
     bands = np.array(list(ISO_226_THRESHOLD_DB))
     above = (band_levels(seen) - HEARING_THRESHOLD_DB[:, None])[:, inside]
-    pitch = tone.rate(seen.time[inside])
-    band = np.abs(np.log(pitch[:, None] / bands)).argmin(axis=1)
-    heard = above[band, np.arange(len(band))] > 0
-    silent = np.flatnonzero(~heard)
-    since = (
-        seen.time[inside][silent[-1] + 1]
-        if len(silent) and silent[-1] + 1 < len(heard)
-        else sound.source_end
-    )
-    begin = since if len(silent) else seen.time[inside][0]
-    return Measured(sound.source_end - begin, LEVEL_WINDOW_S / 4)
+    band = np.abs(np.log(tone.rate(time)[:, None] / bands)).argmin(axis=1)
+    silent = np.flatnonzero(~(above[band, np.arange(len(band))] > 0))
+    first_heard = silent[-1] + 1 if len(silent) else 0
+    begin = time[first_heard] if first_heard < len(time) else sound.source_end
+    return Measured(sound.source_end - begin, window)
 
 
 @finding(
@@ -215,7 +205,7 @@ def sound_is_audible(sound: Sound):
     needs=("sound",),
     at_least=0.0,
 )
-def modes_carry_the_end(sound: Sound, error: float = 0.0):
+def modes_carry_the_end(sound: Sound, error: float):
     """The level of the modes relative to the rigid motion of the disk in the last
     second [dB(A)].
 
@@ -224,9 +214,8 @@ def modes_carry_the_end(sound: Sound, error: float = 0.0):
     heave, tilt, smooth, jumps = (
         weighted_power(sound, sound.track(name)) for name in STEMS
     )
-    return Measured(
-        level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error)
-    )
+    louder = level_db(smooth + jumps) - level_db(heave + tilt)
+    return Measured(louder, 20 * np.log10(1 + error))
 
 
 @finding(
@@ -296,11 +285,9 @@ def carriers_are_steady(heard: Heard):
 )
 def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest spectral line from the nearest mode [cents]."""
-    strongest = heard.lines[0]
-    distance = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
-    return Measured(
-        distance, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency
-    )
+    one = heard.lines[0]
+    distance = np.abs(1200 * np.log2(one.frequency / modes.frequency)).min()
+    return Measured(distance, 2 * 1200 / np.log(2) * one.error / one.frequency)
 
 
 def _tone_ratio(tone, frames, motion, sound, solved):

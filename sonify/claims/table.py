@@ -4,20 +4,20 @@ import numpy as np
 
 from dynamics import Motion
 from dynamics.surface import MIN_TWO_WAY_SHARE
-from sonify.claims import two_way
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import FINAL_INTERVAL_DURATION, rise_of, time_of_energy_share
-from sonify.hearing.loudness import HANN_NOISE_BANDWIDTH_BINS, a_weighting_db, level_db
+from sonify.claims.two_way import energy_budget, two_way_part
+from sonify.hearing.loudness import (
+    HANN_NOISE_BANDWIDTH_BINS,
+    LEVEL_WINDOW_S,
+    a_weighting_db,
+    level_db,
+)
 from sonify.hearing.settling.detector import SettlingRun, strongest_tone
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 from sonify.sound.radiation import Listener
-
-LEVEL_WINDOW = 0.1  # s
-RADIATED_POWER_TIME = 10.0
-"""Length of the final interval [s] for which the power radiated by the table is
-computed."""
 
 
 def table_findings(
@@ -35,32 +35,23 @@ def table_findings(
     found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
-    has_pure_table_stem = (
-        scene.roughness is None or scene.contact.law == "rigid"
-    )  # otherwise the contact stem includes sound of the table
-    found += [table_is_louder(motion, sound, error)] if has_pure_table_stem else []
-    found += [radiation_takes_little(motion, sound, listener, error)]
-    found += (
-        [waves_become_heat(motion, sound, listener)]
-        if two_way.two_way_part(motion)
-        else []
-    )
+    # The contact stem of a rough elastic contact includes sound of the table.
+    has_pure_table_stem = scene.roughness is None or scene.contact.law == "rigid"
+    if has_pure_table_stem:
+        found.append(table_is_louder(motion, sound, error))
+    found.append(radiation_takes_little(motion, sound, listener, error))
+    if two_way_part(motion):
+        found.append(waves_become_heat(motion, sound, listener))
     if sound.table_energy is not None:  # an infinite plate stores no energy
         found += [
             table_takes_little(motion, sound, error),
             table_takes_a_hundredth(motion, sound, error),
         ]
-    if motion.outcome.name not in (
-        "SETTLED",
-        "FELL",
-    ):  # the disk does not come to lie flat
-        return found
-    tone_findings = (
-        [table_carries_the_tone(sound, tone, error)]
-        if tone is not None and has_pure_table_stem
-        else []
-    )
-    return [*found, table_tone_rises(sound), *tone_findings]
+    if motion.outcome.name in ("SETTLED", "FELL"):  # the disk finally lies flat
+        found.append(table_tone_rises(sound))
+        if tone is not None and has_pure_table_stem:
+            found.append(table_carries_the_tone(sound, tone, error))
+    return found
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
@@ -86,33 +77,24 @@ def waves_break_contact(scene: Scene, motion: Motion) -> float:
     beta R."""
     lost = motion.contact_losses
     waves = scene.imperfection
-    scale = (
-        (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
-    )
-    return float(motion.at([lost[0].t])[0, 1]) / scale if lost else 0.0
+    if not (lost and waves):
+        return 0.0
+    scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
+    return float(motion.at([lost[0].t])[0, 1]) / scale
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
     """Return the A-weighted mean square [Pa^2] of every stem in each second from
     `begin` to `end` [s]."""
+    levels_per_second = 10
     found = {}
     for name, stem in sound.stems.items():
         # Shorter windows spread low tones to frequencies that A-weighting attenuates less.
-        seen = spectrogram(stem, 4 * LEVEL_WINDOW, span=(begin, end))
-        power = (
-            10 ** (a_weighting_db(seen.frequency) / 10)
-            @ seen.power
-            / HANN_NOISE_BANDWIDTH_BINS
-        )
-        levels_per_second = 10
-        found[name] = np.array(
-            [
-                part.mean()
-                for part in np.array_split(
-                    power, max(len(power) // levels_per_second, 1)
-                )
-            ]
-        )
+        seen = spectrogram(stem, LEVEL_WINDOW_S, span=(begin, end))
+        weights = 10 ** (a_weighting_db(seen.frequency) / 10)
+        power = weights @ seen.power / HANN_NOISE_BANDWIDTH_BINS
+        seconds = np.array_split(power, max(len(power) // levels_per_second, 1))
+        found[name] = np.array([part.mean() for part in seconds])
     return found
 
 
@@ -128,7 +110,7 @@ def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measure
     other sound [dB(A)]."""
     levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
     table = levels.pop("table")
-    louder = float(np.median(level_db(table) - level_db(sum(levels.values()))))
+    louder = np.median(level_db(table) - level_db(sum(levels.values())))
     return Measured(louder, 20 * np.log10(1 + error))
 
 
@@ -153,29 +135,22 @@ def table_tone_rises(sound: Sound) -> Measured:
     needs=("tone", "sound"),
     at_least=0.0,
 )
-def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
+def table_carries_the_tone(sound: Sound, tone, error: float) -> Measured:
     """The level of the table relative to all other sound, in the third-octave band of
     the tone during the last second [dB]."""
-    table = rest = 0.0
+    window = LEVEL_WINDOW_S / 4
+    begin = max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0)
+    third_octave_edge = 2 ** (1 / 6)  # over the centre
+    power = {}
     for name, stem in sound.stems.items():
-        seen = spectrogram(
-            stem,
-            LEVEL_WINDOW,
-            span=(
-                max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0),
-                sound.source_end,
-            ),
-        )
-        pitch = tone.rate(np.minimum(seen.time, tone.t_end.value - LEVEL_WINDOW / 2))
-        third_octave_edge = 2 ** (1 / 6)  # over the centre
-        near = np.abs(
-            np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)
-        ) < np.log(third_octave_edge)
-        power = float((seen.power * near).sum())
-        table, rest = (
-            (table + power, rest) if name == "table" else (table, rest + power)
-        )
-    return Measured(float(level_db(table) - level_db(rest)), 20 * np.log10(1 + error))
+        seen = spectrogram(stem, window, span=(begin, sound.source_end))
+        pitch = tone.rate(np.minimum(seen.time, tone.t_end.value - window / 2))
+        distance = np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)
+        near = np.abs(distance) < np.log(third_octave_edge)
+        power[name] = float((seen.power * near).sum())
+    table = power.pop("table")
+    louder = level_db(table) - level_db(sum(power.values()))
+    return Measured(louder, 20 * np.log10(1 + error))
 
 
 @finding(
@@ -185,7 +160,7 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
     needs=("motion", "sound"),
     at_most=0.0,
 )
-def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
+def table_takes_little(motion: Motion, sound: Sound, error: float):
     """The time before the end [s] at which the energy of the table modes first exceeds
     that of the disk, for one-way coupling."""
     return time_of_energy_share(motion, sound.energy_time, sound.table_energy, error)
@@ -198,7 +173,7 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
     needs=("motion", "sound"),
     at_most=0.5,
 )
-def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
+def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float):
     """The time before the end [s] at which the table modes first have MIN_TWO_WAY_SHARE
     of the energy of the disk."""
     return time_of_energy_share(
@@ -209,16 +184,17 @@ def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:
     """Return times (e,) [s] and the power (e,) [W] radiated by the table.
 
-    They cover the last RADIATED_POWER_TIME seconds. The power is 2 pi r^2 p^2/(rho c),
-    which assumes the pressure at the listener in all directions."""
+    They cover the final seconds of the motion. The power is 2 pi r^2 p^2/(rho c), which
+    assumes the pressure at the listener in all directions."""
+    duration = 10.0  # s
     air = listener.air
     rate = sound.sample_rate
-    first = int(max(sound.source_end - RADIATED_POWER_TIME, 0.0) * rate)
+    first = int(max(sound.source_end - duration, 0.0) * rate)
     pressure = sound.track("table").read(first).astype(float)
     impedance = air.density * air.sound_speed
-    per_square = (
-        2 * np.pi * listener.distance**2 / impedance if impedance else 0.0
-    )  # nothing radiates in a vacuum
+    per_square = 0.0  # nothing radiates in a vacuum
+    if impedance:
+        per_square = 2 * np.pi * listener.distance**2 / impedance
     power = per_square * pressure**2
     return (first + np.arange(len(power))) / rate - listener.delay, power
 
@@ -237,10 +213,10 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
     The radiation is assumed equal in all directions, which is accurate to a factor of
     two."""
     heard = radiated_power(sound, listener)
-    begin = max(heard[0][0], two_way.two_way_part(motion)[1])
-    budget = two_way.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
+    begin = max(heard[0][0], two_way_part(motion)[1])
+    budget = energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
     lost = budget.lost["table"][-1]
-    share = float(budget.sound[-1] / lost) if lost > 0 else 0.0
+    share = budget.sound[-1] / lost if lost > 0 else 0.0
     return Measured(share, share)
 
 
@@ -252,7 +228,7 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
     at_most=0.0,
 )
 def radiation_takes_little(
-    motion: Motion, sound: Sound, listener: Listener, error: float = 0.0
+    motion: Motion, sound: Sound, listener: Listener, error: float
 ) -> Measured:
     """The time before the end [s] at which the energy still to be radiated by the table
     first exceeds that of the disk."""

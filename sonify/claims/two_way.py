@@ -35,11 +35,6 @@ HALF_STEP = "half_step"
 """Name of the rerun with half the time step."""
 TWICE_STIFF = "twice_stiff"
 """Name of the rerun with twice the contact stiffness."""
-MAX_RESONANCE_DEVIATION = 0.2
-"""Largest deviation of n Omega/w from 1 at which a loss of contact counts as
-resonant."""
-
-
 FINDINGS_CHAOTIC_AFTER_LOSS = ("loss_at_resonance", "waves_make_the_halt")
 """Keys of findings that are chaotic once contact is lost: a change of the release by
 1e-5 may change them."""
@@ -119,16 +114,14 @@ def motion_findings(
         table_rings_at_the_halt,
         disk_rings_at_the_halt,
     ]
-    judges += [loss_at_resonance] if losses_above_flat(motion) else []
+    if losses_above_flat(motion):
+        judges.append(loss_at_resonance)
     broken = table_breaks_contact(motion)
-    agree = all(
-        table_breaks_contact(other).holds == broken.holds for other in others.values()
-    )
-    broken = broken if agree else replace(broken, margin=max(broken.value, 1.0))
-    count = number_of_losses(motion, list(others.values()))
+    if any(table_breaks_contact(one).holds != broken.holds for one in others.values()):
+        broken = replace(broken, margin=max(broken.value, 1.0))
     return [
         broken,
-        count,
+        number_of_losses(motion, list(others.values())),
         *(with_variation_margin(judge, scene, motion, others) for judge in judges),
     ]
 
@@ -175,16 +168,13 @@ def with_variation_margin(
     motions."""
     found = judge(scene, motion)
     values = {name: judge(scene, other).value for name, other in others.items()}
-    margin = max(
-        [found.margin, *(abs(value - found.value) for value in values.values())]
-    )
     lost = any(losses_above_flat(one) for one in (motion, *others.values()))
-    chaotic = "chaotic" if lost and found.key in FINDINGS_CHAOTIC_AFTER_LOSS else ""
+    chaotic = lost and found.key in FINDINGS_CHAOTIC_AFTER_LOSS
     return replace(
         found,
         details={**found.details, **values},
-        margin=margin,
-        undecided_because=chaotic,
+        margin=max(found.margin, *(abs(v - found.value) for v in values.values())),
+        undecided_because="chaotic" if chaotic else "",
     )
 
 
@@ -221,7 +211,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
         - last_time_above(inclination, own_t, part.rows[:, 1])
         for inclination in (FLAT_INCLINATION, 10 * FLAT_INCLINATION)
     ]
-    details = {"advance_at_100_urad": float(advance[1])}
+    details = {"advance_at_100_urad": advance[1]}
     return Measured(advance[0], MIN_TWO_WAY_SHARE * (t[-1] - start), details)
 
 
@@ -243,12 +233,8 @@ def air_carries_earlier(scene: Scene, motion: Motion):
         return Measured(0.0, details={"acts_before_end": 0.0})
     part, _ = found
     t, _ = motion_without_table_modes(scene, part)
-    two_way_duration = part.t[-1] - two_way_start(scene, part)
-    return Measured(
-        t[-1] - part.t[-1],
-        part.dt * FORCES_PER_ROW,
-        {"acts_before_end": two_way_duration},
-    )
+    details = {"acts_before_end": part.t[-1] - two_way_start(scene, part)}
+    return Measured(t[-1] - part.t[-1], part.dt * FORCES_PER_ROW, details)
 
 
 def motion_without_table_modes(scene: Scene, part: CompliantMotion):
@@ -286,13 +272,11 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
     """The share of the table modes in the energy lost by the disk and its contact
     during the halt."""
     budget = final_energy_budget(scene, motion)
-    shares = {name: lost[-1] for name, lost in budget.lost.items()}
-    shares["table"] += budget.table[-1] - budget.table[0]
-    whole = sum(shares.values())
-    return Measured(
-        shares["table"] / whole,
-        details={name: share / whole for name, share in shares.items()},
-    )
+    taken = {name: lost[-1] for name, lost in budget.lost.items()}
+    taken["table"] += budget.table[-1] - budget.table[0]
+    whole = sum(taken.values())
+    shares = {name: energy / whole for name, energy in taken.items()}
+    return Measured(shares["table"], details=shares)
 
 
 @finding(
@@ -360,9 +344,9 @@ def losses_above_flat(motion: Motion) -> int:
     """Return the number of losses of contact that begin above
     ALMOST_FLAT_INCLINATION."""
     begins = [loss.t for loss in motion.contact_losses]
-    return (
-        int((motion.at(begins)[:, 1] > ALMOST_FLAT_INCLINATION).sum()) if begins else 0
-    )
+    if not begins:
+        return 0
+    return int((motion.at(begins)[:, 1] > ALMOST_FLAT_INCLINATION).sum())
 
 
 @finding(
@@ -370,8 +354,8 @@ def losses_above_flat(motion: Motion) -> int:
     "n times the precession frequency, relative to the frequency of the nearest mode",
     "section 8: the vibrations will result in a loss of contact",
     needs=("scene", "motion"),
-    at_least=1 - MAX_RESONANCE_DEVIATION,
-    at_most=1 + MAX_RESONANCE_DEVIATION,
+    at_least=0.8,
+    at_most=1.2,
 )
 def loss_at_resonance(scene: Scene, motion: Motion):
     """The ratio n Omega/w at the first loss of contact for the table mode closest to
@@ -380,8 +364,8 @@ def loss_at_resonance(scene: Scene, motion: Motion):
         return Measured(0.0)
     first = motion.contact_losses[0].t
     modes = two_way_part(motion)[0].model.modes
-    around = np.linspace(max(first - 0.002, 0.0), first, 20)
-    rate = np.abs(np.median(precession_rate(motion.at(around)))) / (2 * np.pi)
+    before = np.linspace(max(first - 0.002, 0.0), first, 20)
+    rate = np.abs(np.median(precession_rate(motion.at(before)))) / (2 * np.pi)
     x = (modes.order * rate / modes.frequency)[modes.order > 0]
     details = {
         "before_end": motion.t[-1] - first,
@@ -404,6 +388,5 @@ def final_energy_budget(scene, motion) -> EnergyBudget:
     two-way coupling."""
     budget = energy_budget(motion, times_towards_end(scene, motion))
     whole = budget.disk + budget.table
-    return energy_budget(
-        motion, budget.t[np.argmax(whole < FINAL_ENERGY_SHARE * whole[0]) :]
-    )
+    late = np.argmax(whole < FINAL_ENERGY_SHARE * whole[0])
+    return energy_budget(motion, budget.t[late:])

@@ -18,10 +18,10 @@ from dynamics.compliant.model_selection import (
 )
 from dynamics.rattling.rattling_motion import RattlingMotion
 from sonify.claims.contact import (
-    VIBRATION_TIME_COUNT,
     contact_conditions,
     last_single_ellipse_time,
     tabulated_law_of,
+    vibration_times,
 )
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.two_way import (
@@ -57,19 +57,14 @@ def simplest_scene(scene: Scene) -> Scene:
 
 def verdict_findings(scene: Scene, motion: Motion) -> list[Finding]:
     """Return the findings that follow from the motion of `simplest_scene`."""
-    repeatable = scene.surface.kind != "rigid" and not (
-        isinstance(motion, RattlingMotion) and motion.moves_table
-    )
-    one_ellipse = scene.contact.law == "elastic" and not isinstance(
-        motion, RattlingMotion
-    )
-    return [
-        contact_breaks_before_end(scene, motion),
-        air_carries_disk(motion),
-        *([table_brings_end_forward(scene, motion)] if repeatable else []),
-        precession_rises(motion),
-        *([resonance_rises(scene, motion)] if one_ellipse else []),
-    ]
+    rattles = isinstance(motion, RattlingMotion)
+    found = [contact_breaks_before_end(scene, motion), air_carries_disk(motion)]
+    if scene.surface.kind != "rigid" and not (rattles and motion.moves_table):
+        found.append(table_brings_end_forward(scene, motion))
+    found.append(precession_rises(motion))
+    if scene.contact.law == "elastic" and not rattles:
+        found.append(resonance_rises(scene, motion))
+    return found
 
 
 @finding(
@@ -103,11 +98,7 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
         wavy = (
             wavy_loss_ratio * (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
         )
-    rough = (
-        0.0
-        if isinstance(motion, RattlingMotion)
-        else rough_loss_inclination(scene, motion)
-    )
+    rough = rough_loss_inclination(scene, motion)
     details = {"rough": rough / end, "wavy": wavy / end, "vibrates": vibrates / end}
     return Measured(max(details.values()), details=details)
 
@@ -115,17 +106,12 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
 def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
     """Return the greatest inclination [rad] at which predicted vibration breaks the
     contact, or 0."""
-    if scene.roughness is None or scene.contact.law == "rigid":
+    rattles = isinstance(motion, RattlingMotion)
+    if scene.roughness is None or scene.contact.law == "rigid" or rattles:
         return 0.0
-    t = (
-        last_single_ellipse_time(motion)
-        * (np.arange(VIBRATION_TIME_COUNT) + 0.5)
-        / VIBRATION_TIME_COUNT
-    )
-    inclination, load, speed, _ = contact_conditions(motion, t)
-    rms = predicted_rms(
-        tabulated_law_of(scene, motion), scene.roughness, inclination, load, speed
-    )
+    inclination, load, speed, _ = contact_conditions(motion, vibration_times(motion))
+    table = tabulated_law_of(scene, motion)
+    rms = predicted_rms(table, scene.roughness, inclination, load, speed)
     return float(inclination[rms > CONTACT_LOSS_RMS * load].max(initial=0.0))
 
 
@@ -152,8 +138,8 @@ def table_brings_end_forward(scene: Scene, motion: Motion):
     """The time [s] by which the vibration of the table brings forward the end of the
     motion."""
     if motion.outcome is Outcome.AIRBORNE or two_way_part(motion) is None:
-        return Measured(air_carries_earlier(scene, motion).value)
-    return Measured(halt_comes_earlier(scene, motion).value)
+        return air_carries_earlier(scene, motion).value
+    return halt_comes_earlier(scene, motion).value
 
 
 @finding(
@@ -183,9 +169,6 @@ def resonance_rises(scene: Scene, motion: Motion):
     last = last_single_ellipse_time(motion)
     inclination, load, speed, _ = contact_conditions(motion, np.array([0.0, last]))
     weight = np.full_like(load, scene.disk.weight)
-    frequency = (
-        tabulated_law_of(scene, motion)
-        .contact_resonance(inclination, weight, speed)
-        .frequency
-    )
+    table = tabulated_law_of(scene, motion)
+    frequency = table.contact_resonance(inclination, weight, speed).frequency
     return float(frequency[1] / frequency[0])

@@ -25,7 +25,6 @@ from dynamics.compliant.law.tabulated import LawTable
 from sonify import load_scene
 from sonify.claims import contact
 from sonify.claims.contact import (
-    VIBRATION_TIME_COUNT,
     PredictedVibration,
     air_moves_carrier,
     carrier_is_contact,
@@ -97,9 +96,9 @@ def test_a_carrier_that_stays_does_not_rise():
 
 
 def still(rms, load=TABLE.law.disk.weight):
-    one = np.ones(VIBRATION_TIME_COUNT)
+    one = np.ones(96)
     return PredictedVibration(
-        table=TABLE, t=np.arange(VIBRATION_TIME_COUNT) / 10, inclination=0.1 * one,
+        table=TABLE, t=np.arange(len(one)) / 10, inclination=0.1 * one,
         load=load * one, speed=3 * one, rolls=one > 0,
         rms=rms * one, power=0 * one, shift=0 * one, load_factor=one,
     )  # fmt: skip
