@@ -14,11 +14,10 @@ from sonify.report.mode_names import mode_caption
 
 MODES_PER_ROW = 5
 MODE_WIDTH = 2.6  # this and the following lengths in disk radii
-OBLIQUE_VIEW_HEIGHT = 1.9
 TOP_VIEW_HEIGHT = 2.5
 CAPTION_HEIGHT = 0.6
-COLOUR_BAR_HEIGHT = 0.95
 MAX_DRAWN_DISPLACEMENT = 0.16
+PICTURE_WIDTH = MODE_WIDTH * MODES_PER_ROW
 
 
 def draw_modes(
@@ -53,95 +52,74 @@ def draw_modes(
         Modes of the table, drawn below: points (p, 2), upward motion (n, p) of its top
         face, n captions, and the total number of modes.
     """
-    oblique_height = OBLIQUE_VIEW_HEIGHT if slanted else 0.0
-    rows = max(1, -(-(len(modes) + bool(moving)) // MODES_PER_ROW))
-    high = CAPTION_HEIGHT + oblique_height + TOP_VIEW_HEIGHT
-    below = (
-        (
-            CAPTION_HEIGHT
-            + -(-len(table[2]) // MODES_PER_ROW) * (CAPTION_HEIGHT + TOP_VIEW_HEIGHT)
-        )
-        if table
-        else 0.0
-    )
+    oblique_height = 1.9 if slanted else 0.0
+    mode_height = CAPTION_HEIGHT + oblique_height + TOP_VIEW_HEIGHT
+    rows_height = mode_height * max(1, row_count(len(modes) + bool(moving)))
+    table_height = 0.0
+    if table:
+        table_rows = row_count(len(table[2]))
+        table_height = CAPTION_HEIGHT + table_rows * (CAPTION_HEIGHT + TOP_VIEW_HEIGHT)
+    colour_bar_height = 0.95
+    height = rows_height + table_height + CAPTION_HEIGHT + colour_bar_height
+    bottom = -rows_height - table_height - colour_bar_height
     inches_per_radius = 0.95
-    figure = Figure(
-        figsize=(
-            inches_per_radius * MODE_WIDTH * MODES_PER_ROW,
-            inches_per_radius
-            * (high * rows + below + CAPTION_HEIGHT + COLOUR_BAR_HEIGHT),
-        ),
-        dpi=100,
-    )
+    width = inches_per_radius * MODE_WIDTH * MODES_PER_ROW
+    figure = Figure(figsize=(width, inches_per_radius * height), dpi=100)
     FigureCanvasAgg(figure)
-    axis = figure.add_axes(
-        (0, 0, 1, 1)
-    )  # single axes, because drawing axes takes as long as drawing a mode
-    limits = {
-        "xlim": (0, MODE_WIDTH * MODES_PER_ROW),
-        "ylim": (-high * rows - below - COLOUR_BAR_HEIGHT, CAPTION_HEIGHT),
-    }
-    axis.set(**limits)
+    # single axes, because drawing axes takes as long as drawing a mode
+    axis = figure.add_axes((0, 0, 1, 1))
+    axis.set(xlim=(0, PICTURE_WIDTH), ylim=(bottom, CAPTION_HEIGHT))
     axis.set_axis_off()
     polygons = surface_polygons(modes.body) if slanted and len(modes) else None
     for i in range(len(modes)):
-        row, column = divmod(i, MODES_PER_ROW)
-        x = MODE_WIDTH * (column + 0.5)
-        y = -high * row
+        x, y = cell_position(i, 0.0, mode_height)
         text = mode_caption(modes, i, bool(support) and support.kind != "free")
-        axis.text(x, y - 0.05, text, fontsize=10, ha="center", va="top")
+        write(axis, x, y - 0.05, text)
+        y -= CAPTION_HEIGHT
         if slanted:
-            draw_oblique_view(
-                axis, modes, polygons, i, (x, y - CAPTION_HEIGHT - oblique_height / 2)
-            )
-        draw_top_view(
-            axis,
-            modes,
-            i,
-            (x, y - CAPTION_HEIGHT - oblique_height - TOP_VIEW_HEIGHT / 2),
-            support,
-        )
+            draw_oblique_view(axis, modes, polygons, i, (x, y - oblique_height / 2))
+        y -= oblique_height
+        draw_top_view(axis, modes, i, (x, y - TOP_VIEW_HEIGHT / 2), support)
     if moving:
-        row, column = divmod(len(modes), MODES_PER_ROW)
-        axis.text(
-            MODE_WIDTH * (column + 0.5),
-            -high * row - 0.05,
-            moving,
-            fontsize=10,
-            ha="center",
-            va="top",
-        )
+        x, y = cell_position(len(modes), 0.0, mode_height)
+        write(axis, x, y - 0.05, moving)
+    middle = PICTURE_WIDTH / 2
     if not len(modes):
-        axis.text(
-            MODE_WIDTH * MODES_PER_ROW / 2,
-            -high / 2,
-            "There are no modes below the upper frequency limit.",
-            ha="center",
-        )
+        text = "There are no modes below the upper frequency limit."
+        axis.text(middle, -mode_height / 2, text, ha="center")
     if table:
-        draw_table_modes(axis, *table, -high * rows)
-    axis.text(
-        MODE_WIDTH * MODES_PER_ROW / 2,
-        CAPTION_HEIGHT / 2,
-        picture_explanation(slanted, support),
-        fontsize=11,
-        ha="center",
-        va="center",
-    )
+        draw_table_modes(axis, *table, -rows_height)
+    write_heading(axis, CAPTION_HEIGHT / 2, picture_explanation(slanted, support))
     scales = {}
     if slanted and len(modes):
         scales["oblique view: displacement / its maximum"] = (0, "viridis")
     if table or len(modes):
         scales["from above: axial displacement / maximum"] = (-1, "RdBu_r")
     for column, (label, (minimum, name)) in enumerate(scales.items()):
-        left = MODE_WIDTH * (
-            MODES_PER_ROW / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2)
-        )
-        draw_colour_bar(
-            axis, (left, -high * rows - below - COLOUR_BAR_HEIGHT), label, minimum, name
-        )
-    axis.set(**limits, aspect="auto")
+        x = middle + 2.4 * MODE_WIDTH * (column - (len(scales) - 1) / 2)
+        draw_colour_bar(axis, (x, bottom + 0.62), label, minimum, name)
     figure.savefig(path)
+
+
+def row_count(modes: int) -> int:
+    """Return the number of rows of a number of modes."""
+    return -(-modes // MODES_PER_ROW)
+
+
+def cell_position(i: int, top: float, height: float) -> tuple[float, float]:
+    """Return the centre x and the upper end y of mode i in rows of `height` below `top`."""
+    row, column = divmod(i, MODES_PER_ROW)
+    return MODE_WIDTH * (column + 0.5), top - height * row
+
+
+def write(axis, x: float, y: float, text: str, size: int = 10):
+    """Write text below a point."""
+    axis.text(x, y, text, fontsize=size, ha="center", va="top")
+
+
+def write_heading(axis, y: float, text: str):
+    """Write text in the middle of the picture at a height."""
+    axis.text(PICTURE_WIDTH / 2, y, text, fontsize=11, ha="center", va="center")
 
 
 def picture_explanation(slanted: bool, support: Support | None) -> str:
@@ -165,36 +143,25 @@ def _on_patch(support: Support | None) -> bool:
 
 
 def draw_colour_bar(axis, at, label: str, minimum: float, colours: str):
-    """Draw a colour bar from `minimum` to 1 with numbers and `label`.
+    """Draw a colour bar from `minimum` to 1, with numbers and `label` below it.
 
-    `at` (x, y) is the lower left corner of its box.
+    `at` (x, y) is the middle of its lower side.
     """
     x, y = at
-    bar_length = 2.0
-    bar_height = 0.16
-    steps = np.linspace(0, 1, 256)[None]
-    x += (2.4 * MODE_WIDTH - bar_length) / 2
-    middle = y + 0.62
+    length = 2.0
+    height = 0.16
+    left = x - length / 2
     axis.imshow(
-        steps,
+        np.linspace(0, 1, 256)[None],
         cmap=colours,
-        extent=(x, x + bar_length, middle, middle + bar_height),
+        extent=(left, left + length, y, y + height),
         aspect="auto",
         zorder=2,
     )
     for share in (0.0, 0.5, 1.0):
         number = f"{minimum + share * (1 - minimum):g}"
-        axis.text(
-            x + share * bar_length,
-            middle - 0.05,
-            number,
-            fontsize=9,
-            ha="center",
-            va="top",
-        )
-    axis.text(
-        x + bar_length / 2, middle - 0.3, label, fontsize=10, ha="center", va="top"
-    )
+        write(axis, left + share * length, y - 0.05, number, size=9)
+    write(axis, x, y - 0.3, label)
 
 
 def draw_oblique_view(axis, modes: Modes, polygons, i, at):
@@ -219,31 +186,20 @@ def draw_table_modes(axis, points, face, captions, count, top):
     """
     few = "" if len(face) == count else f", the lowest {len(face)} of {count}"
     text = f"Modes of the table{few}: upward motion of its top face (colour), nodal lines (black)"
-    axis.text(
-        MODE_WIDTH * MODES_PER_ROW / 2,
-        top - CAPTION_HEIGHT / 2,
-        text,
-        fontsize=11,
-        ha="center",
-        va="center",
-    )
+    write_heading(axis, top - CAPTION_HEIGHT / 2, text)
     middle = (points.max(axis=0) + points.min(axis=0)) / 2
     x, y = ((points - middle) / np.abs(points - middle).max()).T
-    mesh = Triangulation(x, y)
+    triangles = Triangulation(x, y).triangles
     for i, (shape, text) in enumerate(zip(face, captions, strict=True)):
-        row, column = divmod(i, MODES_PER_ROW)
-        at = MODE_WIDTH * (column + 0.5)
-        head = top - CAPTION_HEIGHT - (CAPTION_HEIGHT + TOP_VIEW_HEIGHT) * row
+        at, head = cell_position(
+            i, top - CAPTION_HEIGHT, CAPTION_HEIGHT + TOP_VIEW_HEIGHT
+        )
+        write(axis, at, head - 0.05, text)
         here = Triangulation(
-            x + at, y + head - CAPTION_HEIGHT - TOP_VIEW_HEIGHT / 2, mesh.triangles
+            x + at, y + head - CAPTION_HEIGHT - TOP_VIEW_HEIGHT / 2, triangles
         )
-        axis.text(at, head - 0.05, text, fontsize=10, ha="center", va="top")
-        axis.tricontourf(
-            here,
-            shape / np.abs(shape).max(),
-            levels=np.linspace(-1, 1, 22),
-            cmap="RdBu_r",
-        )
+        levels = np.linspace(-1, 1, 22)
+        axis.tricontourf(here, shape / np.abs(shape).max(), levels, cmap="RdBu_r")
         axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
@@ -275,7 +231,7 @@ def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
         axis.contour(x, y, w / scale, levels=[0.0], colors="black", linewidths=1.3)
     for r in (1.0, hole / radius):
         axis.add_patch(Circle(at, r, fill=False, color="0.3", lw=1))
-    moved = displaced_rim(modes, i, 1.0, MAX_DRAWN_DISPLACEMENT / scale)
+    moved = displaced_rim(modes, i, MAX_DRAWN_DISPLACEMENT / scale)
     axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
     if _on_patch(support):
         reach = support.half_angle_deg
@@ -304,13 +260,12 @@ def top_face(modes: Modes, i, radius, hole):
     return np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle)), w
 
 
-def displaced_rim(modes: Modes, i, radius, factor):
-    """Return the coordinates x, y (k + 1,) of the bottom edge displaced in its plane, a
-    closed curve."""
-    radial = factor * modes.rim_shape[i, :, 0]
-    tangential = factor * modes.rim_shape[i, :, 1]
+def displaced_rim(modes: Modes, i, factor):
+    """Return the coordinates x, y (k + 1,) [disk radii] of the bottom edge displaced in
+    its plane, a closed curve."""
+    radial, tangential, _ = factor * modes.rim_shape[i].T
     c = np.cos(modes.rim_angle)
     s = np.sin(modes.rim_angle)
-    x = (radius + radial) * c - tangential * s
-    y = (radius + radial) * s + tangential * c
+    x = (1 + radial) * c - tangential * s
+    y = (1 + radial) * s + tangential * c
     return np.append(x, x[0]), np.append(y, y[0])
