@@ -24,12 +24,7 @@ from sonify.report.perspective import (
     draw_trace,
     rim_points,
 )
-from sonify.report.sound import (
-    COLOUR_RANGE_DB,
-    draw_level_image,
-    loudest_db,
-    set_log_frequency_axis,
-)
+from sonify.report.sound import draw_level_image, loudest_db, set_log_frequency_axis
 from sonify.runtime.files import atomic_write
 from sonify.scene_errors import InputError
 
@@ -294,7 +289,7 @@ def spectrogram_background(clip):
     seen = spectrogram(clip.result.sound.pressure, 0.05, span=clip.span).band(*band)
     set_log_frequency_axis(axes, band)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
-    image = draw_level_image(axes, seen, 1.0, loudest_db(seen) - COLOUR_RANGE_DB)
+    image = draw_level_image(axes, seen, 1.0, loudest_db(seen))
     bar = figure.add_axes((0.92, 60 / VIDEO_SIZE[1], 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
     canvas = FigureCanvasAgg(figure)

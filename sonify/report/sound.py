@@ -17,12 +17,6 @@ from sonify.hearing.spectrogram import (
 )
 from sonify.report.figure import label_plain_decades, place_legend_above, png_figure
 
-COLOUR_RANGE_DB = 65.0
-"""Range of the colour scale [dB].
-
-The brightest colour represents the loudest level of each band, because the modes may be
-much quieter than the contact rates.
-"""
 STEM_STYLES = (
     ("#0072b2", "-"),
     ("#d55e00", "--"),
@@ -34,8 +28,6 @@ STEM_STYLES = (
 )
 """Colours that colour-blind readers can distinguish; the dashes differ in greyscale
 print."""
-MIN_MODE_FREQUENCY = 250.0
-"""Lower limit of the band of the modes [Hz]."""
 DARK_OUTLINE = [withStroke(linewidth=2.5, foreground="k")]
 """Dark outline that keeps a white line visible on a white background."""
 
@@ -72,24 +64,12 @@ def draw_spectrogram(
     carrier : tuple of two ndarrays or None
         Times [s] and frequencies [Hz] of the resonance of an elastic contact.
     """
-    floors = [
-        loudest_db(part) - COLOUR_RANGE_DB
-        for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
-    ]
     with png_figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
-            top.set(xlim=span)
-            set_log_frequency_axis(top, CONTACT_RATE_BAND_HZ)
-            turning = draw_level_image(top, low.during(*span), 1.0, floors[0])
+            images = draw_bands((top, bottom), low, high, span)
             draw_rate_lines(top, time, rates, 1.0)
-            bottom.set(xlim=span)
-            set_log_frequency_axis(
-                bottom, (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3)
-            )
-            ringing = draw_level_image(bottom, high.during(*span), 1e3, floors[1])
-            modes = np.unique(np.round(frequencies)) / 1e3
             bottom.hlines(
-                modes,
+                np.unique(np.round(frequencies)) / 1e3,
                 *span,
                 color="w",
                 lw=0.8,
@@ -100,13 +80,12 @@ def draw_spectrogram(
             if len(table):
                 draw_table_mode_lines((top, bottom), table, span)
             if carrier is not None:
-                label = "resonance of the contact, solved"
                 bottom.plot(
                     carrier[0],
                     carrier[1] / 1e3,
                     color="w",
                     lw=0.7,
-                    label=label,
+                    label="resonance of the contact, solved",
                     path_effects=DARK_OUTLINE,
                 )
         draw_rate_lines(axes[1, 1], time, rates, 1e3)
@@ -115,22 +94,16 @@ def draw_spectrogram(
         label_frequencies(axes[1, 0], frequencies, 1e3)
         label_frequencies(axes[0, 1], table, 1.0)
         label_frequencies(axes[1, 1], table if len(table) else frequencies, 1e3)
-        for row, unit, title in zip(
-            axes, ("Hz", "kHz"), ("Contact rates", "Modes"), strict=True
+        for row, image, unit, title in zip(
+            axes, images, ("Hz", "kHz"), ("Contact rates", "Modes"), strict=True
         ):
             for panel, part in zip(row, (title, f"{title}, the end"), strict=True):
                 panel.set(
                     xlabel="time at the listener [s]", ylabel=f"frequency [{unit}]"
                 )
                 panel.set_title(part, loc="left")
-        for image, row in ((turning, axes[0]), (ringing, axes[1])):
-            figure.colorbar(
-                image,
-                ax=row,
-                pad=0.05,
-                fraction=0.04,
-                label="level of a sine [dB re 20 µPa]",
-            )
+            label = "level of a sine [dB re 20 µPa]"
+            figure.colorbar(image, ax=row, pad=0.05, fraction=0.04, label=label)
 
 
 LAW_NAMES = {"flat": "steady", "exponential": "expon."}
@@ -142,45 +115,28 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
 
     The rates of the settling `runs` are overlaid.
     """
-    floors = [
-        loudest_db(part, 1.0) - COLOUR_RANGE_DB
-        for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
-    ]
     with png_figure(path, 2, 1, (11, 9)) as (figure, axes):
-        set_log_frequency_axis(axes[0], CONTACT_RATE_BAND_HZ)
-        set_log_frequency_axis(
-            axes[1], (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3)
-        )
-        axes[0].set(ylabel="frequency [Hz]", xlabel="time [s]")
-        axes[0].set_title("Low frequencies", loc="left")
-        for panel, seen, unit, floor in zip(
-            axes, (low, high), (1.0, 1e3), floors, strict=True
+        images = draw_bands(axes, low, high, span, 1.0)
+        for panel, image, unit, title in zip(
+            axes, images, ("Hz", "kHz"), ("Low", "High"), strict=True
         ):
-            panel.set(xlim=span)
-            image = draw_level_image(panel, seen, unit, floor, 1.0)
-            figure.colorbar(
-                image,
-                ax=panel,
-                pad=0.02,
-                fraction=0.05,
-                label="level of a sine [dB re full scale, RMS]",
-            )
+            panel.set(ylabel=f"frequency [{unit}]", xlabel="time [s]")
+            panel.set_title(f"{title} frequencies", loc="left")
+            label = "level of a sine [dB re full scale, RMS]"
+            figure.colorbar(image, ax=panel, pad=0.02, fraction=0.05, label=label)
         for run in runs:
             left = np.geomspace(0.01, run.t_end.value - run.start, 400)
             time = run.t_end.value - left
-            label = "rate of a settling disk, fitted"
             axes[0].plot(
                 time,
                 run.rate(time),
                 "w--",
                 lw=1.0,
-                label=label,
+                label="rate of a settling disk, fitted",
                 path_effects=DARK_OUTLINE,
             )
         if runs:
             draw_legend(axes[0])
-        axes[1].set(ylabel="frequency [kHz]", xlabel="time [s]")
-        axes[1].set_title("High frequencies", loc="left")
 
 
 def draw_settling(path, source, begin, runs):
@@ -222,17 +178,38 @@ def draw_settling(path, source, begin, runs):
             above.set_title(
                 f"{run.kind} in {low:.0f} to {high:.0f} Hz, turn by turn", loc="left"
             )
-            colours = [
-                "#d55e00" if name == "disk" else "#999999" for name in run.law_scores
-            ]
-            names = [LAW_NAMES.get(name, name) for name in run.law_scores]
-            below.barh(names, list(run.law_scores.values()), color=colours)
+            below.barh(
+                [LAW_NAMES.get(name, name) for name in run.law_scores],
+                list(run.law_scores.values()),
+                color=[
+                    "#d55e00" if name == "disk" else "#999999"
+                    for name in run.law_scores
+                ],
+            )
             below.invert_yaxis()
             below.set(xlabel="log likelihood of held-out parts, gain over a constant")
             certainty = "certain" if run.certain else "probable"
             below.set_title(
                 f"law of the rate; Q = {run.score:.0f}, {certainty}", loc="left"
             )
+
+
+def draw_bands(panels, low, high, span, reference=REFERENCE_PRESSURE_PA):
+    """Draw the bands of the contact rates and of the modes over a span [s] in two
+    panels; return the images."""
+    min_mode_frequency = 250.0  # Hz
+    for axes in panels:
+        axes.set(xlim=span)
+    rates, modes = panels
+    set_log_frequency_axis(rates, CONTACT_RATE_BAND_HZ)
+    set_log_frequency_axis(modes, (min_mode_frequency / 1e3, high.frequency[-1] / 1e3))
+    loudest = loudest_db(high.band(min_mode_frequency, np.inf), reference)
+    return (
+        draw_level_image(
+            rates, low.during(*span), 1.0, loudest_db(low, reference), reference
+        ),
+        draw_level_image(modes, high.during(*span), 1e3, loudest, reference),
+    )
 
 
 def set_log_frequency_axis(axes, band):
@@ -243,33 +220,36 @@ def set_log_frequency_axis(axes, band):
 
 def loudest_db(seen, reference=REFERENCE_PRESSURE_PA) -> float:
     """Return the highest spectrogram level [dB re `reference`], rounded up to a
-    multiple of 5."""
+    multiple of 5.
+
+    Each band has its own, because the modes may be much quieter than the contact
+    rates."""
     return float(5 * np.ceil(seen.level_db(reference).max(initial=-200.0) / 5))
 
 
-def draw_level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE_PA):
+def draw_level_image(axes, seen, unit, loudest, reference=REFERENCE_PRESSURE_PA):
     """Draw a spectrogram level [dB re `reference`] over time and frequency; return the
     image.
 
-    The time is in s and the frequency in Hz divided by `unit`. The colour scale starts
-    at `floor` [dB], which is also the colour of times without a window.
+    The time is in s and the frequency in Hz divided by `unit`. The brightest colour is
+    `loudest` [dB]; times without a window have the darkest colour.
     """
+    colour_range = 65.0  # dB
     axes.set_facecolor(colormaps["magma"](0))
-    level = seen.level_db(reference)
-    options = {"cmap": "magma", "vmin": floor, "vmax": floor + COLOUR_RANGE_DB}
     time = seen.time
-    frequency = seen.frequency / unit
     half = np.diff(time[:2], append=time[0] + 1)[0] / 2
-    (begin, end) = axes.get_xlim()
+    begin, end = axes.get_xlim()
     left, right = (time[[0, -1]] + [-half, half] - begin) / (end - begin)
-    options |= {
-        "origin": "lower",
-        "aspect": "auto",
-        "interpolation": "nearest",
-        "transform": axes.transAxes,
-    }
     return axes.imshow(
-        resample_to_rows(level, frequency, axes), extent=(left, right, 0, 1), **options
+        resample_to_rows(seen.level_db(reference), seen.frequency / unit, axes),
+        extent=(left, right, 0, 1),
+        cmap="magma",
+        vmin=loudest - colour_range,
+        vmax=loudest,
+        origin="lower",
+        aspect="auto",
+        interpolation="nearest",
+        transform=axes.transAxes,
     )
 
 
@@ -278,11 +258,10 @@ def resample_to_rows(level, frequency, axes):
 
     A row that contains several frequencies shows the highest level.
     """
-    heights = axes.yaxis.get_transform().transform(axes.get_ylim())
-    edges = np.linspace(
-        *heights, 401
-    )  # 400 rows, close to the height of a panel in pixels
-    edges = axes.yaxis.get_transform().inverted().transform(edges)
+    row_count = 400  # close to the height of a panel in pixels
+    scale = axes.yaxis.get_transform()
+    edges = np.linspace(*scale.transform(axes.get_ylim()), row_count + 1)
+    edges = scale.inverted().transform(edges)
     between = np.searchsorted((frequency[1:] + frequency[:-1]) / 2, edges)
     return np.stack(
         [level[a : max(a, b) + 1].max(axis=0) for a, b in pairwise(between)]
@@ -292,12 +271,8 @@ def resample_to_rows(level, frequency, axes):
 def write_colour_table(path):
     """Write the colours of a `draw_level_image` to a file as (256, 3) bytes, from dark
     to bright."""
-    path.write(
-        (255 * colormaps["magma"](np.arange(256))[:, :3])
-        .round()
-        .astype(np.uint8)
-        .tobytes()
-    )
+    colours = 255 * colormaps["magma"](np.arange(256))[:, :3]
+    path.write(colours.round().astype(np.uint8).tobytes())
 
 
 def draw_rate_lines(axes, time, rates, unit):
@@ -343,12 +318,11 @@ def label_frequencies(axes, frequencies, unit):
     Labels that would overlap or move too far from their lines are omitted.
     """
     scaled = axes.yaxis.get_transform().transform
-    (low, high) = axes.get_ylim()
+    low, high = axes.get_ylim()
     heights = np.unique(np.round(frequencies)) / unit  # a degenerate pair is one line
     shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
     text_height = 14  # px
     min_distance = text_height / axes.get_window_extent().height
-    last = -1.0
     leader = {
         "arrowstyle": "-",
         "lw": 0.5,
@@ -357,22 +331,20 @@ def label_frequencies(axes, frequencies, unit):
         "relpos": (-0.08, 0.5),
         "patchA": None,
     }
+    last = -1.0
     for height, share in zip(heights, shares, strict=True):
         place = max(share, last + min_distance)
         if share < 0 or place > 1 or place - share > 2 * min_distance:
             continue
-        options = {
-            "xycoords": axes.get_yaxis_transform(),
-            "textcoords": "axes fraction",
-            "va": "center",
-        }
         axes.annotate(
             f"{unit * height:.0f} Hz",
             (1, height),
             (1.02, place),
             fontsize=7,
             arrowprops=leader,
-            **options,
+            xycoords=axes.get_yaxis_transform(),
+            textcoords="axes fraction",
+            va="center",
         )
         last = place
 
