@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 FRAME_RATE = 25  # frames per second
-VIDEO_DURATION = 8.0  # s
 VIDEO_TAIL_DURATION = 1.0
 """Duration of the video after the end of the motion [s]."""
 MIN_DRAWN_INCLINATION = np.radians(15.0)
@@ -125,33 +124,28 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
 
 
 def final_clip(result: "Result") -> Clip:
-    """Return the clip of the last VIDEO_DURATION seconds, which ends VIDEO_TAIL_DURATION
-    seconds after the motion."""
+    """Return the clip of the last seconds, which ends VIDEO_TAIL_DURATION seconds after
+    the motion."""
+    duration = 8.0  # s
     sound = result.sound
     end = min(sound.source_end + VIDEO_TAIL_DURATION, sound.duration)
-    start = max(end - VIDEO_DURATION, 0.0)
+    start = max(end - duration, 0.0)
     seen = Clip(
         result=result,
         start=start,
         frames=max(int((end - start) * FRAME_RATE), 1),
         max_inclination=MIN_DRAWN_INCLINATION,
     )
-    return replace(
-        seen,
-        max_inclination=float(seen.states(np.linspace(*seen.span, 2000))[:, 1].max()),
-    )
+    inclination = seen.states(np.linspace(*seen.span, 2000))[:, 1]
+    return replace(seen, max_inclination=float(inclination.max()))
 
 
 def write_clip_sound(clip, path: Path) -> Path:
     """Write the sound of the clip with the full scale of sound.wav; return the path."""
     sound = clip.result.sound
     first, last = (int(t * sound.sample_rate) for t in clip.span)
-    soundfile.write(
-        path,
-        sound.pressure.read(first, last) / sound.full_scale,
-        sound.sample_rate,
-        "PCM_24",
-    )
+    samples = sound.pressure.read(first, last) / sound.full_scale
+    soundfile.write(path, samples, sound.sample_rate, "PCM_24")
     return path
 
 
@@ -184,9 +178,8 @@ def encode_film(path, sound, frames: int, images, watch):
             errno.ENOSPC, "could not be written in full", str(path)
         ) from error
     if written != frames:
-        raise OSError(
-            errno.ENOSPC, f"contains only {written} of {frames} frames", str(path)
-        )
+        message = f"contains only {written} of {frames} frames"
+        raise OSError(errno.ENOSPC, message, str(path))
 
 
 def film_frames(clip):
@@ -200,19 +193,12 @@ def film_frames(clip):
         frame = base.copy()
         frame.paste(disk_image(clip, camera, empty, t), (0, 0))
         pen = ImageDraw.Draw(frame)
-        pen.text(
-            (DISK_VIEW_SIZE[0] + 10, 60),
-            frame_caption(clip, t),
-            (30, 30, 30),
-            font,
-            spacing=12,
-        )
-        for width, color in ((3, "white"), (1, "black")):
-            pen.line(
-                [across(t), DISK_VIEW_SIZE[1] + 14, across(t), VIDEO_SIZE[1] - 60],
-                color,
-                width,
-            )
+        place = (DISK_VIEW_SIZE[0] + 10, 60)
+        pen.text(place, frame_caption(clip, t), (30, 30, 30), font, spacing=12)
+        x = across(t)
+        cursor = [x, DISK_VIEW_SIZE[1] + 14, x, VIDEO_SIZE[1] - 60]
+        pen.line(cursor, "white", 3)
+        pen.line(cursor, "black", 1)
         yield np.asarray(frame)
 
 
@@ -239,22 +225,14 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
     """
     exposures_per_frame = 12
     disk = clip.result.scene.disk
+    exposures = (np.arange(exposures_per_frame) + 0.5) / exposures_per_frame
+    state = clip.states(t + exposures / FRAME_RATE)
+    rims = rim_points(state, clip.drawn_inclination(state), disk)
+    image = draw_blurred_disk(camera, empty, rims, disk.inner_radius / disk.radius)
     last = min(t + 1 / FRAME_RATE, clip.result.sound.source_end)
-    state = clip.states(
-        t + (np.arange(exposures_per_frame) + 0.5) / exposures_per_frame / FRAME_RATE
-    )
-    image = draw_blurred_disk(
-        camera,
-        empty,
-        rim_points(state, clip.drawn_inclination(state), disk),
-        disk.inner_radius / disk.radius,
-    )
     turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
-    touching = clip.states(
-        np.linspace(
-            last - min(0.3, MAX_TRACE_TURNS * turn), last, 100 * MAX_TRACE_TURNS
-        )
-    )
+    first = last - min(0.3, MAX_TRACE_TURNS * turn)
+    touching = clip.states(np.linspace(first, last, 100 * MAX_TRACE_TURNS))
     path = contact_points(touching, clip.drawn_inclination(touching), disk)
     return draw_trace(camera, image, path if t < last else path[:0])
 
@@ -263,10 +241,7 @@ def frame_caption(clip, t: float) -> str:
     """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
     settled = clip.result.motion.outcome.name == "SETTLED"
-    lines = [
-        "at rest; its modes ring" if settled else "solution ended; its modes ring",
-        "",
-    ]
+    lines = [f"{'at rest' if settled else 'solution ended'}; its modes ring", ""]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)
         lines = [
@@ -280,20 +255,19 @@ def spectrogram_background(clip):
     """Return the background image with the spectrogram and a function from time [s] to
     image column [px].
     """
-    figure = Figure(
-        figsize=(VIDEO_SIZE[0] / 100, VIDEO_SIZE[1] / 100), dpi=100, facecolor="w"
-    )
-    below = (VIDEO_SIZE[1] - DISK_VIEW_SIZE[1] - 74) / VIDEO_SIZE[1]
-    axes = figure.add_axes((0.066, 60 / VIDEO_SIZE[1], 0.84, below), facecolor="k")
+    width, height = VIDEO_SIZE
+    figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="w")
+    below = (height - DISK_VIEW_SIZE[1] - 74) / height
+    axes = figure.add_axes((0.066, 60 / height, 0.84, below), facecolor="k")
     band = (20.0, 10e3)  # Hz
     seen = spectrogram(clip.result.sound.pressure, 0.05, span=clip.span).band(*band)
     set_log_frequency_axis(axes, band)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
     image = draw_level_image(axes, seen, 1.0, loudest_db(seen))
-    bar = figure.add_axes((0.92, 60 / VIDEO_SIZE[1], 0.015, below))
+    bar = figure.add_axes((0.92, 60 / height, 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
-    picture.paste(TABLE_COLOUR, (0, 0, VIDEO_SIZE[0], DISK_VIEW_SIZE[1]))
+    picture.paste(TABLE_COLOUR, (0, 0, width, DISK_VIEW_SIZE[1]))
     return picture, lambda t: axes.transData.transform((t, 100.0))[0]

@@ -9,8 +9,6 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormat
 from PIL import Image
 from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
-DPI = 110  # dots per inch
-
 
 @contextmanager
 def png_figure(path, rows, columns, size, **options):
@@ -19,7 +17,8 @@ def png_figure(path, rows, columns, size, **options):
     On exit, write it to `path`, a path or an open file, as an opaque PNG of 256
     colours.
     """
-    figure = Figure(figsize=size, dpi=DPI)
+    dots_per_inch = 110
+    figure = Figure(figsize=size, dpi=dots_per_inch)
     axes = figure.subplots(rows, columns, **options)
     inches = {
         "left": 0.75 / size[0],
@@ -43,16 +42,14 @@ def _fix_layout(panel):
     Many ticks are slow to draw, and matplotlib would measure every tick to place the
     labels.
     """
-    plain_powers_of_ten = (
-        -2,
-        5,
-    )  # exponents; longer numbers would overlap the axis label
+    plain_exponents = (-2, 5)  # longer numbers would overlap the axis label
     for axis in (panel.xaxis, panel.yaxis):
         if axis.get_scale() == "linear":
             axis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
-            if isinstance(axis.get_major_formatter(), ScalarFormatter):
-                axis.get_major_formatter().set_powerlimits(plain_powers_of_ten)
-    width, height = panel.get_window_extent().size / DPI
+            formatter = axis.get_major_formatter()
+            if isinstance(formatter, ScalarFormatter):
+                formatter.set_powerlimits(plain_exponents)
+    width, height = panel.get_window_extent().size / panel.figure.dpi
     for side in ("left", "center"):
         panel.set_title(panel.get_title(side), loc=side, y=1.0)
     panel.xaxis.set_label_coords(0.5, -0.3 / height)
@@ -68,9 +65,10 @@ def label_plain_decades(axis):
 
 def place_legend_above(panel, columns: int = 3, **options):
     """Place the legend above the right end of a panel; the title is at the left."""
-    place = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "borderaxespad": 0.2}
     panel.legend(
-        **place,
+        loc="lower right",
+        bbox_to_anchor=(1.0, 1.0),
+        borderaxespad=0.2,
         ncols=columns,
         fontsize=8,
         handlelength=2.5,

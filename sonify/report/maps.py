@@ -86,34 +86,19 @@ def draw_map(what: Map, path):
             ]
         )
         known = np.array([bool(found) for found in points.values()])
+        present = [found for found in points.values() if found]
         if all(isinstance(value, float) for value in values):
-            _draw_numbers(
-                figure,
-                panel,
-                places[known],
-                [np.median(found) for found in points.values() if found],
-                what,
-            )
-            title = (
-                f"{what.drawn_column}, median of up to {shared} runs"
-                if shared > 1
-                else what.drawn_column
-            )
+            statistic = "median"
+            medians = [np.median(found) for found in present]
+            _draw_numbers(figure, panel, places[known], medians, what)
         else:
-            most = [
-                Counter(map(_category_name, found)).most_common(1)[0][0]
-                for found in points.values()
-                if found
-            ]
+            statistic = "most frequent"
+            names = [_most_frequent_category(found) for found in present]
             figure.subplots_adjust(right=0.77)
-            _draw_categories(panel, places[known], most)
-            title = (
-                f"{what.drawn_column}, most frequent of up to {shared} runs"
-                if shared > 1
-                else what.drawn_column
-            )
+            _draw_categories(panel, places[known], names)
         _draw_failed_runs(panel, places[~known])
-        panel.set_title(title, loc="left")
+        several = f", {statistic} of up to {shared} runs" if shared > 1 else ""
+        panel.set_title(f"{what.drawn_column}{several}", loc="left")
 
 
 def _label_axis(panel, k, name, what):
@@ -148,16 +133,13 @@ def _draw_numbers(figure, panel, places, values, what):
         panel.plot(places[order, 0], np.array(values)[order], "k.-", lw=0.8)
         panel.set_ylabel(what.label_with_unit(what.drawn_column))
         return
-    scaled = np.column_stack(
-        [
-            np.log(p) if n in what.logs else p
-            for n, p in zip(what.axis_names, places.T, strict=True)
-        ]
-    )
+    scaled = places.copy()
+    for column, name in enumerate(what.axis_names):
+        if name in what.logs:
+            scaled[:, column] = np.log(places[:, column])
     within = (scaled - scaled.min(axis=0)) / np.maximum(np.ptp(scaled, axis=0), 1e-300)
-    if (
-        np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2 or len(places) < 4
-    ):  # collinear or too few
+    collinear = np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2
+    if collinear or len(places) < 4:
         drawn = panel.scatter(*places.T, c=values, cmap="viridis")
     else:
         around = Triangulation(*within.T)
@@ -170,9 +152,8 @@ def _draw_numbers(figure, panel, places, values, what):
         drawn, ax=panel, label=what.label_with_unit(what.drawn_column)
     )
     if isinstance(drawn.norm, LogNorm):
-        bar.set_ticks(
-            drawn.levels, labels=[f"{level:.2g}" for level in drawn.levels], minor=False
-        )
+        labels = [f"{level:.2g}" for level in drawn.levels]
+        bar.set_ticks(drawn.levels, labels=labels, minor=False)
 
 
 def _contour_levels(values):
@@ -192,28 +173,16 @@ def _draw_categories(panel, places, words):
         names, cycle(MARKER_SYMBOLS), cycle(MARKER_COLOURS), strict=False
     ):
         here = places[np.array(words) == name]
+        y = _vertical_positions(here, names.index(name))
         label = fill(name.replace("_", " "), width=16)
-        panel.plot(
-            here[:, 0],
-            _vertical_positions(here, names.index(name)),
-            mark,
-            color=colour,
-            ls="",
-            label=label,
-        )
+        panel.plot(here[:, 0], y, mark, color=colour, ls="", label=label)
     place_legend(panel)
 
 
 def _draw_failed_runs(panel, places):
     if len(places):
-        panel.plot(
-            places[:, 0],
-            _vertical_positions(places, panel.get_ylim()[0]),
-            "rx",
-            ms=7,
-            label="no value",
-            clip_on=False,
-        )
+        y = _vertical_positions(places, panel.get_ylim()[0])
+        panel.plot(places[:, 0], y, "rx", ms=7, label="no value", clip_on=False)
         place_legend(panel)
 
 
@@ -226,17 +195,17 @@ def _vertical_positions(places, at):
 def place_legend(panel):
     """Place the legend to the right of the panel, or inside it if there is a colour
     bar."""
-    placement = (
-        {"loc": "upper left", "bbox_to_anchor": (1.01, 1)}
-        if len(panel.figure.axes) == 1
-        else {"loc": "best"}
-    )
-    panel.legend(**placement, frameon=False)
+    if len(panel.figure.axes) == 1:
+        panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
+    else:
+        panel.legend(loc="best", frameon=False)
+
+
+def _most_frequent_category(values):
+    return Counter(map(_category_name, values)).most_common(1)[0][0]
 
 
 def _category_name(value):
-    return (
-        {True: "yes", False: "no"}.get(value, str(value))
-        if isinstance(value, bool)
-        else str(value)
-    )
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value)

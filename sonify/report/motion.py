@@ -50,30 +50,24 @@ def _draw_si(
     """
     # Window of running range and mean, as a fraction of the duration
     averaging_share = 0.015
+    blue = "#0072b2"
     (tilt, held, load) = axes[:, 0]
     (hertz, end, path) = axes[[1, 2, 0], 1]
     for panel, curve in ((tilt, inclination), (load, force)):
         mean, lower, upper = running_range(curve, averaging_share)
         at = np.linspace(time[0], time[-1], len(mean))
         panel.fill_between(
-            at, lower, upper, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range"
+            at, lower, upper, fc="#9bd1f0", ec=blue, lw=0.8, label="range"
         )
-        panel.plot(
-            at,
-            mean,
-            color="#0072b2",
-            lw=1.0,
-            label=f"mean over {averaging_share * np.ptp(time):.2g} s",
-        )
+        label = f"mean over {averaging_share * np.ptp(time):.2g} s"
+        panel.plot(at, mean, color=blue, lw=1.0, label=label)
     load.axhline(weight, color="k", lw=1.0, ls="--", label="weight")
     size = next((size for size in ENERGY_UNITS if energy.max() >= size), 1e-9)
     held.plot(time, energy / size, color="k", lw=1.2)
     path.plot(*centre, color="k", lw=0.6)
     for panel, (instants, precession, nutation) in ((hertz, rates), (end, before_end)):
         panel.plot(instants, precession, color="k", lw=1.2, label="precession")
-        panel.plot(
-            instants, nutation, color="#0072b2", lw=1.2, ls="--", label="nutation"
-        )
+        panel.plot(instants, nutation, color=blue, lw=1.2, ls="--", label="nutation")
         panel.set(yscale="log", ylabel="frequency [Hz]")
         label_plain_decades(panel.yaxis)
     for panel in (tilt, held, load, hertz):
@@ -90,8 +84,9 @@ def _draw_si(
         held: "Energy",
         load: "Normal force",
         path: "Path of the centre",
+        hertz: "Rates",
+        end: "Rates towards the end",
     }
-    titles |= {hertz: "Rates", end: "Rates towards the end"}
     for panel, title in titles.items():
         panel.set_title(title, loc="left")
         panel.grid(alpha=0.3)
@@ -175,29 +170,25 @@ def draw_energy(path, left, held: dict, lost: dict):
     """
     # Smallest energy drawn, as a fraction of the greatest
     min_energy_share = 1e-6
+    curves_by_title = {"Stored energy": held, "Energy lost so far": lost}
     with png_figure(path, 1, 2, (11, 5.6)) as (figure, axes):
         figure.subplots_adjust(top=0.76)
-        for panel, curves, title in zip(
-            axes, (held, lost), ("Stored energy", "Energy lost so far"), strict=True
-        ):
+        for panel, (title, curves) in zip(axes, curves_by_title.items(), strict=True):
             most = max(curve.max() for curve in curves.values())
+            least = min_energy_share * most
             shown = {
-                name: curve
-                for name, curve in curves.items()
-                if curve.max() > min_energy_share * most
+                name: curve for name, curve in curves.items() if curve.max() > least
             }
             for (name, curve), style in zip(shown.items(), LINE_STYLES, strict=False):
-                panel.plot(
-                    left, curve, ls=style, lw=1.2, label=CAUSE_NAMES.get(name, name)
-                )
+                label = CAUSE_NAMES.get(name, name)
+                panel.plot(left, curve, ls=style, lw=1.2, label=label)
             panel.set(
                 xscale="log",
                 yscale="log",
                 xlim=(left[0], left[-1]),
-                ylim=(min_energy_share * most, 2 * most),
-            )
-            panel.set(
-                xlabel="time before the end of the motion [s]", ylabel="energy [J]"
+                ylim=(least, 2 * most),
+                xlabel="time before the end of the motion [s]",
+                ylabel="energy [J]",
             )
             panel.grid(alpha=0.3)
             figure.text(panel.get_position().x0, 0.91, title, fontsize=12)

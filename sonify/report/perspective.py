@@ -9,18 +9,9 @@ from PIL import Image, ImageDraw
 from dynamics import Disk
 from sonify.sound.modal_forcing import in_patch_frame
 
-RIM_SIDES = 96
-"""Number of sides of the polygon that represents the rim."""
 SUPERSAMPLING = 2
 """Supersampling factor in each direction of the image."""
-MARKED_SIDES = slice(0, 5)
-"""Sides of the rim with the mark that makes the rotation visible."""
-LIGHT_DIRECTION = np.array([0.35, -0.45, 0.82])
 TABLE_COLOUR = (238, 236, 230)
-GRID_COLOUR = (205, 202, 195)
-SHADOW_COLOUR = (190, 187, 180)
-MARK_COLOUR = (160, 20, 40)
-TRACE_COLOUR = (0, 60, 140)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,20 +74,20 @@ def contact_points(state, inclination, disk: Disk) -> np.ndarray:
 
 
 def rim_points(state, inclination, disk: Disk) -> np.ndarray:
-    """Return body-fixed points (k, 2, RIM_SIDES, 3) [m] of the lower and upper rims."""
+    """Return body-fixed points (k, 2, n, 3) [m] of the lower and upper rims, drawn as
+    polygons."""
+    side_count = 96
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
-    angle = state[:, 2, None] + np.arange(RIM_SIDES) * 2 * np.pi / RIM_SIDES
-    round_ = np.einsum("kn,ki->kni", np.cos(angle), x) + np.einsum(
-        "kn,ki->kni", np.sin(angle), y
-    )
-    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(
-        inclination
-    )
+    angle = state[:, 2, None] + np.arange(side_count) * 2 * np.pi / side_count
+    rim = np.einsum("kn,ki->kni", np.cos(angle), x)
+    rim += np.einsum("kn,ki->kni", np.sin(angle), y)
+    half = disk.thickness / 2
+    height = disk.radius * np.sin(inclination) + half * np.cos(inclination)
     centre = np.column_stack([state[:, 3:5], height])
     faces = (
         np.array([-0.5, 0.5])[None, :, None, None] * disk.thickness * z[:, None, None]
     )
-    return (centre[:, None] + disk.radius * round_)[:, None] + faces
+    return (centre[:, None] + disk.radius * rim)[:, None] + faces
 
 
 def draw_table(camera, radius: float) -> Image.Image:
@@ -105,17 +96,21 @@ def draw_table(camera, radius: float) -> Image.Image:
     Circles of one, two and three times `radius` [m] are centred below the target of the
     camera.
     """
-    image = Image.new(
-        "RGB", tuple(SUPERSAMPLING * n for n in camera.size), TABLE_COLOUR
-    )
+    grid_colour = (205, 202, 195)
+    image = Image.new("RGB", supersampled_size(camera), TABLE_COLOUR)
     angle = np.linspace(0, 2 * np.pi, 361)
     circle = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) * radius
     for size in (1, 2, 3):
         middle = np.append(camera.target[:2], 0.0)
-        ImageDraw.Draw(image).line(
-            image_polygon(camera, middle + size * circle), GRID_COLOUR, SUPERSAMPLING
-        )
+        line = image_polygon(camera, middle + size * circle)
+        ImageDraw.Draw(image).line(line, grid_colour, SUPERSAMPLING)
     return image
+
+
+def supersampled_size(camera) -> tuple[int, int]:
+    """Return width and height [px] of the image before it is reduced."""
+    width, height = camera.size
+    return SUPERSAMPLING * width, SUPERSAMPLING * height
 
 
 def draw_blurred_disk(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
@@ -137,11 +132,12 @@ def draw_trace(camera, image, path) -> Image.Image:
 
     Objects in front of the path do not hide it.
     """
-    line = Image.new("L", tuple(SUPERSAMPLING * n for n in camera.size))
+    colour = (0, 60, 140)
+    line = Image.new("L", supersampled_size(camera))
     if len(path) > 1:
         ImageDraw.Draw(line).line(image_polygon(camera, path), 255, 2 * SUPERSAMPLING)
     return Image.composite(
-        Image.new("RGB", camera.size, TRACE_COLOUR),
+        Image.new("RGB", camera.size, colour),
         Image.fromarray(image),
         line.reduce(SUPERSAMPLING),
     )
@@ -152,21 +148,23 @@ def _draw_body(pen, camera, body, hole):
 
     The body is convex, so these surfaces do not overlap.
     """
+    shadow_colour = (190, 187, 180)
+    mark_colour = (160, 20, 40)
+    marked_sides = 5  # they make the rotation visible
     for rim in body:
-        pen.polygon(image_polygon(camera, rim * [1.0, 1.0, 0.0]), SHADOW_COLOUR)
+        pen.polygon(image_polygon(camera, rim * [1.0, 1.0, 0.0]), shadow_colour)
     lower, upper = body
     middle = body.mean(axis=1)
     axis = middle[1] - middle[0]
     outward = (lower + np.roll(lower, -1, axis=0)) / 2 - middle[0]
     facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
-    shade = face_grey_levels(outward)
-    marked = np.zeros(len(lower), bool)
-    marked[MARKED_SIDES] = True
+    colours = face_grey_levels(outward)
+    colours[:marked_sides] = [mark_colour] * marked_sides
     corners = camera.project(body)
     for i in np.flatnonzero(facing):
         j = (i + 1) % len(lower)
         side = np.concatenate([corners[0, [i, j]], corners[1, [j, i]]]) * SUPERSAMPLING
-        pen.polygon(side.ravel().tolist(), MARK_COLOUR if marked[i] else shade[i])
+        pen.polygon(side.ravel().tolist(), colours[i])
     top = np.dot(axis, camera.position - middle[1]) > 0
     if not top and np.dot(axis, camera.position - middle[0]) > 0:
         return
@@ -175,27 +173,18 @@ def _draw_body(pen, camera, body, hole):
     )
     pen.polygon(image_polygon(camera, face), face_grey_levels(normal[None])[0])
     if hole:
-        pen.polygon(
-            image_polygon(camera, centre + hole * (face - centre)), SHADOW_COLOUR
-        )
-    wedge = face[MARKED_SIDES.start : MARKED_SIDES.stop + 1]
-    pen.polygon(
-        image_polygon(
-            camera,
-            np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]]),
-        ),
-        MARK_COLOUR,
-    )
+        inner_rim = centre + hole * (face - centre)
+        pen.polygon(image_polygon(camera, inner_rim), shadow_colour)
+    outer = face[: marked_sides + 1]
+    inner = centre + max(0.6, hole) * (outer - centre)
+    mark = np.concatenate([outer, inner[::-1]])
+    pen.polygon(image_polygon(camera, mark), mark_colour)
 
 
 def face_grey_levels(normals):
     """Return the colours (grey levels) of faces with normals (n, 3)."""
-    lit = (
-        normals
-        @ LIGHT_DIRECTION
-        / np.linalg.norm(normals, axis=1)
-        / np.linalg.norm(LIGHT_DIRECTION)
-    )
+    light = np.array([0.35, -0.45, 0.82])
+    lit = normals @ light / np.linalg.norm(normals, axis=1) / np.linalg.norm(light)
     return [(g, g, g) for g in (90 + 110 * np.maximum(lit, 0)).astype(int).tolist()]
 
 
