@@ -21,7 +21,7 @@ from dynamics.film.wedge import (
 from dynamics.observables import precession_rate
 from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
-from sonify.claims.finding import Finding, Measured, finding, register_judge
+from sonify.claims.finding import Finding, Measured, finding
 from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
@@ -142,26 +142,38 @@ def final_loss_shares(motion: Motion) -> dict[str, float]:
     return {cause: energy / whole for cause, energy in taken.items()}
 
 
-@register_judge(needs=("motion",))
-def what_ends(motion: Motion) -> Finding:
-    """The largest share of a single cause in the final tenth of the energy loss."""
+@finding(
+    "A single cause ends the motion",
+    f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy",
+    "energy lost to each cause along the motion",
+    needs=("motion",),
+    at_least=0.5,
+)
+def what_ends(motion: Motion) -> Measured:
+    """The largest share of a single cause in the final tenth of the energy loss.
+
+    The claim names this cause."""
     shares = final_loss_shares(motion)
     cause = max(shares, key=shares.__getitem__)
-    return Finding(
-        key="what_ends",
-        claim=f"What ends the motion is {CAUSE_IN_WORDS[cause]}",
-        value=shares[cause],
-        unit=f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy",
-        at_least=0.5,
+    return Measured(
+        shares[cause],
         details={name: share for name, share in shares.items() if share},
-        cause=cause,
-        needs=("motion",),
-        source="energy lost to each cause along the motion",
+        fields={
+            "claim": f"What ends the motion is {CAUSE_IN_WORDS[cause]}",
+            "cause": cause,
+        },
     )
 
 
-@register_judge(needs=("motion", "film law"))
-def carried_by_air(motion: Motion, film: Film) -> Finding:
+@finding(
+    "The contact is lost to the air",
+    "times the vertical force (greatest lift of the film)",
+    "Reynolds' equation on the falling film",
+    needs=("motion", "film law"),
+    at_least=1.0,
+    tolerance=1e-6,
+)
+def carried_by_air(motion: Motion, film: Film) -> Measured:
     """The greatest ratio of the lift of the film to the vertical force of film and
     contact.
 
@@ -170,28 +182,18 @@ def carried_by_air(motion: Motion, film: Film) -> Finding:
     lift = film_lift(motion, film)
     contact = motion.steady_load(motion.t)
     borne = contact + lift if motion.film else contact
-    share = float(np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight)))
-    carried = motion.outcome is Outcome.AIRBORNE
+    share = np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight))
+    claim = "With the air film included, the disk would become airborne"
+    fields = {"cause": "film"} if motion.film else {"claim": claim}
+    if motion.outcome is not Outcome.AIRBORNE:
+        return Measured(share, fields=fields)
+    turns = abs(precession_rate(motion.state[-1:])[0]) / (2 * np.pi)
     end = {
-        "time": float(motion.t[-1]),
-        "inclination": float(motion.state[-1, 1]),
-        "precession_frequency": abs(precession_rate(motion.state[-1:])[0])
-        / (2 * np.pi),
+        "time": motion.t[-1],
+        "inclination": motion.state[-1, 1],
+        "precession_frequency": turns,
     }
-    return Finding(
-        key="carried_by_air",
-        claim="The contact is lost to the air"
-        if motion.film
-        else "With the air film included, the disk would become airborne",
-        value=1.0 if carried else share,
-        unit="times the vertical force (greatest lift of the film)",
-        at_least=1.0,
-        tolerance=1e-6,
-        details=end if carried else {},
-        cause="film" if motion.film else "",
-        needs=("motion", "film law"),
-        source="Reynolds' equation on the falling film",
-    )
+    return Measured(1.0, details=end, fields=fields)
 
 
 @finding(

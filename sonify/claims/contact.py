@@ -25,7 +25,6 @@ from sonify.claims.finding import (
     Measured,
     finding,
     median_with_margin,
-    register_judge,
     rise_over_tenths,
 )
 from sonify.claims.literature import energy_lost_by_cause
@@ -441,10 +440,16 @@ def loss_begins_at(rms: float, expected: PredictedVibration):
     return Measured(rms * CONTACT_LOSS_RMS / most, margin)
 
 
-@register_judge(needs=("motion", "contact law"))
+@finding(
+    "Roughness ends the motion",
+    "of the energy lost",
+    "power of N' on the rising heights",
+    needs=("motion", "contact law"),
+    at_least=0.5,
+)
 def roughness_ends_it(
     loss: str, motion: Motion, expected: PredictedVibration
-) -> Finding:
+) -> Measured:
     """The share of roughness in the energy loss.
 
     It consists of the solved losses in contact and creep, or of the predicted power.
@@ -462,17 +467,12 @@ def roughness_ends_it(
         share = took / (lost if fitted else lost + took)
         where = "included in friction" if fitted else f"{where} and to this motion"
     # error of the prediction, and differences between surfaces
-    relative_loss_margin = 0.2
-    return Finding(
-        key="roughness_ends_it",
-        claim="Roughness ends the motion",
-        value=float(share),
-        unit=f"of the energy lost, {where}",
-        at_least=0.5,
-        margin=float(relative_loss_margin * share),
-        needs=("motion", "contact law"),
-        source=f"power of N' on the rising heights; roughness.loss = '{loss}'",
-    )
+    relative_margin = 0.2
+    fields = {
+        "unit": f"of the energy lost, {where}",
+        "source": f"power of N' on the rising heights; roughness.loss = '{loss}'",
+    }
+    return Measured(share, relative_margin * share, fields=fields)
 
 
 def several_contacts_notes(t, shift) -> list[str]:

@@ -19,12 +19,16 @@ Need = Literal["scene", "motion", "modes", "sound", "tone", "film law", "contact
 
 class Measured(NamedTuple):
     """Result of a measuring function: value, uncertainty, further numbers, and the
-    reason for an undecided claim, if any."""
+    reason for an undecided claim, if any.
+
+    `fields` replaces fields of the `Finding` that depend on the run, such as its claim.
+    """
 
     value: float
     margin: float = 0.0
     details: Mapping[str, float] = {}
     undecided_because: str = ""
+    fields: Mapping[str, Any] = {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,33 +178,21 @@ def finding(
         def judge(*arguments, **options) -> Finding:
             found = function(*arguments, **options)
             measured = found if isinstance(found, Measured) else Measured(float(found))
+            texts = {"claim": claim, "unit": unit, "source": source}
             return Finding(
                 key=function.__name__,
-                claim=claim,
                 value=float(measured.value),
                 margin=float(measured.margin),
                 details={
                     name: float(number) for name, number in measured.details.items()
                 },
-                unit=unit,
                 undecided_because=measured.undecided_because,
                 needs=needs,
-                source=source,
-                **limits,
+                **{**texts, **limits, **measured.fields},
             )
 
-        return register_judge(needs)(judge)
-
-    return decorator
-
-
-def register_judge(needs: tuple[Need, ...]):
-    """Register a function that returns a `Finding`; the key is the name of the
-    function."""
-
-    def decorator(function: Callable[..., Finding]) -> Callable[..., Finding]:
-        JUDGE_BY_KEY[function.__name__] = Judge(function, needs)
-        return function
+        JUDGE_BY_KEY[function.__name__] = Judge(judge, needs)
+        return judge
 
     return decorator
 

@@ -16,7 +16,7 @@ from dynamics.rattling.rattling_motion import (
 )
 from modal import Modes
 from sonify.claims.contact import micro_flights
-from sonify.claims.finding import Finding, Measured, finding, register_judge
+from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.literature import energy_lost_by_cause
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -74,8 +74,14 @@ def disk_rattles(motion: RattlingMotion):
     return Measured(motion.open_share, margin, details)
 
 
-@register_judge(needs=("scene", "motion", "contact law"))
-def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
+@finding(
+    "Vibration of the disk breaks the contact",
+    "of the time without contact vanishes without the modes of the disk",
+    "section 8: vibrations excited by the contact force break the contact",
+    needs=("scene", "motion", "contact law"),
+    at_least=0.5,
+)
+def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Measured:
     """The share of the time without contact that vanishes in a motion without the disk
     modes.
 
@@ -84,10 +90,10 @@ def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
     max_repeated_duration = 0.4  # s
     until = min(float(motion.t[-1]), max_repeated_duration)
     table = motion.model.modes
-    with_all, margin = open_share_until(motion, until)
+    with_all, margin_with_all = open_share_until(motion, until)
     short = scene.replace(f"numerics.time_limit={until}")
     rigid = solve_rattling_motion(short.replace("contact.body=rigid"), modes=table)
-    without_modes, own_margin = open_share_until(rigid, until)
+    without_modes, margin_without_modes = open_share_until(rigid, until)
     smooth_rms = 1e-12  # m; too small to affect a contact
     smooth = scene.roughness and replace(
         scene.roughness, rms=smooth_rms, rms_edge=0.0, profile=None, profile_edge=None
@@ -95,23 +101,18 @@ def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
     even = solve_rattling_motion(short.part(roughness=smooth), modes=table)
     without_roughness, _ = open_share_until(even, until)
     opens = "vibration" if without_modes < with_all / 2 else "unevenness"
-    return Finding(
-        key="vibration_opens_contact",
-        claim="Vibration of the disk breaks the contact",
-        value=1 - without_modes / with_all if with_all else 0.0,
-        unit="of the time without contact vanishes without the modes of the disk",
-        at_least=0.5,
-        margin=float(np.hypot(margin, own_margin) / with_all) if with_all else 0.0,
-        details={
-            "open_share": with_all,
-            "open_share_without_modes": without_modes,
-            "open_share_without_roughness": without_roughness,
-            "until": until,
-        },
-        cause=opens if without_roughness < with_all / 2 else "neither",
-        needs=("scene", "motion", "contact law"),
-        source="section 8: vibrations excited by the contact force break the contact",
-    )
+    details = {
+        "open_share": with_all,
+        "open_share_without_modes": without_modes,
+        "open_share_without_roughness": without_roughness,
+        "until": until,
+    }
+    cause = opens if without_roughness < with_all / 2 else "neither"
+    vanishes = margin = 0.0
+    if with_all:
+        vanishes = 1 - without_modes / with_all
+        margin = np.hypot(margin_with_all, margin_without_modes) / with_all
+    return Measured(vanishes, margin, details, fields={"cause": cause})
 
 
 def open_share_until(motion: RattlingMotion, until: float) -> tuple[float, float]:
@@ -122,14 +123,21 @@ def open_share_until(motion: RattlingMotion, until: float) -> tuple[float, float
     return float(inside.sum() / until), float(2 * np.sqrt(np.sum(inside**2)) / until)
 
 
-@register_judge(needs=("sound", "modes"))
-def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
+@finding(
+    "The sound is that of the modes of the disk",
+    f"of the sound power above 100 Hz, within {MODE_BAND_HALF_WIDTH:.0%} of the frequencies of the "
+    "modes",
+    "recorded coins: the spectral lines of a rolling coin are within 0.3 % of those of the free "
+    "coin",
+    needs=("sound", "modes"),
+    at_least=0.5,
+)
+def free_modes_are_heard(sound: Sound, modes: Modes) -> Measured:
     """The share of the sound power near the frequencies of the modes.
 
     The margin is the change of the share if the bands are half or twice as wide.
     """
-    # Lowest frequency [Hz] of the sound power that is compared with the modes
-    min_heard_frequency = 100.0
+    min_heard_frequency = 100.0  # Hz
     welch_length = 8192  # samples
     pressure = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
     length = min(welch_length, len(pressure))
@@ -140,18 +148,7 @@ def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
     for factor in (0.5, 1.0, 2.0):
         near = audible & (distance < factor * MODE_BAND_HALF_WIDTH)
         shares.append(float(power[near].sum() / power[audible].sum()))
-    return Finding(
-        key="free_modes_are_heard",
-        claim="The sound is that of the modes of the disk",
-        value=shares[1],
-        unit=f"of the sound power above {min_heard_frequency:g} Hz, within "
-        f"{MODE_BAND_HALF_WIDTH:.0%} of the frequencies of the modes",
-        at_least=0.5,
-        margin=max(shares) - min(shares),
-        needs=("sound", "modes"),
-        source="recorded coins: the spectral lines of a rolling coin are within 0.3 % of those of "
-        "the free coin",
-    )
+    return Measured(shares[1], max(shares) - min(shares))
 
 
 @finding(
@@ -172,10 +169,16 @@ def impacts_end_it(motion: RattlingMotion):
     return Measured(taken["contact"] / total, abs(start - end - total) / total)
 
 
-@register_judge(needs=("motion", "contact law"))
+@finding(
+    "The precession rate rises as the spectrum of the unevenness implies",
+    "exponent n of the precession rate ~ (t_end - t)^-n",
+    "n = (2 - H)/(4 - H) for a power spectrum k^-(1 + 2H) of the heights",
+    needs=("motion", "contact law"),
+    tolerance=0.05,
+)
 def rate_follows_unevenness(
     spectrum_exponent: float, motion: RattlingMotion
-) -> Finding:
+) -> Measured:
     """The exponent n of the precession rate ~ (t_end - t)^-n.
 
     The expected value follows from the spectrum of the unevenness. The margin is the
@@ -189,18 +192,8 @@ def rate_follows_unevenness(
         fitted_exponent(t[part], inclination[part])
         for part in (slice(third, None), slice(0, -third))
     ]
-    return Finding(
-        key="rate_follows_unevenness",
-        claim="The precession rate rises as the spectrum of the unevenness implies",
-        value=value,
-        unit="exponent n of the precession rate ~ (t_end - t)^-n",
-        at_least=expected,
-        at_most=expected,
-        tolerance=0.05,
-        margin=max(abs(other - value) for other in others),
-        needs=("motion", "contact law"),
-        source="n = (2 - H)/(4 - H) for a power spectrum k^-(1 + 2H) of the heights",
-    )
+    margin = max(abs(other - value) for other in others)
+    return Measured(value, margin, fields={"at_least": expected, "at_most": expected})
 
 
 @finding(
