@@ -28,25 +28,24 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with the decision on the air film and with models and omissions
     of the air."""
     decided = decide_film(scene)
-    choice = (
-        sentences.FILM_ACTS_CHOICE if decided.film else sentences.FILM_OMITTED_CHOICE
-    )
+    published = published_law_notes(scene)
+    if decided.film:
+        choice = sentences.FILM_ACTS_CHOICE
+        modelled = [*sentences.FILM_MODELLED]
+        neglected = [*sentences.FILM_NEGLECTED]
+        if published:
+            neglected.append(sentences.AIR_COUNTED_TWICE)
+    else:
+        choice = sentences.FILM_OMITTED_CHOICE
+        modelled = []
+        neglected = [*sentences.VACUUM_NEGLECTED]
+    neglected += published
+    for known, unknown in (absorption_sentences(scene), listener_sentences(scene)):
+        modelled += known
+        neglected += unknown
     decision = Decision(
         subject="air film under the disk", choice=choice, reason=decided.reason
     )
-    published = published_law_notes(scene)
-    absorbed, not_absorbed = (
-        of_air + of_listeners
-        for of_air, of_listeners in zip(
-            absorption_sentences(scene), listener_sentences(scene), strict=True
-        )
-    )
-    if not decided.film:
-        neglected = [*sentences.VACUUM_NEGLECTED, *published, *not_absorbed]
-        return plan.with_additions(decision, modelled=absorbed, left_out=neglected)
-    double_counting = [sentences.AIR_COUNTED_TWICE] if published else []
-    modelled = [*sentences.FILM_MODELLED, *absorbed]
-    neglected = [*sentences.FILM_NEGLECTED, *double_counting, *published, *not_absorbed]
     return plan.with_additions(decision, modelled=modelled, left_out=neglected)
 
 
@@ -136,22 +135,18 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
         )
     ]
     gap = radius * np.sin(beta)
+    path = air.mean_free_path
     for ratio, error in sentences.RAREFACTION_LIMITS:
-        below_limit = np.flatnonzero(gap < ratio * air.mean_free_path)
-        if len(below_limit):
-            time = motion.t[below_limit[0]]
-            path = air.mean_free_path
+        times = motion.t[gap < ratio * path]
+        if len(times):
             limits.append(
                 sentences.RAREFIED_AIR_FROM_TIME.format(
-                    time=time, ratio=ratio, path=path, error=error
+                    time=times[0], ratio=ratio, path=path, error=error
                 )
             )
     final = final_inclination(scene)
-    is_last = (
-        motion.outcome is Outcome.SETTLED
-        and final > scene.numerics.stopping_inclination(scene.disk)
-    )
-    if is_last:
+    stops_early = final > scene.numerics.stopping_inclination(scene.disk)
+    if motion.outcome is Outcome.SETTLED and stops_early:
         limits.append(
             sentences.RAREFIED_MOTION_NOT_SOLVED.format(
                 inclination=final,

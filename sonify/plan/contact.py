@@ -26,38 +26,39 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with the model of the contact at the edge and the predicted error
     of its sound."""
     chosen = choose_contact_model(scene)
+    kind = chosen.kind
     film = decide_film(scene).film is not None
+    rough = scene.roughness
     reason = chosen.reason
-    if chosen.kind == "filter":
-        reason = f"{chosen.reason}; {sentences.FILTER_ERROR_REASON}"
-    if chosen.kind != "rigid" and scene.roughness is not None:
+    if kind == "filter":
+        reason += f"; {sentences.FILTER_ERROR_REASON}"
+    if kind != "rigid" and rough:
         reason += unevenness_clause(scene)
-    contact = Decision(subject="contact at the edge", choice=chosen.kind, reason=reason)
-    modelled = [*sentences.CONTACT_MODELLED[chosen.kind]]
-    neglected = [*sentences.CONTACT_NEGLECTED[chosen.kind]]
-    if chosen.kind != "rigid":
-        share = roughness_energy_share(scene) if scene.roughness else 0.0
-        if chosen.kind == "filter" and share:
+    contact = Decision(subject="contact at the edge", choice=kind, reason=reason)
+    modelled = [*sentences.CONTACT_MODELLED[kind]]
+    neglected = [*sentences.CONTACT_NEGLECTED[kind]]
+    if kind != "rigid":
+        if kind == "filter" and rough and (share := roughness_energy_share(scene)):
             neglected.append(sentences.ROUGHNESS_LOSS_NEGLECTED.format(share=share))
         bends = scene.contact.body == "elastic" and scene.elastic_edge is not None
         (modelled if bends else neglected).append(bending_sentence(scene))
-        if scene.roughness:
-            modelled.append(sentences.ROUGHNESS_LOSS_MODELLED[scene.roughness.loss])
-        if chosen.kind == "full" and film:
-            neglected.append(sentences.OPEN_FILM_NEGLECTED)
-        if film and chosen.kind == "many":
+        if rough:
+            modelled.append(sentences.ROUGHNESS_LOSS_MODELLED[rough.loss])
+        if not film:
+            neglected.append(sentences.HEIGHT_SOUND_NEGLECTED)
+        elif kind == "many":
             modelled.append(sentences.RATTLING_FILM_MODELLED)
             neglected.append(sentences.RATTLING_FILM_NEGLECTED)
-        elif film:
+        else:
+            if kind == "full":
+                neglected.append(sentences.OPEN_FILM_NEGLECTED)
             modelled.append(sentences.HEIGHT_SOUND_MODELLED)
             neglected.append(sentences.FILM_ACTION_NEGLECTED)
-        else:
-            neglected.append(sentences.HEIGHT_SOUND_NEGLECTED)
-    if chosen.kind == "many":
+    if kind == "many":
         plan = with_prediction(plan, "end", lambda p: rattling_end_prediction(p, scene))
-    if scene.roughness:
+    if rough:
         plan = with_prediction(
-            plan, "sound", lambda p: rough_sound_prediction(p, chosen.kind, film)
+            plan, "sound", lambda p: rough_sound_prediction(p, kind, film)
         )
     return plan.with_additions(contact, modelled=modelled, left_out=neglected)
 
@@ -76,9 +77,8 @@ def unevenness_clause(scene: Scene) -> str:
     law = contact_law(scene)
     release = radians(scene.release.inclination_deg)
     late = release / 10
-    first, last = (
-        unevenness(scene.disk, law, scene.roughness, beta) for beta in (release, late)
-    )
+    first = unevenness(scene.disk, law, scene.roughness, release)
+    last = unevenness(scene.disk, law, scene.roughness, late)
     return (
         f"; the rms height is {first.rms_over_depth:.2g} times the indentation of the contact, and "
         f"the curvature of the heights is {first.curvature_number:.2g} times that of the rim at {release:.2g} rad and "

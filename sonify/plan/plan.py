@@ -8,11 +8,7 @@ import numpy as np
 
 from dynamics import Disk, Motion
 from dynamics.film.activation import MAX_KNUDSEN_NUMBER, final_inclination
-from dynamics.solver_settings import (
-    ACCURACY_LEVELS,
-    MAX_AUDIBLE_FREQUENCY,
-    resolved_integrator_name,
-)
+from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY, resolved_integrator_name
 from dynamics.steady_motion import squared_rate_times_inclination
 from modal import Material, Modes
 from sonify.plan import sentences
@@ -90,13 +86,11 @@ class Plan:
         left_out: Iterable[str] = (),
     ) -> "Plan":
         """Return the plan with these decisions and sentences added."""
-        modelled = (*self.modelled, *modelled)
-        left_out = (*self.left_out, *left_out)
         return replace(
             self,
-            decisions=(*self.decisions, *decisions),
-            modelled=modelled,
-            left_out=left_out,
+            decisions=self.decisions + decisions,
+            modelled=(*self.modelled, *modelled),
+            left_out=(*self.left_out, *left_out),
         )
 
     def error(self, key: str) -> float:
@@ -174,7 +168,7 @@ def with_sounding_modes(
     `audible_modes.response_to_unit_jump`. A mode is rendered if its loudness is within
     `range_db` of the loudest one, or if its energy is at least MIN_MODE_ENERGY_SHARE of
     the total."""
-    level = ACCURACY_LEVELS[plan.accuracy]
+    level = scene.numerics.level
     heard = audible_mode_indices(loudness, energy, level.range_db)
     solver = Decision(
         subject="solver of the modes",
@@ -205,13 +199,12 @@ def audible_mode_indices(loudness, energy, range_db: float) -> np.ndarray:
     These modes are within `range_db` [dB] of the loudest mode or have at least
     MIN_MODE_ENERGY_SHARE of the total energy."""
     loud = loudness >= 10 ** (-range_db / 10) * loudness.max(initial=0.0)
-    return np.flatnonzero(
-        (loud | (energy >= MIN_MODE_ENERGY_SHARE * energy.sum())) & (energy > 0)
-    )
+    strong = energy >= MIN_MODE_ENERGY_SHARE * energy.sum()
+    return np.flatnonzero((loud | strong) & (energy > 0))
 
 
 def with_motion_end(
-    plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[str] = ()
+    plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[str]
 ) -> Plan:
     """Return the plan with the end of the motion and the decay of the modes added.
 
@@ -236,17 +229,9 @@ def decay_decision(ringing: RingDown) -> Decision:
         named = [*named[:max_named_modes], f"{len(named) - max_named_modes} more modes"]
     own = "by material and radiation"
     if ringing.gap is not None and len(named):
-        rates = sorted(
-            {
-                f"{rate:.3g}"
-                for rate in (
-                    ringing.decay_rate_without_film.min(),
-                    ringing.decay_rate_without_film.max(),
-                )
-            },
-            key=float,
-        )
-        own += f", {' to '.join(rates)} 1/s, and by the air film at its final mean gap, {1e6 * ringing.gap:.3g} um"
+        rates = ringing.decay_rate_without_film
+        ends = dict.fromkeys(f"{rate:.3g}" for rate in (rates.min(), rates.max()))
+        own += f", {' to '.join(ends)} 1/s, and by the air film at its final mean gap, {1e6 * ringing.gap:.3g} um"
     return Decision(
         subject="decay of the modes after the motion",
         choice="; ".join(named) or "no audible mode",
@@ -262,15 +247,10 @@ def omissions_after_end(motion: Motion) -> list[str]:
     """
     if motion.outcome.name == "SETTLED":
         return []
-    missing = f"The end of the motion and its sound: {motion.outcome.sentence}."
-    return [
-        missing,
-        *(
-            [sentences.NEGLECTED_AFTER_END[motion.outcome]]
-            if motion.outcome in sentences.NEGLECTED_AFTER_END
-            else []
-        ),
-    ]
+    omitted = [f"The end of the motion and its sound: {motion.outcome.sentence}."]
+    if motion.outcome in sentences.NEGLECTED_AFTER_END:
+        omitted.append(sentences.NEGLECTED_AFTER_END[motion.outcome])
+    return omitted
 
 
 def damping_decision(material: Material) -> Decision:
@@ -290,12 +270,8 @@ def damping_decision(material: Material) -> Decision:
 def steady_precession_frequency(disk: Disk, inclination: float) -> float:
     """Return the precession frequency [Hz] of the steady motion at a small inclination
     [rad]."""
-    return (
-        (squared_rate_times_inclination(disk.aspect, disk.gyration) / inclination)
-        ** 0.5
-        / disk.time_unit
-        / (2 * pi)
-    )
+    squared = squared_rate_times_inclination(disk.aspect, disk.gyration) / inclination
+    return squared**0.5 / disk.time_unit / (2 * pi)
 
 
 def end_condition_reason(scene: Scene, final: float) -> str:

@@ -31,21 +31,17 @@ class Prediction:
 
 def predicted_end_error(scene: Scene, final_inclination: float) -> Prediction:
     """Return the predicted time [s] by which a settling motion is stopped too early."""
-    name = "end of the motion, if the disk settles"
+    early = 0.0
     if decide_film(scene).film:
-        return Prediction(
-            key="end",
-            name=name,
-            error=0.0,
-            unit="s",
-            source="the motion ends at a solved event, when the air begins to carry the disk",
+        source = (
+            "the motion ends at a solved event, when the air begins to carry the disk"
         )
-    left = [
-        scene_time_to_flat(b, scene)
-        for b in (final_inclination, MIN_SOLVED_INCLINATION)
-    ]
-    early = left[0] - left[1] if isfinite(left[0]) else 0.0
-    source = "quasi-steady decay of steady motion"
+    else:
+        source = "quasi-steady decay of steady motion"
+        left = scene_time_to_flat(final_inclination, scene)
+        if isfinite(left):
+            early = left - scene_time_to_flat(MIN_SOLVED_INCLINATION, scene)
+    name = "end of the motion, if the disk settles"
     return Prediction(key="end", name=name, error=early, unit="s", source=source)
 
 

@@ -32,25 +32,19 @@ def modes_over_run(scene: Scene, motion: Motion, below: float) -> list[SupportSt
     """
     if scene.support.kind != "contact":
         return []
+    min_contact_degrees = 1e-5  # below it the contact is not a single ellipse
+    names = ("release", "middle", "end")
     found = []
-    for name, t in zip(
-        ("release", "middle", "end"), np.linspace(0, motion.t[-1], 3), strict=True
-    ):
-        min_contact_degrees = 1e-5  # below it the contact is not a single ellipse
+    for name, t in zip(names, np.linspace(0, motion.t[-1], len(names)), strict=True):
         degrees = max(float(np.degrees(motion.at([t])[0, 1])), min_contact_degrees)
+        support = replace(scene.support, inclination_deg=degrees)
         try:
-            modes = eigenmodes(
-                scene, below, replace(scene.support, inclination_deg=degrees)
-            )
+            modes = eigenmodes(scene, below, support)
         except UnsolvableError:
             modes = None
+        inclination = float(np.radians(degrees))
         found.append(
-            SupportStep(
-                name=name,
-                t=float(t),
-                inclination=float(np.radians(degrees)),
-                modes=modes,
-            )
+            SupportStep(name=name, t=float(t), inclination=inclination, modes=modes)
         )
     return found
 
@@ -62,17 +56,15 @@ def support_comparison(scene: Scene, modes: Modes, below: float) -> Decision:
     The other supports, the paper's patch and the free disk, are solved at accuracy
     "draft"."""
     draft = scene.replace("numerics.accuracy=draft")
-    others = {
-        kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")
-    }
-    lowest = {
-        kind: ", ".join(f"{f:.0f}" for f in found.frequency[:6]) or "none"
-        for kind, found in ({"contact": modes} | others).items()
-    }
+    modes_by_support = {"contact": modes}
+    for kind in ("patch", "free"):
+        modes_by_support[kind] = eigenmodes(draft, below, Support(kind=kind))
+    lowest = []
+    for kind, found in modes_by_support.items():
+        frequencies = ", ".join(f"{f:.0f}" for f in found.frequency[:6])
+        lowest.append(f"{kind}: {frequencies or 'none'}")
     return Decision(
         subject="lowest modes by support [Hz]",
-        choice="; ".join(
-            f"{kind}: {frequencies}" for kind, frequencies in lowest.items()
-        ),
+        choice="; ".join(lowest),
         reason=sentences.SUPPORT_COMPARISON_REASON,
     )

@@ -30,17 +30,13 @@ fails."""
 def check_table(scene: Scene):
     """Raise SceneError before any computation if the table cannot be solved."""
     surface = scene.surface
-    if scene.surface.action == "motion":
+    what = instead = ""
+    if surface.action == "motion":
         what = "surface.action = 'motion'"
         instead = reason_against_two_way(scene) or reason_against_full_model(scene)
-    else:
+    elif scene.imperfection is not None:
         what = "imperfection"
-        wavy = scene.imperfection is not None
-        instead = (
-            (reason_against_contact_law(scene) or reason_against_full_model(scene))
-            if wavy
-            else ""
-        )
+        instead = reason_against_contact_law(scene) or reason_against_full_model(scene)
     if instead:
         raise SceneError(f"{what} with {instead}")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
@@ -65,39 +61,36 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         infinite = Decision(
             subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
         )
-        plan = with_disk(plan, scene, joins_table=False).with_additions(
+        plan = with_disk(plan, scene, joins_table=False)
+        return plan.with_additions(
             infinite,
             modelled=[sentences.INFINITE_TABLE_MODELLED],
             left_out=[*sentences.TABLE_NEGLECTED, sentences.NEAR_LISTENER_NEGLECTED],
-        )
-        return plan, None
+        ), None
     all_modes = modes_of_table(scene, plan)
     modes = all_modes.select(audible_table_modes(all_modes, scene))
     moving_modes = table_modes(
         scene, modes if must_compute_table_modes(scene) else None
     )
     action, joins = table_action(scene, modes if moving_modes is None else moving_modes)
-    range_db = scene.numerics.level.range_db
     selection = Decision(
         subject="modes of the table",
         choice=f"{len(modes)} of {len(all_modes)} below {plan.highest_mode:g} Hz; "
         f"{all_modes.method}, {all_modes.unknowns} unknowns",
         reason=sentences.TABLE_MODES_REASON.format(
-            range_db=range_db, energy=MIN_MODE_ENERGY_SHARE
+            range_db=scene.numerics.level.range_db, energy=MIN_MODE_ENERGY_SHARE
         ),
     )
     plan = without_unknown_predictions(plan, scene).with_additions(
         action, selection, modelled=sentences.TABLE_MODELLED[scene.surface.kind]
     )
-    reaction, other = sentences.TABLE_NEGLECTED
-    neglected = [other] if joins else [reaction, other]
-    neglected += [
+    neglected = [
+        *sentences.TABLE_NEGLECTED[1 if joins else 0 :],
         sentences.NO_ERROR_PREDICTION_WITH_TABLE,
         *deflection_limits(all_modes, scene),
     ]
-    return with_disk(plan, scene, joins_table=joins).with_additions(
-        left_out=neglected
-    ), modes
+    plan = with_disk(plan, scene, joins_table=joins)
+    return plan.with_additions(left_out=neglected), modes
 
 
 def modes_of_table(scene: Scene, plan: Plan) -> SurfaceModes:
@@ -118,40 +111,31 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
 
     `joins_table` is True if the motion becomes two-way coupled with the table.
     """
+    subject = "disk"
+    choice = "rigid in the motion"
     if choose_contact_model(scene).kind == "many":
-        moves = scene.contact.body == "elastic"
-        disk = Decision(
-            subject="disk",
-            choice="the free modes of the disk move its edge"
-            if moves
-            else "rigid in the motion",
-            reason=f"contact anywhere on the rim, contact.body = {scene.contact.body!r}",
-        )
-        return plan.with_additions(
-            disk, left_out=[sentences.TABLE_SLOPE_NEGLECTED] * joins_table
-        )
-    if not joins_table:
-        disk = Decision(
-            subject="disk and table" if scene.surface.kind == "rigid" else "disk",
-            choice="rigid in the motion",
-            reason=sentences.RIGID_DISK_REASON.format(kind=scene.surface.kind),
-        )
-        neglected = f"{sentences.MODAL_REACTION_NEGLECTED}."
-        return plan.with_additions(
-            disk, modelled=[sentences.RIGID_DISK_MODELLED], left_out=[neglected]
-        )
-    motion = sentences.DISK_COUPLED_LATER_MODELLED
-    if scene.contact.body == "elastic" and scene.disk.shape == "solid":
-        motion += sentences.DISK_MODES_COUPLED_MODELLED
-    until = sentences.UNTIL_TWO_WAY_CLAUSE
-    disk = Decision(
-        subject="disk", choice=f"rigid{until}", reason=motion.removesuffix(".")
-    )
-    return plan.with_additions(
-        disk,
-        modelled=[motion],
-        left_out=[f"{sentences.MODAL_REACTION_NEGLECTED}{until}."],
-    )
+        if scene.contact.body == "elastic":
+            choice = "the free modes of the disk move its edge"
+        reason = f"contact anywhere on the rim, contact.body = {scene.contact.body!r}"
+        modelled = []
+        neglected = [sentences.TABLE_SLOPE_NEGLECTED] if joins_table else []
+    elif not joins_table:
+        if scene.surface.kind == "rigid":
+            subject = "disk and table"
+        reason = sentences.RIGID_DISK_REASON.format(kind=scene.surface.kind)
+        modelled = [sentences.RIGID_DISK_MODELLED]
+        neglected = [f"{sentences.MODAL_REACTION_NEGLECTED}."]
+    else:
+        motion = sentences.DISK_COUPLED_LATER_MODELLED
+        if scene.contact.body == "elastic" and scene.disk.shape == "solid":
+            motion += sentences.DISK_MODES_COUPLED_MODELLED
+        choice = f"rigid{sentences.UNTIL_TWO_WAY_CLAUSE}"
+        reason = motion.removesuffix(".")
+        modelled = [motion]
+        until = sentences.UNTIL_TWO_WAY_CLAUSE
+        neglected = [f"{sentences.MODAL_REACTION_NEGLECTED}{until}."]
+    disk = Decision(subject=subject, choice=choice, reason=reason)
+    return plan.with_additions(disk, modelled=modelled, left_out=neglected)
 
 
 def without_unknown_predictions(plan: Plan, scene: Scene) -> Plan:
@@ -162,47 +146,42 @@ def without_unknown_predictions(plan: Plan, scene: Scene) -> Plan:
     contact on a table with modes. The error of the end is removed if the table is wavy
     or may affect the motion."""
     has_modes = scene.surface.kind not in ("rigid", "infinite")
-    known = scene.roughness and not (
-        has_modes and choose_contact_model(scene).kind == "filter"
-    )
-    unknown = set() if known else {"sound"}
-    unknown |= {"end"} if may_be_two_way(scene) or scene.imperfection else set()
-    return replace(
-        plan, predictions=tuple(p for p in plan.predictions if p.key not in unknown)
-    )
+    filtered = has_modes and choose_contact_model(scene).kind == "filter"
+    unknown = set()
+    if filtered or not scene.roughness:
+        unknown.add("sound")
+    if may_be_two_way(scene) or scene.imperfection:
+        unknown.add("end")
+    known = tuple(p for p in plan.predictions if p.key not in unknown)
+    return replace(plan, predictions=known)
 
 
 def table_action(scene: Scene, modes: SurfaceModes) -> tuple[Decision, bool]:
     """Return the decision on two-way coupling with the table, and True if it occurs."""
     action = scene.surface.action
+    is_two_way = action == "motion"
+    choice = sentences.TABLE_MOVES_AND_SOUNDS
     if action == "motion":
-        choice = sentences.TABLE_MOVES_AND_SOUNDS
-        return Decision(
-            subject="table", choice=choice, reason=sentences.MOTION_ACTION_REASON
-        ), True
-    if action == "sound":
+        reason = sentences.MOTION_ACTION_REASON
+    elif action == "sound":
         reason = "surface.action = 'sound'"
-        return Decision(
-            subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
-        ), False
-    reaction = table_reaction(scene, modes)
-    reason = f"surface.action = 'auto': {reaction.reason}"
-    if reaction.reason_unsolved:
-        reason += f", but {reaction.reason_unsolved}"
-    if not reaction.is_two_way:
-        return Decision(
-            subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
-        ), False
-    if choose_contact_model(scene).kind == "many":
-        reason += sentences.FROM_RELEASE_CLAUSE
-        choice = sentences.TABLE_MOVES_AND_SOUNDS
-        return Decision(subject="table", choice=choice, reason=reason), True
-    choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(
-        inclination=reaction.inclination
-    )
-    if scene.contact.law == "rigid":
-        choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
-    return Decision(subject="table", choice=choice, reason=reason), True
+    else:
+        reaction = table_reaction(scene, modes)
+        is_two_way = reaction.is_two_way
+        reason = f"surface.action = 'auto': {reaction.reason}"
+        if reaction.reason_unsolved:
+            reason += f", but {reaction.reason_unsolved}"
+        if is_two_way and choose_contact_model(scene).kind == "many":
+            reason += sentences.FROM_RELEASE_CLAUSE
+        elif is_two_way:
+            choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(
+                inclination=reaction.inclination
+            )
+            if scene.contact.law == "rigid":
+                choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
+    if not is_two_way:
+        choice = sentences.TABLE_SOUNDS_ONLY
+    return Decision(subject="table", choice=choice, reason=reason), is_two_way
 
 
 def audible_table_modes(modes: SurfaceModes, scene: Scene) -> np.ndarray:
@@ -235,9 +214,9 @@ def table_exit_time(scene: Scene, motion: Motion) -> float | None:
     """Return the time [s] at which the contact first leaves a plate or mesh; None if
     never."""
     surface = scene.surface
-    t = np.linspace(0.0, motion.t[-1], 4096)
     if surface.kind not in ("plate", "mesh"):
         return None
+    t = np.linspace(0.0, motion.t[-1], 4096)
     place = contact_position(motion.at(t), scene.disk) + surface.place
     off = (
         np.hypot(*place.T) > surface.radius
