@@ -25,19 +25,17 @@ finding that states this time."""
 
 def describe_spectrogram(result: "Result") -> str:
     """Return a description of the spectrogram."""
-    tone = None if result.heard is None else result.heard.tone
-    rising = (
-        f", a tone that rises by a factor of {tone.ridge.factor:.2g}" if tone else ""
-    )
-    carriers = [
-        f"{c.frequency:.0f} Hz" for c in (result.heard.lines if result.heard else [])
-    ]
-    steady = f", steady tones at {', '.join(carriers)}" if carriers else ""
+    heard = result.heard
+    tones = ""
+    if heard and heard.tone:
+        tones += f", a tone that rises by a factor of {heard.tone.ridge.factor:.2g}"
+    if heard and heard.lines:
+        frequencies = ", ".join(f"{line.frequency:.0f} Hz" for line in heard.lines)
+        tones += f", steady tones at {frequencies}"
+    sound = result.sound
     return (
-        f"Spectrogram of {result.scene.name}, 10 Hz to {result.sound.sample_rate / 2000:g} kHz "
-        f"over "
-        f"{result.sound.duration:.1f} s{rising}{steady}; the motion ends at "
-        f"{result.sound.source_end:.2f} s."
+        f"Spectrogram of {result.scene.name}, 10 Hz to {sound.sample_rate / 2000:g} kHz over "
+        f"{sound.duration:.1f} s{tones}; the motion ends at {sound.source_end:.2f} s."
     )
 
 
@@ -63,19 +61,15 @@ def describe_motion(result: "Result") -> str:
     turns = np.abs(precession_rate(state)) / (2 * np.pi)
     reach = 1e3 * np.abs(solved.state[:, 3:5]).max()
     nutation = nutation_frequency(solved)[1]
-    rises = (
-        f"; the nutation goes from {nutation[0]:.2g} to {nutation[-1]:.3g} Hz"
-        if len(nutation)
-        else ""
-    )
+    rises = ""
+    if len(nutation):
+        rises = f"; the nutation goes from {nutation[0]:.2g} to {nutation[-1]:.3g} Hz"
     return (
         f"Six curves over {solved.t[-1]:.4g} s: the inclination goes from {first:.3g} to "
-        f"{last:.2g} degrees; "
-        f"the energy falls to {solved.energy(solved.t[-1:])[0]:.2g} J; the normal force stays "
-        f"between {load.min():.2g} "
-        f"and {load.max():.2g} N, the weight is {solved.disk.weight:.3g} N; the centre stays "
-        f"within {reach:.2g} mm; "
-        f"the precession goes from {turns[0]:.3g} to {turns[1]:.3g} Hz{rises}."
+        f"{last:.2g} degrees; the energy falls to {solved.energy(solved.t[-1:])[0]:.2g} J; the "
+        f"normal force stays between {load.min():.2g} and {load.max():.2g} N, the weight is "
+        f"{solved.disk.weight:.3g} N; the centre stays within {reach:.2g} mm; the precession goes "
+        f"from {turns[0]:.3g} to {turns[1]:.3g} Hz{rises}."
     )
 
 

@@ -72,10 +72,8 @@ def headline(findings: Iterable[Finding]) -> str:
     clauses = []
     carried = by_key.get("carried_by_air")
     lost_to_air = carried is not None and carried.holds and carried.cause == "film"
-    if lost_to_air:
-        by_key.pop(
-            "contact_kept", None
-        )  # the air lifts the disk, so the contact is not lost to vibrations
+    if lost_to_air:  # and not to vibrations
+        by_key.pop("contact_kept", None)
     for words in HEADLINE_CLAUSES.values():
         key = next((key for key in words if key in by_key), None)
         if key is not None and by_key[key].holds is not None:
@@ -85,7 +83,6 @@ def headline(findings: Iterable[Finding]) -> str:
         clauses.append("finally the air carries it")
     if not clauses:
         return ""
-    sentence = ", and ".join(
-        [", ".join(clauses[:-1]), clauses[-1]] if clauses[1:] else clauses
-    )
+    *first, last = clauses
+    sentence = f"{', '.join(first)}, and {last}" if first else last
     return f"{sentence[0].upper()}{sentence[1:]}."

@@ -16,14 +16,15 @@ def mode_caption(modes: Modes, i, held=False):
     return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{shape_name(modes, i, held)}"
 
 
-def shape_name(modes: Modes, i, held=False):
+def shape_name(modes: Modes, i, held):
     """Return the family and the order of mode i.
 
     A swing of the disk about the patch that holds it has no order.
     """
     if held and rigid_motion_share(modes, i) > 0.97:
         return f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
-    return f"{modes.family[i]}, {f'{modes.parity[i]}, ' if modes.partner[i] >= 0 else ''}order {modes.order[i]}"
+    parity = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
+    return f"{modes.family[i]}, {parity}order {modes.order[i]}"
 
 
 def table_caption(table: "SurfaceModes", i) -> str:
@@ -31,9 +32,8 @@ def table_caption(table: "SurfaceModes", i) -> str:
 
     Modes of a table without an axis of symmetry have no order.
     """
-    return f"{i + 1}: {table.frequency[i]:.0f} Hz" + (
-        f", order {table.order[i]}" if table.order[i] >= 0 else ""
-    )
+    order = f", order {table.order[i]}" if table.order[i] >= 0 else ""
+    return f"{i + 1}: {table.frequency[i]:.0f} Hz{order}"
 
 
 def rigid_motion_share(modes: Modes, i) -> float:
@@ -52,5 +52,5 @@ def rigid_motion_share(modes: Modes, i) -> float:
         (none, none, s),
     ]
     shape = modes.rim_shape[i].T.ravel()
-    basis = np.reshape(motions, (6, -1)).T
+    basis = np.reshape(motions, (len(motions), -1)).T
     return float(1 - np.linalg.lstsq(basis, shape)[1][0] / (shape @ shape))

@@ -112,9 +112,9 @@ def cell_position(i: int, top: float, height: float) -> tuple[float, float]:
     return MODE_WIDTH * (column + 0.5), top - height * row
 
 
-def write(axis, x: float, y: float, text: str, size: int = 10):
+def write(axis, x: float, y: float, text: str, **options):
     """Write text below a point."""
-    axis.text(x, y, text, fontsize=size, ha="center", va="top")
+    axis.text(x, y, text, ha="center", va="top", **options)
 
 
 def write_heading(axis, y: float, text: str):
@@ -160,7 +160,7 @@ def draw_colour_bar(axis, at, label: str, minimum: float, colours: str):
     )
     for share in (0.0, 0.5, 1.0):
         number = f"{minimum + share * (1 - minimum):g}"
-        write(axis, left + share * length, y - 0.05, number, size=9)
+        write(axis, left + share * length, y - 0.05, number, fontsize=9)
     write(axis, x, y - 0.3, label)
 
 

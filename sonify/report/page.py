@@ -29,11 +29,11 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
-def write_page(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
+def write_page(result: "Result", path: Path, numbers: dict[str, Any]):
     """Write the page of a result with all pictures and sounds embedded.
 
     The page plays only the end of a long sound. `numbers` is the return value of
-    `template_data`, if already computed.
+    `template_data`.
     """
     modes = result.modes
     held = result.scene.support.kind == "patch"
@@ -62,7 +62,7 @@ def write_page(result: "Result", path: Path, numbers: dict[str, Any] | None = No
                 for name, (shown, caption) in captions.PICTURE_CAPTIONS.items()
                 if (result.out / name).exists()
             ],
-            **(numbers or template_data(result)),
+            **numbers,
             **page_assets(),
         )
     )
@@ -70,9 +70,7 @@ def write_page(result: "Result", path: Path, numbers: dict[str, Any] | None = No
         temporary.write_bytes(text.encode("utf-8"))
 
 
-def template_data(
-    result: "Result", parts: dict[str, Any] | None = None
-) -> dict[str, Any]:
+def template_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
     """Return the `page_data` of a result as JSON, and the time [s] at which the played
     part starts."""
     data = page_data(result, parts)
@@ -82,13 +80,15 @@ def template_data(
 def page_assets() -> dict[str, str]:
     """Return script, style and licences of the page, built from `web/`, for insertion
     in its HTML."""
-    files = {"script": "page.js", "style": "page.css", "licences": "page.licenses.txt"}
-    held = {
-        name: (resources.files("sonify.report") / "templates" / file).read_text("utf-8")
-        for name, file in files.items()
-    }
-    return held | {
-        name: Markup(held[name].replace("</", "<\\/")) for name in ("script", "style")
+    folder = resources.files("sonify.report") / "templates"
+    script, style, licences = (
+        (folder / file).read_text("utf-8")
+        for file in ("page.js", "page.css", "page.licenses.txt")
+    )
+    return {
+        "script": Markup(script.replace("</", "<\\/")),
+        "style": Markup(style.replace("</", "<\\/")),
+        "licences": licences,
     }
 
 
@@ -102,14 +102,9 @@ def summary_text(result: "Result") -> str:
     """Return a summary of a result in a few lines of text."""
     passed = sum(check.passed for check in result.checks)
     head = f"{result.scene.name}: {result.motion.outcome.sentence}"
+    parts = map(repr, (result.plan, result.modes, result.motion, result.sound))
     count = f"{passed} of {len(result.checks)} self-checks passed. {headline(result.findings)}"
-    return "\n".join(
-        [
-            head,
-            *map(repr, (result.plan, result.modes, result.motion, result.sound)),
-            count,
-        ]
-    )
+    return "\n".join([head, *parts, count])
 
 
 def notebook_html(result: "Result") -> str:

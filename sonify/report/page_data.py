@@ -18,7 +18,6 @@ from modal.tabletop.record import SurfaceModes
 from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
-from sonify.report.render_worker import painter
 from sonify.sound.playback import ScaledTrack, a_weighting
 from sonify.sound.pressure import Sound
 
@@ -30,8 +29,6 @@ MAX_STORED_MOTION_TIMES = 22_000
 
 Half of them are evenly spaced in time and half in the angle of the contact.
 """
-MAX_STORED_MODE_SHAPES = 24
-"""Maximum number of modes in the page; the lowest modes are kept."""
 MAX_PAGE_SOUND_DURATION = 30.0
 """Maximum duration of the final part of a sound in the page [s]."""
 MAX_PAGE_SOUND_SIZE = 2_800_000
@@ -39,19 +36,14 @@ MAX_PAGE_SOUND_SIZE = 2_800_000
 shortened."""
 
 
-def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
+def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
     """Return the data of a page.
 
-    `parts` are the slow parts, if already computed: the `instants` of the motion, the
-    `sounds`, and the colours of a spectrogram as bytes.
+    `parts` are the slow parts: the encoded `motion` and `sound`, and the `colours` of a
+    spectrogram as bytes.
     """
     sound = result.sound
     motion = result.motion
-    parts = parts or {
-        "motion": encoded_motion(motion),
-        "sound": encoded_sounds(sound),
-        "colours": painter().draw("sound", "write_colour_table", dict).result(),
-    }
     return {
         "name": result.scene.name,
         "duration": sound.duration,
@@ -181,31 +173,29 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
     triangles = np.concatenate(
         [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
     )
-    few = range(min(len(modes), MAX_STORED_MODE_SHAPES))
-    captions = [
-        mode_caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few
-    ]
-    return _encoded_shapes(
-        modes.body.points[nodes],
-        triangles,
-        captions,
-        [modes.body.displacement[i][nodes] for i in few],
-    )
+    few = stored_modes(modes)
+    held = support.kind == "patch"
+    captions = [mode_caption(modes, i, held).replace("\n", ", ") for i in few]
+    moved = [modes.body.displacement[i][nodes] for i in few]
+    return _encoded_shapes(modes.body.points[nodes], triangles, captions, moved)
 
 
 def encoded_table_shapes(table: SurfaceModes) -> dict[str, Any]:
     """Return the top face of a table [m] and the shapes of its lowest modes, normalised
     as in `encoded_mode_shapes`."""
-    few = range(min(len(table), MAX_STORED_MODE_SHAPES))
+    few = stored_modes(table)
     flat = np.zeros(len(table.points))
     moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
     captions = [table_caption(table, i) for i in few]
-    return _encoded_shapes(
-        np.column_stack([table.points, flat]),
-        Delaunay(table.points).simplices,
-        captions,
-        moved,
-    )
+    triangles = Delaunay(table.points).simplices
+    points = np.column_stack([table.points, flat])
+    return _encoded_shapes(points, triangles, captions, moved)
+
+
+def stored_modes(modes: Modes | SurfaceModes) -> range:
+    """Return the indices of the modes in the page, the lowest ones."""
+    max_stored_modes = 24
+    return range(min(len(modes), max_stored_modes))
 
 
 def _encoded_shapes(points, triangles, captions, moved):

@@ -155,13 +155,18 @@ def spectrogram_data(found):
         max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0),
         min(sound.source_end + FINAL_INTERVAL_DURATION / 4, sound.duration),
     )
-    time, precession, nutation = plotted_rates(motion)
-    seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
+    time, *rates = plotted_rates(motion)
     delay = sound.source_end - motion.t[-1]
-    carrier = contact_resonance_line(found.scene, motion, delay)
-    table = found.table.frequency if found.table else []
-    seen |= {"frequencies": found.modes.frequency, "table": table, "carrier": carrier}
-    return seen | {"time": time + delay, "rates": [precession, nutation]}
+    return {
+        "low": low,
+        "high": high,
+        "spans": [(0.0, sound.duration), end],
+        "frequencies": found.modes.frequency,
+        "table": found.table.frequency if found.table else [],
+        "carrier": contact_resonance_line(found.scene, motion, delay),
+        "time": time + delay,
+        "rates": rates,
+    }
 
 
 def stem_level_data(found):
@@ -206,7 +211,7 @@ def _paper_figures(motion):
     chi = disk.time_unit
     t = np.linspace(0, motion.t[-1], 12000)
     state = motion.at(t)
-    (peaks, frequency) = nutation_frequency(motion)
+    peaks, frequency = nutation_frequency(motion)
     curves = (
         (t / chi, np.pi / 2 - state[:, 1]),
         (t / chi, motion.energy(t) * chi**2 / (disk.mass * disk.radius**2)),
@@ -216,14 +221,12 @@ def _paper_figures(motion):
         (t / chi, precession_rate(state) * chi),
     )
     weight = motion.normal_load([0.0])[0] * disk.weight / motion.force([0.0])[0, 2]
-    frequency = PAPER_FORCING_FREQUENCY
-    reached = PAPER_FORCING_FREQUENCY_TIME
     return {
         "curves": curves,
         "weight": weight,
         "chi": chi,
-        "frequency": frequency,
-        "reached": reached,
+        "frequency": PAPER_FORCING_FREQUENCY,
+        "reached": PAPER_FORCING_FREQUENCY_TIME,
     }
 
 
@@ -231,11 +234,9 @@ def energy_data(found):
     """Return the energies of a two-way coupled motion at times that are spaced more
     closely towards its end."""
     end = found.motion.t[-1]
-    begin = two_way_part(found.motion)[1]
-    t = times_towards_end(begin, end)
-    budget = energy_budget(
-        found.motion, t, radiated_power(found.sound, listener_of(found.scene))
-    )
+    t = times_towards_end(two_way_part(found.motion)[1], end)
+    heard = radiated_power(found.sound, listener_of(found.scene))
+    budget = energy_budget(found.motion, t, heard)
     held = {
         "disk": budget.disk,
         "modes of the table": budget.table,
@@ -258,25 +259,18 @@ def times_towards_end(begin: float, end: float) -> np.ndarray:
 def mode_shape_data(found):
     """Return the modes of disk and table; drafts omit the oblique view."""
     steps = modes_over_run(found.scene, found.motion, found.plan.highest_mode)
-    slanted = found.plan.accuracy != "draft"
-    table = found.table
     shown = {
         "modes": found.modes,
-        "slanted": slanted,
+        "slanted": found.plan.accuracy != "draft",
         "support": found.scene.support,
         "moving": mode_changes_text(steps),
     }
-    if not table:
-        return shown
-    few = range(min(len(table), 10))
-    return shown | {
-        "table": (
-            table.points,
-            table.face[few],
-            [table_caption(table, i) for i in few],
-            len(table),
-        )
-    }
+    table = found.table
+    if table:
+        few = range(min(len(table), 10))
+        captions = [table_caption(table, i) for i in few]
+        shown["table"] = (table.points, table.face[few], captions, len(table))
+    return shown
 
 
 def mode_changes_text(steps) -> str:
@@ -284,23 +278,19 @@ def mode_changes_text(steps) -> str:
 
     It lists the frequency [Hz] at each inclination [degrees] as the disk falls.
     """
-    frequencies = [step.modes.frequency if step.modes else () for step in steps]
-    rows = zip_longest(
-        *[[f"{f:.0f}" for f in here] for here in frequencies], fillvalue="none"
-    )
+    if not steps:
+        return ""
+    columns = [
+        [f"{f:.0f}" for f in step.modes.frequency] if step.modes else []
+        for step in steps
+    ]
     at = ",\n".join(
         f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps
     )
-    return (
-        "\n".join(
-            [
-                f"[Hz] at {at}",
-                *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1)),
-            ]
-        )
-        if steps
-        else ""
-    )
+    lines = [f"[Hz] at {at}"]
+    for i, row in enumerate(zip_longest(*columns, fillvalue="none"), 1):
+        lines.append(f"{i}: {' → '.join(row)}")
+    return "\n".join(lines)
 
 
 PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {

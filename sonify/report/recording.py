@@ -72,22 +72,22 @@ def write_recording_report(
     if runs:
         with atomic_write(folder / "settling.png") as temporary:
             draw_settling(temporary, part, begin, runs)
-    content = (
-        {"recording": absolute_path_text(recording)}
-        | analysis_record(heard, known)
-        | {"decaying_lines": [asdict(line) for line in ringing]}
-        | {"runs": [settling_run_record(run) for run in runs]}
-    )
+    content = {
+        "recording": absolute_path_text(recording),
+        **analysis_record(heard, known),
+        "decaying_lines": [asdict(line) for line in ringing],
+        "runs": [settling_run_record(run) for run in runs],
+    }
     write_json(json_safe(content), folder / "heard.json")
     settled = [line for run in runs for line in run_sentences(run)]
     settled += [region_sentence(run) for run in runs]
-    lines = analysis_sentences(heard, known)
+    first, *lines = analysis_sentences(heard, known)
     max_ringing_sentences = 4  # heard.json contains all decaying lines
     return [
-        lines[0],
+        first,
         *(settled or ["no disk or coin that comes to rest was detected"]),
         false_alarm_sentence(),
-        *lines[1:],
+        *lines,
         *(ringing_sentence(line) for line in ringing[:max_ringing_sentences]),
         str(folder),
     ]
@@ -114,11 +114,9 @@ def recording_named_in_folder(folder):
     """
     content = folder / "heard.json"
     try:
-        return (
-            json.loads(content.read_text(encoding="utf-8"))["recording"]
-            if content.exists()
-            else None
-        )
+        return json.loads(content.read_text(encoding="utf-8"))["recording"]
+    except (FileNotFoundError, NotADirectoryError):
+        return None
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return ""
 
@@ -142,17 +140,16 @@ def matching_resonance(carrier, known):
     return nearest_resonance(carrier, known)
 
 
-def analysis_record(heard: Heard, known=()) -> dict:
+def analysis_record(heard: Heard, known) -> dict:
     """Return the analysis as plain values: duration and start of the sound, and its
     spectral lines."""
     values = asdict(heard)
     del values["tone"]
-    return values | {
-        "carriers": [spectral_line_record(carrier, known) for carrier in heard.carriers]
-    }
+    values["carriers"] = [spectral_line_record(line, known) for line in heard.carriers]
+    return values
 
 
-def spectral_line_record(carrier: SpectralLine, known=()) -> dict:
+def spectral_line_record(carrier: SpectralLine, known) -> dict:
     """Return a spectral line as plain values, with its trend (`course`) and the
     matching known resonance.
     """
@@ -163,14 +160,15 @@ def spectral_line_record(carrier: SpectralLine, known=()) -> dict:
     }
 
 
-def analysis_sentences(heard: Heard, known=()) -> list[str]:
+def analysis_sentences(heard: Heard, known) -> list[str]:
     """Return the analysis as lines of text."""
-    lines = [
-        f"{heard.duration:.3f} s at {heard.sample_rate} Hz, sound from {heard.start:.3f} s on"
-    ]
-    return lines + [
-        f"spectral line: {spectral_line_description(c)}{match_clause(matching_resonance(c, known))}"
-        for c in heard.carriers
+    return [
+        f"{heard.duration:.3f} s at {heard.sample_rate} Hz, sound from {heard.start:.3f} s on",
+        *(
+            f"spectral line: {spectral_line_description(c)}"
+            f"{match_clause(matching_resonance(c, known))}"
+            for c in heard.carriers
+        ),
     ]
 
 
@@ -183,19 +181,15 @@ def ringing_sentence(line):
 
 
 def match_clause(match):
-    return (
-        f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz"
-        if match
-        else ""
-    )
+    if not match:
+        return ""
+    return f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz"
 
 
 def spectral_line_description(c):
-    course = (
-        "steady"
-        if c.course == "steady"
-        else f"{c.course} by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
-    )
+    course = c.course
+    if course != "steady":
+        course += f" by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
     extras = ", sidebands ± {:.3g} to {:.3g} Hz".format(*c.rates) if c.rates else ""
     extras += "" if c.heard else ", inferred from its sidebands"
     extras += f", in a noise band {c.reach:.0f} cents wide" if c.reach else ""

@@ -24,9 +24,9 @@ def replaced_results(scene: Scene, folder: Path) -> str:
     differing = [key for key in values if key != "name"]
     if not differing and earlier.name == scene.name:
         return ""
-    shown = differing[:8]
-    more = (
-        [f"{len(differing) - len(shown)} more"] if len(differing) > len(shown) else []
-    )
-    keys = f" (different: {', '.join([*shown, *more])})" if differing else ""
+    max_shown = 8
+    shown = differing[:max_shown]
+    if len(differing) > max_shown:
+        shown.append(f"{len(differing) - max_shown} more")
+    keys = f" (different: {', '.join(shown)})" if shown else ""
     return f"{folder}: will replace the results of {earlier.name}{keys}"

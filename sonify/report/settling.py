@@ -35,32 +35,31 @@ def joint_region_rows(run: SettlingRun) -> list[dict]:
     exponent."""
     exponent_step = 0.05
     region = run.region
+    columns = {
+        "exponent": region.exponents,
+        "t_end": region.ends,
+        "rate": region.rates,
+    }
     places = np.round(region.exponents / exponent_step)
     rows = []
     for place in np.unique(places):
-        ends = region.ends[places == place]
-        rates = region.rates[places == place]
-        exponents = region.exponents[places == place]
-        rows.append(
-            {
-                "exponent": [float(exponents.min()), float(exponents.max())],
-                "t_end": [float(ends.min()), float(ends.max())],
-                "rate": [float(rates.min()), float(rates.max())],
-            }
-        )
+        row = {}
+        for name, values in columns.items():
+            here = values[places == place]
+            row[name] = [float(here.min()), float(here.max())]
+        rows.append(row)
     return rows
 
 
 def region_sentence(run: SettlingRun) -> str:
     """Return a line on the joint region of exponent and end, and on both
     interpretations of the turns."""
-    rows = joint_region_rows(run)
     rate = run.rate_at_1s.value
     ridge = "; ".join(
         "n {:.2f} to {:.2f} with an end at {:.3f} to {:.3f} s".format(
             *row["exponent"], *row["t_end"]
         )
-        for row in rows
+        for row in joint_region_rows(run)
     )
     return (
         f"joint region of the run to {run.t_end.value:.3f} s: {ridge}; {rate:.1f} turns per second "
@@ -72,11 +71,8 @@ def run_sentences(run: SettlingRun) -> list[str]:
     """Return two lines on the time, the power law and the certainty of a run."""
     end = f"{run.t_end.value:.3f} s ({run.t_end.low:.3f} to {run.t_end.high:.3f})"
     rate = f"{run.rate_at_1s.value:.1f} Hz ({run.rate_at_1s.low:.1f} to {run.rate_at_1s.high:.1f})"
-    low = f"{run.exponent.low:.2f}"
-    high = f"{run.exponent.high:.2f}"
-    value = (
-        "not determined" if run.exponent.value is None else f"{run.exponent.value:.2f}"
-    )
+    exponent = run.exponent
+    value = "not determined" if exponent.value is None else f"{exponent.value:.2f}"
     bands = ", ".join(f"{below:.0f} to {above:.0f} Hz" for below, above in run.bands)
     when = (
         "at first" if run.t_end.value - run.start < 1 else "one second before the end"
@@ -84,8 +80,8 @@ def run_sentences(run: SettlingRun) -> list[str]:
     certainty = "certain" if run.certain else "probable"
     return [
         f"a disk or coin comes to rest at {end}: {run.kind} in {bands} from {run.start:.2f} s on",
-        f"  {certainty}; rate {rate} {when}, rising as (t_end - t)^-n with n {value} ({low} to "
-        f"{high}); "
+        f"  {certainty}; rate {rate} {when}, rising as (t_end - t)^-n with n {value} "
+        f"({exponent.low:.2f} to {exponent.high:.2f}); "
         f"{run.false_alarm:.1g} such events expected in a file of this length without a disk",
     ]
 

@@ -70,7 +70,7 @@ def write_record(
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
-        rings = {"ring_down": json_safe(ring_down_record(result.sound.ringing))}
+        rings = {"ring_down": ring_down_record(result.sound.ringing)}
         write_json(
             as_json(result.modes) | mode_changes_record(result) | rings,
             result.out / "modes.json",
@@ -93,22 +93,19 @@ def mode_changes_record(result: "Result") -> dict:
 
     It contains the modes at several inclinations [rad] of the run.
     """
-    steps = modes_over_run(result.scene, result.motion, result.plan.highest_mode)
-    columns = ("frequency", "decay_rate")
-    rows = [
-        vars(s)
-        | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns}
-        for s in steps
-    ]
-    return (
-        {
-            "over_the_run": [
-                {k: v for k, v in row.items() if k != "modes"} for row in rows
-            ]
-        }
-        if rows
-        else {}
-    )
+    rows = []
+    for step in modes_over_run(result.scene, result.motion, result.plan.highest_mode):
+        modes = step.modes
+        rows.append(
+            {
+                "name": step.name,
+                "t": step.t,
+                "inclination": step.inclination,
+                "frequency": None if modes is None else modes.frequency.tolist(),
+                "decay_rate": None if modes is None else modes.decay_rate.tolist(),
+            }
+        )
+    return {"over_the_run": rows} if rows else {}
 
 
 def write_motion(motion: Motion, path: Path):
@@ -183,7 +180,7 @@ def run_record(result: "Result") -> dict:
             else roughness_record(sound),
             "stem_peak_pascal": sound.stem_peaks,
             "energy_below_100_hz_300_hz": sound.low_frequency_shares,
-            "ring_down": json_safe(ring_down_record(sound.ringing)),
+            "ring_down": ring_down_record(sound.ringing),
             "audible_full_scale_pascal": sound.audible.full_scale,
             "audible_loudness_lufs": json_safe(sound.loudness[1]),
             "audible_true_peak_dbtp": true_peak_dbtp(sound.audible),
@@ -219,20 +216,21 @@ def ring_down_record(ringing: RingDown) -> dict:
 
     The record also contains the mean gap [m] of the air film.
     """
-    columns = {
-        "frequency": ringing.frequency,
-        "decay_rate": ringing.decay_rate,
-        "decay_time": ringing.decay_time,
-        "decay_rate_without_film": ringing.decay_rate_without_film,
-    }
-    return {name: column.tolist() for name, column in columns.items()} | {
-        "mean_gap": ringing.gap
-    }
+    return json_safe(
+        {
+            "frequency": ringing.frequency.tolist(),
+            "decay_rate": ringing.decay_rate.tolist(),
+            "decay_time": ringing.decay_time.tolist(),
+            "decay_rate_without_film": ringing.decay_rate_without_film.tolist(),
+            "mean_gap": ringing.gap,
+        }
+    )
 
 
 def rounded_seconds(seconds: dict[str, float]) -> dict[str, float]:
     """Return the durations of the stages [s], rounded to milliseconds."""
-    return {name: round(spent, 3) for name, spent in dict(seconds).items()}
+    copied = dict(seconds)  # other threads may add stages
+    return {name: round(spent, 3) for name, spent in copied.items()}
 
 
 def summary(result: "Result") -> dict[str, Any]:
@@ -255,25 +253,19 @@ def summary(result: "Result") -> dict[str, Any]:
     >>> from sonify import solve, summary
     >>> summary(solve("published"))["t_end"]  # s  # doctest: +SKIP
     """
-    row = {
+    below_100_hz, below_300_hz = result.sound.low_frequency_shares
+    return {
         "outcome": result.motion.outcome.name,
         "t_end": float(result.motion.t[-1]),
         "passed": result.passed,
+        "sound_seconds": result.sound.duration,
+        "peak_pascal": result.sound.peak,
+        **end_cause_scalars(result.scene, result.motion),
+        "energy_below_100_hz": below_100_hz,
+        "energy_below_300_hz": below_300_hz,
+        **verdict_columns(result.findings, result.checks),
+        **duration_columns(result.seconds),
     }
-    row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
-    row |= end_cause_scalars(result.scene, result.motion)
-    row |= dict(
-        zip(
-            ("energy_below_100_hz", "energy_below_300_hz"),
-            result.sound.low_frequency_shares,
-            strict=True,
-        )
-    )
-    return (
-        row
-        | verdict_columns(result.findings, result.checks)
-        | duration_columns(result.seconds)
-    )
 
 
 def verdict_columns(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
@@ -348,18 +340,10 @@ def run_git(*arguments: str) -> str:
     The default command returns the hash of the commit. The result is "unknown" if there
     is no output.
     """
-    command = [
-        "git",
-        "-C",
-        str(Path(__file__).parent),
-        *(arguments or ("rev-parse", "HEAD")),
-    ]
+    folder = str(Path(__file__).parent)
+    command = ["git", "-C", folder, *(arguments or ("rev-parse", "HEAD"))]
     try:
-        return (
-            subprocess.run(
-                command, capture_output=True, text=True, check=False
-            ).stdout.strip()
-            or "unknown"
-        )
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError:
         return "unknown"
+    return done.stdout.strip() or "unknown"

@@ -344,6 +344,15 @@ def test_pictures_say_what_is_seen(result):
     ), "100 % is not 1e+02 %"
 
 
+def page_parts(result):
+    """Return the slow parts of the page, with black for every colour."""
+    return {
+        "motion": page_data.encoded_motion(result.motion),
+        "sound": page_data.encoded_sounds(result.sound),
+        "colours": bytes(3 * 256),
+    }
+
+
 @pytest.mark.parametrize(
     ("limit", "value"),
     [("MAX_PAGE_SOUND_DURATION", 2.0), ("MAX_PAGE_SOUND_SIZE", 200_000)],
@@ -353,7 +362,8 @@ def test_the_page_holds_the_end_of_a_long_sound(
 ):
     """The decoded stems equal the last samples of the sound to the step of 16 bits."""
     monkeypatch.setattr(page_data, limit, value)
-    data = page_data.page_data(result)
+    parts = page_parts(result)
+    data = page_data.page_data(result, parts)
     start = round(data["start"] * result.sound.sample_rate)
     assert start > 0
     for name, url in data["sounds"]["tracks"].items():
@@ -364,7 +374,8 @@ def test_the_page_holds_the_end_of_a_long_sound(
         assert data["start"] == pytest.approx(result.sound.duration - value)
     else:
         assert sum(map(len, data["sounds"]["tracks"].values())) < value
-    report.write_page(result, tmp_path / "report.html")
+    numbers = report.template_data(result, parts)
+    report.write_page(result, tmp_path / "report.html", numbers)
     text = (tmp_path / "report.html").read_text()
     assert (
         f"The page contains the last {result.sound.duration - data['start']:.3g} s"
@@ -375,7 +386,7 @@ def test_the_page_holds_the_end_of_a_long_sound(
 def test_the_page_plays_the_stems(result):
     """The decoded stems at the true scale add up to sound.wav within rounding: 16 bits for each
     stem, 24 bits for the sum."""
-    data = page_data.page_data(result)["sounds"]
+    data = page_data.page_data(result, page_parts(result))["sounds"]
     tracks = [
         soundfile.read(BytesIO(b64decode(url.partition(",")[2])))[0]
         for url in data["tracks"].values()
@@ -391,7 +402,7 @@ def test_the_page_shows_the_motion(result):
     While the disk is audible, the contact turns by less than a fifth of a revolution between two
     instants.
     """
-    data = page_data.page_data(result)["motion"]
+    data = page_data.page_data(result, page_parts(result))["motion"]
     t, precession = (
         np.frombuffer(b64decode(data[name]["base64"]), data[name]["dtype"])
         for name in ("t", "precession")
