@@ -138,19 +138,10 @@ def pushing_contact(motion: Motion):
         _contact_force(motion, np.clip(t + shift, 0.0, t[-1]))
         for shift in (-averaging_interval, 0.0, averaging_interval)
     ]
-    losses = np.reshape(
-        [
-            (
-                loss.t - 2 * averaging_interval,
-                loss.t + loss.duration + 2 * averaging_interval,
-            )
-            for loss in motion.contact_losses
-        ],
-        (-1, 2),
-    )
-    in_a_loss = np.searchsorted(losses[:, 0], t, "right") > np.searchsorted(
-        losses[:, 1], t
-    )
+    losses = motion.contact_losses
+    begins = [loss.t - 2 * averaging_interval for loss in losses]
+    ends = [loss.t + loss.duration + 2 * averaging_interval for loss in losses]
+    in_a_loss = np.searchsorted(begins, t, "right") > np.searchsorted(ends, t)
     pulls = (np.min(around, axis=0) < 0) | ((np.max(around, axis=0) <= 0) & ~in_a_loss)
     return np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]
 

@@ -110,7 +110,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             details=dict(
                 zip(
                     ("release", "half_way", "late"),
-                    map(float, rate * disk.time_unit),
+                    (rate * disk.time_unit).tolist(),
                     strict=True,
                 )
             ),

@@ -43,9 +43,8 @@ def simplest_scene(scene: Scene) -> Scene:
     even = replace(scene, imperfection=None)
     if even.numerics.contact == "many":
         return even
-    if greatest_curvature_number(even)[
-        0
-    ] > MAX_ROLLING_CURVATURE and not rattling_obstacle(even):
+    curvature = greatest_curvature_number(even)[0]
+    if curvature > MAX_ROLLING_CURVATURE and not rattling_obstacle(even):
         return replace(even, numerics=replace(even.numerics, contact="many"))
     return replace(
         scene,
@@ -84,14 +83,13 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
     # amplitude/radius
     wavy_loss_ratio = 1.05
     end = max(float(motion.state[-1, 1]), ALMOST_FLAT_INCLINATION)
-    begins = [loss.t for loss in motion.contact_losses]
-    vibrates = float(motion.at([max(begins[0], 0.0)])[0, 1]) if begins else 0.0
-    if (
-        motion.outcome is Outcome.AIRBORNE
-        and begins
-        and begins[0] >= motion.t[-1] - 2e-3
-    ):
-        vibrates = 0.0  # this loss is the lift-off by the film
+    vibrates = 0.0
+    if motion.contact_losses:
+        first = motion.contact_losses[0].t
+        is_final = first >= motion.t[-1] - 2e-3
+        lifted_by_film = is_final and motion.outcome is Outcome.AIRBORNE
+        if not lifted_by_film:
+            vibrates = float(motion.at([max(first, 0.0)])[0, 1])
     waves = scene.imperfection
     wavy = 0.0
     if waves is not None:
