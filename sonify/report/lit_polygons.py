@@ -5,12 +5,6 @@ import numpy as np
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Body
 
-VIEW_AZIMUTH = np.deg2rad(-60)
-"""Azimuth of the view [rad], measured from the x axis, which points to the contact."""
-VIEW_ELEVATION = np.deg2rad(32)
-"""Elevation of the view above the top face [rad]."""
-LIGHT_DIRECTION = np.array([0.3, -0.5, 0.81])
-
 
 def side_nodes(axis, end):
     """Return the nodes (3, 3) of a 27-node hexahedron on the side where `axis` equals
@@ -32,17 +26,12 @@ def surface_polygons(body: Body):
     Each curved quadrilateral is divided into four flat ones.
     """
     if "tetra" in body.cell_type:
-        return outer_sides(
-            body.cells[:, TETRAHEDRON_SIDES].reshape(-1, 3), np.arange(3)
-        )
+        return outer_sides(body.cells[:, TETRAHEDRON_SIDES].reshape(-1, 3), range(3))
     if body.cell_type == "hexahedron":
-        return outer_sides(
-            body.cells[:, HEXAHEDRON_SIDES[:, ::2, ::2].reshape(6, 4)].reshape(-1, 4),
-            np.arange(4),
-        )[:, [0, 1, 3, 2]]
-    sides = outer_sides(
-        body.cells[:, HEXAHEDRON_SIDES].reshape(-1, 9), np.array([0, 2, 6, 8])
-    ).reshape(-1, 3, 3)
+        corners = body.cells[:, HEXAHEDRON_SIDES[:, ::2, ::2]].reshape(-1, 4)
+        return outer_sides(corners, range(4))[:, [0, 1, 3, 2]]
+    sides = body.cells[:, HEXAHEDRON_SIDES].reshape(-1, 9)
+    sides = outer_sides(sides, [0, 2, 6, 8]).reshape(-1, 3, 3)
     parts = [
         sides[:, i : i + 2, j : j + 2].reshape(-1, 4) for i in (0, 1) for j in (0, 1)
     ]
@@ -64,11 +53,18 @@ def outer_sides(sides, corners):
 def view_coordinates(points):
     """Return coordinates (..., 3) to the right, up and towards the viewer in a parallel
     projection.
+
+    The azimuth is measured from the x axis, which points to the contact, and the
+    elevation from the top face.
     """
-    (c, s), (ce, se) = [(np.cos(a), np.sin(a)) for a in (VIEW_AZIMUTH, VIEW_ELEVATION)]
-    return (
-        points @ np.array([[-s, c, 0], [-se * c, -se * s, ce], [ce * c, ce * s, se]]).T
-    )
+    azimuth = np.deg2rad(-60)
+    elevation = np.deg2rad(32)
+    c = np.cos(azimuth)
+    s = np.sin(azimuth)
+    ce = np.cos(elevation)
+    se = np.sin(elevation)
+    axes = np.array([[-s, c, 0], [-se * c, -se * s, ce], [ce * c, ce * s, se]])
+    return points @ axes.T
 
 
 def projected_polygons(body: Body, polygons, i, factor):
@@ -81,10 +77,10 @@ def projected_polygons(body: Body, polygons, i, factor):
     moved = (body.points + factor * body.displacement[i])[polygons]
     far = np.linalg.norm(body.displacement[i], axis=1)[polygons].mean(axis=1)
     normal = np.cross(moved[:, 2] - moved[:, 0], moved[:, -1] - moved[:, 1])
-    grazing_brightness = 0.6  # at grazing incidence
-    light = grazing_brightness + (1 - grazing_brightness) * np.abs(
-        normal @ LIGHT_DIRECTION
-    ) / np.linalg.norm(normal, axis=1)
+    light_direction = np.array([0.3, -0.5, 0.81])
+    incidence = np.abs(normal @ light_direction)
+    least = 0.6  # brightness at grazing incidence
+    light = least + (1 - least) * incidence / np.linalg.norm(normal, axis=1)
     places = view_coordinates(moved)
     order = np.argsort(places[..., 2].mean(axis=1))
     return places[order, :, :2], far[order] / far.max(), light[order]
