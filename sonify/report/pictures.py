@@ -3,12 +3,9 @@
 Every picture is readable without colour.
 """
 
-import os
-import pickle
-import sys
 from collections.abc import Callable
 from concurrent.futures import Future
-from functools import lru_cache, partial
+from functools import partial
 from io import BytesIO
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
@@ -57,13 +54,11 @@ class Pictures:
     def begin(self, found: "SolvedMotion | Result"):
         """Start drawing the pictures and encoding the page parts with known data."""
         known = ("motion",) if found.sound is None else ("motion", "sound")
-        for name, (needs, *_) in PICTURES.items():
-            if (
-                needs in known
-                and name not in self._futures
-                and not _is_omitted(name, found)
-            ):
-                self._futures[name] = _picture_future(name, found)
+        for name, (needs, module, function, shown) in PICTURES.items():
+            begun = name in self._futures
+            if needs in known and not begun and not _is_omitted(name, found):
+                data = partial(shown, found)
+                self._futures[name] = painter().draw(module, function, data)
         if "motion" not in self._parts:
             self._parts["motion"] = in_background(encode_motion, found.motion)
         if found.sound is not None and "sound" not in self._parts:
@@ -86,30 +81,6 @@ class Pictures:
                 continue
             with atomic_write(path) as temporary:
                 temporary.write_bytes(self._futures[name].result())
-
-
-def _picture_future(name, found):
-    """Return the Future of a picture; a thread of the painter collects its data."""
-    _, module, function, shown = PICTURES[name]
-    # modes of a disk on its contact change over the run, so caching is useless
-    if name == "modes" and found.scene.support.kind != "contact":
-        return _mode_picture_future(pickle.dumps(shown(found)))
-    return painter().draw(module, function, partial(shown, found))
-
-
-@lru_cache(2)
-def _mode_picture_future(content):
-    """Return the Future of a picture of modes.
-
-    The cached picture is reused if only motion and sound differ.
-    """
-    return painter().draw(*PICTURES["modes"][1:3], partial(pickle.loads, content))
-
-
-if sys.platform != "win32":
-    os.register_at_fork(
-        after_in_child=_mode_picture_future.cache_clear
-    )  # futures of the parent process never complete in a child
 
 
 def encode_motion(motion):

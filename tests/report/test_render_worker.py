@@ -8,8 +8,6 @@ import os
 import subprocess
 import sys
 import time
-from concurrent.futures import Future
-from types import SimpleNamespace
 
 import numpy as np
 import psutil
@@ -17,7 +15,6 @@ import pytest
 
 from modal import eigenmodes
 from sonify import load_scene
-from sonify.report import pictures
 from sonify.report.render_worker import Painter, draw_png
 
 ROWS = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
@@ -61,37 +58,6 @@ def test_where_no_process_can_be_had_this_one_draws(monkeypatch):
 def test_what_goes_wrong_there_is_raised_here(painter):
     with pytest.raises(TypeError, match="time"):
         painter.draw("motion", "draw_motion", lambda: {"motion": {}}).result()
-
-
-def test_the_modes_of_a_disk_are_drawn_once_however_it_moves(monkeypatch):
-    drawn = []
-    monkeypatch.setattr(
-        pictures,
-        "painter",
-        lambda: SimpleNamespace(draw=lambda *work: drawn.append(work) or Future()),
-    )
-    scene = load_scene("published")
-    plan = SimpleNamespace(accuracy="draft", highest_mode=2e4)
-    found = SimpleNamespace(
-        scene=scene, plan=plan, modes=np.arange(3.0), table=None, motion=None
-    )
-    slides = scene.replace("friction.mu_static=0.4")
-    other = np.arange(4.0)
-    pictures._mode_picture_future.cache_clear()
-    first, again = (
-        pictures._picture_future("modes", SimpleNamespace(**vars(found) | {"scene": s}))
-        for s in (scene, slides)
-    )
-    third = pictures._picture_future(
-        "modes", SimpleNamespace(**vars(found) | {"modes": other})
-    )
-    pictures._mode_picture_future.cache_clear()
-    assert first is again
-    assert first is not third
-    assert [work[2]()["modes"].tolist() for work in drawn] == [
-        [0.0, 1.0, 2.0],
-        [0.0, 1.0, 2.0, 3.0],
-    ]
 
 
 @pytest.mark.slow
