@@ -6,7 +6,6 @@ import subprocess
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import asdict
-from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from platform import platform, python_version
@@ -325,7 +324,6 @@ def versions() -> dict[str, str]:
     }
 
 
-@lru_cache
 def version_of(package: str) -> str:
     """Return the version of a package, or "not installed"."""
     try:
