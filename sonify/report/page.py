@@ -44,13 +44,9 @@ def write_page(result: "Result", path: Path, numbers: dict[str, Any]):
         .render(
             result=result,
             modes=[*zip(modes.frequency, modes.decay_time, shapes, strict=True)],
-            depends_on=depends_on,
-            unit_and_details=unit_and_details,
-            expectation_and_unit=expectation_and_unit,
             headline=headline(result.findings),
             explanation=plain_explanation(result.motion, result.findings),
             answers=complete_answers(result.findings),
-            paper_sentences=PAPER_SENTENCES,
             paper=paper_rows(result.motion, result.findings)
             if is_paper_scene(result.scene)
             else [],
@@ -95,7 +91,14 @@ def page_assets() -> dict[str, str]:
 @cache
 def templates() -> Environment:
     """Return the environment of all page templates."""
-    return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
+    environment = Environment(loader=PackageLoader("sonify.report"), autoescape=True)
+    environment.globals.update(
+        depends_on=depends_on,
+        unit_and_details=unit_and_details,
+        expectation_and_unit=expectation_and_unit,
+        paper_sentences=PAPER_SENTENCES,
+    )
+    return environment
 
 
 def summary_text(result: "Result") -> str:
@@ -121,12 +124,8 @@ def notebook_html(result: "Result") -> str:
         audible = flac_data_url(sound.audible, sound.duration - seconds)
     return template.render(
         result=result,
-        depends_on=depends_on,
-        unit_and_details=unit_and_details,
-        expectation_and_unit=expectation_and_unit,
         audible=audible,
         seconds=seconds,
-        paper_sentences=PAPER_SENTENCES,
         words=summary_text(result),
     )
 
