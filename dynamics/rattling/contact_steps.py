@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.stepping.state_layout import Vector, first_indices
 from dynamics.compliant.stepping.table_modes import (
     store_table_shapes,
     store_table_slopes,
@@ -32,76 +33,64 @@ from dynamics.pivoting import (
     INCLINATION_ROOT_DEGREE,
     friction_limited_arm,
 )
-from dynamics.rattling import film_force
-from dynamics.rattling.film_force import AirFilm, film_capacity, film_pressure
+from dynamics.rattling.film_force import (
+    AirFilm,
+    film_capacity,
+    film_pressure,
+    point_on_face,
+)
 
 limited_arm_kernel = kernel(friction_limited_arm)
 
-CENTRE = 0
-"""Position of the centre in the state [m]."""
-VELOCITY = 3
-"""Velocity of the centre [m/s]."""
-AXIS = 6
-"""Unit vector along the axis of the disk, upwards."""
-RIM_REFERENCE_VECTOR = 9
-"""Unit vector in the plane of the disk towards the point of the rim at angle zero."""
-MOMENTUM = 12
-"""Angular momentum about the centre [kg m^2/s]."""
-STATE_SIZE = 15
-IMPULSE = 0
-"""Impulse of the contact force since the start along x, y, z [N s]."""
-CONTACT_LOSS = 3
-"""Energy lost to the dashpots [J]."""
-SLIP_LOSS = 4
-"""Energy lost to friction [J]."""
-MOMENT_LOSS = 5
-"""Energy lost to the resisting moment [J]."""
-SPRING_ENERGY = 6
-"""Elastic energy of the springs [J]."""
-OPEN_TIME = 7
-"""Time without contact [s]."""
-DISK_MODE_LOSS = 8
-"""Energy lost by the damping of the modes [J]."""
-FLIGHT_START = 9
-"""Time at which the contact was last lost [s]; negative while there is contact."""
-MAX_FLIGHT_HEIGHT = 10
-"""Largest height of the lowest rim point above the table since the loss of contact [m]."""
-FILM_LOSS = 11
-"""Energy lost to the air film [J]."""
-COMPRESSED_AIR_ENERGY = 12
-"""Energy of the compressed air in the film [J]."""
-FLIGHT_FILM_IMPULSE = 13
-"""Impulse of the film pressure since the loss of contact [N s]."""
-TABLE_MODE_LOSS = 14
-"""Energy lost by the damping of the table modes [J]."""
-FILM_IMPULSE = 15
-"""Vertical impulse of the film pressure [N s]."""
-RECORD_SIZE = 16
-TORQUE = 3
-"""Index of the first of three torques about the centre in a sum of contact forces."""
-LOAD_SIZE = 6
+CENTRE, VELOCITY, AXIS, RIM_REFERENCE_VECTOR, MOMENTUM = range(5)
+"""Rows of the state (5, 3) of the disk: position [m] and velocity [m/s] of the centre, unit
+vectors along the upward axis and towards the point of the rim at angle zero, and angular
+momentum about the centre [kg m^2/s]."""
+
+
+class RecordLayout(NamedTuple):
+    """First index of each quantity in the record, an array (RECORD_SIZE,)."""
+
+    impulse: Vector
+    """Impulse of the contact force since the start along x, y, z [N s]."""
+    contact_loss: int
+    """Energy lost to the dashpots since the start [J]. The fields to `disk_mode_loss` are in
+    the order of CAUSES."""
+    creep_loss: int
+    """Zero, because creep is a part of the slip."""
+    slip_loss: int
+    """Energy lost to friction [J]."""
+    moment_loss: int
+    """Energy lost to the resisting moment [J]."""
+    table_mode_loss: int
+    """Energy lost by the damping of the table modes [J]."""
+    film_loss: int
+    """Energy lost to the air film [J]."""
+    disk_mode_loss: int
+    """Energy lost by the damping of the disk modes [J]."""
+    spring_energy: int
+    """Elastic energy of the springs [J]."""
+    compressed_air_energy: int
+    """Energy of the compressed air in the film [J]."""
+    film_impulse: int
+    """Vertical impulse of the film pressure since the start [N s]."""
+    open_time: int
+    """Time without contact since the start [s]."""
+    flight_start: int
+    """Time at which the contact was last lost [s]; negative while there is contact."""
+    max_flight_height: int
+    """Largest height of the lowest rim point above the table since the loss of contact [m]."""
+    flight_film_impulse: int
+    """Impulse of the film pressure since the loss of contact [N s]."""
+
+
+RECORD, RECORD_SIZE = first_indices(RecordLayout)
+ENERGY_LOSSES = slice(RECORD.contact_loss, RECORD.disk_mode_loss + 1)
+"""Energies lost to each of CAUSES in the record [J]."""
 ELASTIC, DASHPOT, FRICTION, RESISTANCE, FILM = range(5)
-"""Rows of an array (5, 6) of the force [N] and the torque about the centre [N m] of springs,
-dashpots, friction, resisting moment and air film."""
-CREEP_COEFFICIENT = 4.5
-"""Kalker's coefficient of longitudinal creep for a circle, close to that of a long
-ellipse."""
-PARABOLA_LENGTH_FACTOR = 1.2
-"""Length of a parabola times the sum of its squares, divided by the square of its
-sum."""
-MAX_SLIP_REDUCTION = 0.25
-"""Maximum friction impulse in a step, divided by mass times slip velocity."""
+"""Rows of the forces and torques of springs, dashpots, friction, resisting moment and air film."""
 BLOCK_SIZE = 32
 """Number of adjacent points of the rim that share an upper bound of their heights."""
-NODE_REFRESH_TIME = 1e-4
-"""Time [s] for which the table mode shapes near a node of the rim are linear."""
-UPRIGHT_COSINE_LIMIT = 0.05
-"""Cosine of the inclination below which the disk is considered upright."""
-MIN_AIRBORNE_TIME = 2e-3
-"""Shortest loss of contact [s] after which the air film may support the disk."""
-MIN_AIRBORNE_LIFT = 0.5
-"""Mean film force during a loss of contact, divided by the weight, above which the film
-supports the disk."""
 CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF, IS_AIRBORNE = range(5)
 """Reasons for ending the time steps."""
 
@@ -257,17 +246,18 @@ class Edge(NamedTuple):
 
 
 @kernel
-def rotate(state, place, x, y, z, angle):
-    """Rotate a vector of the state about the unit vector (x, y, z) by an angle [rad]."""
+def rotate(vector, axis, angle):
+    """Rotate a vector (3,) in place about a unit vector `axis` by an angle [rad]."""
+    x, y, z = axis
     c = np.cos(angle)
     s = np.sin(angle)
-    a = state[place]
-    b = state[place + 1]
-    d = state[place + 2]
+    a = vector[0]
+    b = vector[1]
+    d = vector[2]
     along = (1 - c) * (a * x + b * y + d * z)
-    state[place] = c * a + s * (y * d - z * b) + along * x
-    state[place + 1] = c * b + s * (z * a - x * d) + along * y
-    state[place + 2] = c * d + s * (x * b - y * a) + along * z
+    vector[0] = c * a + s * (y * d - z * b) + along * x
+    vector[1] = c * b + s * (z * a - x * d) + along * y
+    vector[2] = c * d + s * (x * b - y * a) + along * z
 
 
 @kernel
@@ -279,39 +269,25 @@ def fly(disk, gravity, edge, motion, propagator, h):
     state = motion.disk
     ring = motion.modes
     for i in range(3):
-        state[CENTRE + i] += h * state[VELOCITY + i]
-    state[CENTRE + 2] -= 0.5 * gravity * h * h
-    state[VELOCITY + 2] -= gravity * h
+        state[CENTRE, i] += h * state[VELOCITY, i]
+    state[CENTRE, 2] -= 0.5 * gravity * h * h
+    state[VELOCITY, 2] -= gravity * h
     if disk.bowl[0] > 0:
         for i in range(2):
-            state[VELOCITY + i] -= (
-                h * disk.bowl[0] * (state[CENTRE + i] + disk.bowl[1 + i])
+            state[VELOCITY, i] -= (
+                h * disk.bowl[0] * (state[CENTRE, i] + disk.bowl[1 + i])
             )
-    momentum_x = state[MOMENTUM]
-    momentum_y = state[MOMENTUM + 1]
-    momentum_z = state[MOMENTUM + 2]
-    size = np.sqrt(momentum_x**2 + momentum_y**2 + momentum_z**2)
+    momentum = state[MOMENTUM]
+    axis = state[AXIS]
+    size = np.sqrt(momentum[0] ** 2 + momentum[1] ** 2 + momentum[2] ** 2)
     if size > 0:
-        axial = (
-            momentum_x * state[AXIS]
-            + momentum_y * state[AXIS + 1]
-            + momentum_z * state[AXIS + 2]
-        )
+        axial = momentum[0] * axis[0] + momentum[1] * axis[1] + momentum[2] * axis[2]
         own = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial * h
-        rotate(
-            state,
-            RIM_REFERENCE_VECTOR,
-            state[AXIS],
-            state[AXIS + 1],
-            state[AXIS + 2],
-            own,
-        )
+        rotate(state[RIM_REFERENCE_VECTOR], axis, own)
         turn = size / disk.diametral_inertia * h
-        x = momentum_x / size
-        y = momentum_y / size
-        z = momentum_z / size
-        rotate(state, RIM_REFERENCE_VECTOR, x, y, z, turn)
-        rotate(state, AXIS, x, y, z, turn)
+        direction = (momentum[0] / size, momentum[1] / size, momentum[2] / size)
+        rotate(state[RIM_REFERENCE_VECTOR], direction, turn)
+        rotate(axis, direction, turn)
     lost = motion.mode_loss
     for j in range(edge.axial.shape[0]):
         place = ring[0, j]
@@ -328,7 +304,7 @@ def fly(disk, gravity, edge, motion, propagator, h):
 def record_mode_losses(motion):
     """Move the energies lost by the modes of the disk since the last sample to the record."""
     for j in range(motion.mode_loss.size):
-        motion.record[DISK_MODE_LOSS] += motion.mode_loss[j]
+        motion.record[RECORD.disk_mode_loss] += motion.mode_loss[j]
         motion.mode_loss[j] = 0.0
 
 
@@ -413,32 +389,60 @@ def scalar_product(a, b):
     return (s0 + s1) + (s2 + s3)
 
 
+class Velocities(NamedTuple):
+    """Velocities of the disk and of m modes, or changes of them.
+
+    Attributes
+    ----------
+    all : ndarray, shape (6 + m,)
+        All velocities in the order of the following views.
+    linear, angular : ndarray, shape (3,)
+        Velocity of the centre [m/s] and angular velocity [rad/s].
+    modes : ndarray, shape (m,)
+        Velocities of the modes of disk and table.
+    """
+
+    all: np.ndarray
+    linear: np.ndarray
+    angular: np.ndarray
+    modes: np.ndarray
+
+
+@kernel
+def zero_velocities(mode_count):
+    """Return the `Velocities` of a disk at rest."""
+    velocities = np.zeros(6 + mode_count)
+    return Velocities(velocities, velocities[:3], velocities[3:6], velocities[6:])
+
+
 @kernel
 def write_velocity(disk, motion, out):
-    """Write velocity, angular velocity and the velocities of the modes to `out` (6 + m,)."""
+    """Write the velocities of disk and modes to `out`."""
     state = motion.disk
     axial = 0.0
     for i in range(3):
-        out[i] = state[VELOCITY + i]
-        axial += state[MOMENTUM + i] * state[AXIS + i]
+        out.linear[i] = state[VELOCITY, i]
+        axial += state[MOMENTUM, i] * state[AXIS, i]
     extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
     for i in range(3):
-        out[TORQUE + i] = (
-            state[MOMENTUM + i] / disk.diametral_inertia + extra * state[AXIS + i]
+        out.angular[i] = (
+            state[MOMENTUM, i] / disk.diametral_inertia + extra * state[AXIS, i]
         )
     for j in range(motion.modes.shape[1]):
-        out[LOAD_SIZE + j] = motion.modes[1, j]
+        out.modes[j] = motion.modes[1, j]
 
 
 @kernel
-def add_force(load, x, y, z, arm_x, arm_y, arm_z):
-    """Add a force with an arm from the centre to the sum of forces and torques (6,)."""
-    load[0] += x
-    load[1] += y
-    load[2] += z
-    load[TORQUE] += arm_y * z - arm_z * y
-    load[TORQUE + 1] += arm_z * x - arm_x * z
-    load[TORQUE + 2] += arm_x * y - arm_y * x
+def add_force(contacts, cause, force, arm):
+    """Add a force [N] by `cause` with an arm [m] from the centre to forces and torques."""
+    x, y, z = force
+    arm_x, arm_y, arm_z = arm
+    contacts.force[cause, 0] += x
+    contacts.force[cause, 1] += y
+    contacts.force[cause, 2] += z
+    contacts.torque[cause, 0] += arm_y * z - arm_z * y
+    contacts.torque[cause, 1] += arm_z * x - arm_x * z
+    contacts.torque[cause, 2] += arm_x * y - arm_y * x
 
 
 class MotionState(NamedTuple):
@@ -446,12 +450,12 @@ class MotionState(NamedTuple):
 
     Attributes
     ----------
-    disk : ndarray, shape (15,)
+    disk : ndarray, shape (5, 3)
         Position, velocity, axis, reference vector of the rim, angular momentum.
     modes : ndarray, shape (2, m)
         Displacements [kg^1/2 m] and velocities of the modes.
-    record : ndarray, shape (15,)
-        Sums since the start.
+    record : ndarray, shape (RECORD_SIZE,)
+        Sums since the start; see `RecordLayout`.
     mode_loss : ndarray, shape (d,)
         Energy lost by the damping of each mode of the disk since the last sample [J].
     """
@@ -495,7 +499,9 @@ class Contacts(NamedTuple):
     Attributes
     ----------
     load : ndarray, shape (5, 6)
-        Force and torque by cause.
+        Force and torque by cause, in the order of the following views.
+    force, torque : ndarray, shape (5, 3)
+        Force [N] and torque about the centre [N m] by cause.
     pull : ndarray, shape (2, m)
         Force of springs and dashpots on each mode.
     depth, speed, change : ndarray, shape (p,)
@@ -507,6 +513,8 @@ class Contacts(NamedTuple):
     """
 
     load: np.ndarray
+    force: np.ndarray
+    torque: np.ndarray
     pull: np.ndarray
     depth: np.ndarray
     speed: np.ndarray
@@ -519,26 +527,19 @@ class Contacts(NamedTuple):
 @kernel
 def rim_geometry(disk, state, quarter_turn_vector):
     """Return the RimGeometry of a state; the array `quarter_turn_vector` is reused."""
-    quarter_turn_vector[0] = (
-        state[AXIS + 1] * state[RIM_REFERENCE_VECTOR + 2]
-        - state[AXIS + 2] * state[RIM_REFERENCE_VECTOR + 1]
-    )
-    quarter_turn_vector[1] = (
-        state[AXIS + 2] * state[RIM_REFERENCE_VECTOR]
-        - state[AXIS] * state[RIM_REFERENCE_VECTOR + 2]
-    )
-    quarter_turn_vector[2] = (
-        state[AXIS] * state[RIM_REFERENCE_VECTOR + 1]
-        - state[AXIS + 1] * state[RIM_REFERENCE_VECTOR]
-    )
-    sine = np.hypot(state[RIM_REFERENCE_VECTOR + 2], quarter_turn_vector[2])
-    upright = state[AXIS + 2]
+    axis = state[AXIS]
+    reference = state[RIM_REFERENCE_VECTOR]
+    quarter_turn_vector[0] = axis[1] * reference[2] - axis[2] * reference[1]
+    quarter_turn_vector[1] = axis[2] * reference[0] - axis[0] * reference[2]
+    quarter_turn_vector[2] = axis[0] * reference[1] - axis[1] * reference[0]
+    sine = np.hypot(reference[2], quarter_turn_vector[2])
+    upright = axis[2]
     return RimGeometry(
         quarter_turn_vector,
         upright,
         max(sine, 1e-6),
         max(np.arctan2(sine, upright), 1e-6),
-        state[CENTRE + 2] - (disk.half_thickness - disk.fillet) * upright - disk.fillet,
+        state[CENTRE, 2] - (disk.half_thickness - disk.fillet) * upright - disk.fillet,
         (disk.radius - disk.fillet) * sine,
     )
 
@@ -551,16 +552,10 @@ def horizontal_offset(state, rim, cosine, sine, below):
     `cosine` and `sine` [m] are its coordinates along the reference vector of the rim and a
     quarter turn ahead; `below` [m] is its distance below the middle plane.
     """
-    x = (
-        cosine * state[RIM_REFERENCE_VECTOR]
-        + sine * rim.quarter_turn_vector[0]
-        - below * state[AXIS]
-    )
-    y = (
-        cosine * state[RIM_REFERENCE_VECTOR + 1]
-        + sine * rim.quarter_turn_vector[1]
-        - below * state[AXIS + 1]
-    )
+    axis = state[AXIS]
+    reference = state[RIM_REFERENCE_VECTOR]
+    x = cosine * reference[0] + sine * rim.quarter_turn_vector[0] - below * axis[0]
+    y = cosine * reference[1] + sine * rim.quarter_turn_vector[1] - below * axis[1]
     return x, y
 
 
@@ -616,25 +611,26 @@ def node_arm(disk, table, motion, rim, node):
     s = (disk.radius - disk.fillet) * np.sin(angle)
     below = disk.half_thickness - disk.fillet
     x, y = horizontal_offset(state, rim, c, s, below)
-    z = c * state[RIM_REFERENCE_VECTOR + 2] + s * rim.quarter_turn_vector[2]
+    z = c * state[RIM_REFERENCE_VECTOR, 2] + s * rim.quarter_turn_vector[2]
     return x, y, z - below * rim.upright
 
 
 @kernel
 def horizontal_velocity(velocity, is_fixed, x, y, z):
     """Return the horizontal velocity [m/s] of a point of the disk relative to the mode shapes."""
-    spin_x, spin_y, spin_z = velocity[TORQUE : TORQUE + 3]
-    along_x = is_fixed * velocity[0] + spin_y * z - spin_z * y
-    along_y = is_fixed * velocity[1] + spin_z * x - spin_x * z
+    spin_x, spin_y, spin_z = velocity.angular
+    along_x = is_fixed * velocity.linear[0] + spin_y * z - spin_z * y
+    along_y = is_fixed * velocity.linear[1] + spin_z * x - spin_x * z
     return along_x, along_y
 
 
 @kernel
 def move_shapes(table, node, x, y, now, basis_x, basis_y):
     """Update the mode shapes of a node that has moved to (x, y) [m]."""
+    linear_time = 1e-4  # s, for which the shapes near a node are linear
     shapes = table.shapes[node]
     slopes = table.slopes[node]
-    if now - table.known_since[node] > NODE_REFRESH_TIME:
+    if now - table.known_since[node] > linear_time:
         table.known_since[node] = now
         store_table_shapes(table, x, y, basis_x, basis_y, shapes)
         store_table_slopes(table, x, y, basis_x, basis_y, slopes)
@@ -671,8 +667,8 @@ def move_nodes(disk, edge, table, motion, rim, now, begin, count):
         if table.evaluated[0, node] != now:
             table.evaluated[0, node] = now
             x, y, _ = node_arm(disk, table, motion, rim, node)
-            x += table.is_fixed * motion.disk[CENTRE]
-            y += table.is_fixed * motion.disk[CENTRE + 1]
+            x += table.is_fixed * motion.disk[CENTRE, 0]
+            y += table.is_fixed * motion.disk[CENTRE, 1]
             move_shapes(table, node, x, y, now, basis_x, basis_y)
             table.motion[DEFLECTION, node] = scalar_product(
                 table.shapes[node], table.displacement
@@ -724,7 +720,7 @@ def node_speed(disk, table, disk_modes, motion, rim, velocity, node):
     x, y, z = node_arm(disk, table, motion, rim, node)
     moved_x, moved_y = horizontal_velocity(velocity, table.is_fixed, x, y, z)
     return (
-        scalar_product(table.shapes[node], velocity[LOAD_SIZE + disk_modes :])
+        scalar_product(table.shapes[node], velocity.modes[disk_modes:])
         + table.incline[node, 0] * moved_x
         + table.incline[node, 1] * moved_y
     )
@@ -745,14 +741,13 @@ def push_table(disk, table, motion, rim, disk_modes, begin, count, contacts):
             shapes = table.shapes[node]
             for m in range(shapes.size):
                 pull[m] -= force * shapes[m]
-            x, y, z = node_arm(disk, table, motion, rim, node)
             push_x = -force * table.incline[node, 0]
             push_y = -force * table.incline[node, 1]
-            load = contacts.load[origin]
-            add_force(load, push_x, push_y, 0.0, x, y, z)
+            arm = node_arm(disk, table, motion, rim, node)
+            add_force(contacts, origin, (push_x, push_y, 0.0), arm)
             # modes that move with the centre exert torques only
-            load[0] -= (1 - table.is_fixed) * push_x
-            load[1] -= (1 - table.is_fixed) * push_y
+            contacts.force[origin, 0] -= (1 - table.is_fixed) * push_x
+            contacts.force[origin, 1] -= (1 - table.is_fixed) * push_y
 
 
 @kernel
@@ -768,7 +763,7 @@ def write_depths(disk, edge, motion, rim, first, size, contacts):
     sine = edge.angles[1, points]
     depth = contacts.depth[points]
     rise = contacts.rise
-    x = motion.disk[RIM_REFERENCE_VECTOR + 2]
+    x = motion.disk[RIM_REFERENCE_VECTOR, 2]
     y = rim.quarter_turn_vector[2]
     radius = disk.radius - disk.fillet
     for i in range(size):
@@ -796,14 +791,14 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
     radius = contacts.radius
     below = contacts.below
     for i in range(size):
-        speed[i] = -velocity[2]
+        speed[i] = -velocity.linear[2]
         radius[i] = disk.radius - disk.fillet
         below[i] = disk.half_thickness - disk.fillet
     for j in range(edge.axial.shape[0]):
         axial = edge.axial[j, points]
         radial = edge.radial[j, points]
         place = motion.modes[0, j] * edge.place_factor[j]
-        rate = velocity[LOAD_SIZE + j]
+        rate = velocity.modes[j]
         for i in range(size):
             speed[i] -= rate * (axial[i] * rim.upright + radial[i] * rise[i])
         for i in range(size):
@@ -812,10 +807,10 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
             below[i] -= place * axial[i]
     cosine = edge.angles[0, points]
     sine = edge.angles[1, points]
-    x0, y0 = state[RIM_REFERENCE_VECTOR], state[RIM_REFERENCE_VECTOR + 1]
+    x0, y0 = state[RIM_REFERENCE_VECTOR, 0], state[RIM_REFERENCE_VECTOR, 1]
     x1, y1 = rim.quarter_turn_vector[0], rim.quarter_turn_vector[1]
-    axis_x, axis_y = state[AXIS], state[AXIS + 1]
-    turn_x, turn_y = velocity[TORQUE], velocity[TORQUE + 1]
+    axis_x, axis_y = state[AXIS, 0], state[AXIS, 1]
+    turn_x, turn_y = velocity.angular[0], velocity.angular[1]
     for i in range(size):
         arm_x = radius[i] * (cosine[i] * x0 + sine[i] * x1) - below[i] * axis_x
         arm_y = radius[i] * (cosine[i] * y0 + sine[i] * y1) - below[i] * axis_y
@@ -831,7 +826,7 @@ def block_depth(disk, edge, motion, rim, block):
     count = edge.heights.size
     first = block * BLOCK_SIZE
     last = min(first + BLOCK_SIZE, count) - 1
-    x = motion.disk[RIM_REFERENCE_VECTOR + 2]
+    x = motion.disk[RIM_REFERENCE_VECTOR, 2]
     y = rim.quarter_turn_vector[2]
     rise = min(
         edge.angles[0, first] * x + edge.angles[1, first] * y,
@@ -853,7 +848,7 @@ def arc_below(edge, motion, rim, room):
     if room < 2 * rim.tilt:
         half = 2 * np.arcsin(np.sqrt(room / (2 * rim.tilt)))
     lowest = np.arctan2(
-        -rim.quarter_turn_vector[2], -motion.disk[RIM_REFERENCE_VECTOR + 2]
+        -rim.quarter_turn_vector[2], -motion.disk[RIM_REFERENCE_VECTOR, 2]
     )
     first = int(np.floor((lowest - half) / cell)) - 1
     return half, first, min(int(2 * half / cell) + 4, count)
@@ -923,21 +918,24 @@ def press_patch(
     below = disk.half_thickness - disk.fillet + below / depth_sum
     centre_x, centre_y = horizontal_offset(state, rim, cosine, sine, below)
     centre_z = (
-        cosine * state[RIM_REFERENCE_VECTOR + 2]
+        cosine * state[RIM_REFERENCE_VECTOR, 2]
         + sine * rim.quarter_turn_vector[2]
         - below * rim.upright
     )
     centre_z -= disk.fillet
+    centre = (centre_x, centre_y, centre_z)
     mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
-    # number of points of a parabolic patch, continuous when points are added
-    length = PARABOLA_LENGTH_FACTOR * depth_sum**2 / squares
+    # number of points of a parabolic patch, continuous when points are added; the factor is the
+    # length of a parabola times the sum of its squares, divided by the square of its sum
+    parabola_factor = 1.2
+    length = parabola_factor * depth_sum**2 / squares
     dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * length / mobility)
     spring = stiffness * depth_sum
     # fraction of contact in a step in which contact starts or ends; see `mean_depth`
     dashpot *= min(1.0, np.sqrt(2 * deepest / (fastest * step)))
     damping = max(dashpot * speed_sum / depth_sum, -spring)
-    add_force(contacts.load[ELASTIC], 0.0, 0.0, spring, centre_x, centre_y, centre_z)
-    add_force(contacts.load[DASHPOT], 0.0, 0.0, damping, centre_x, centre_y, centre_z)
+    add_force(contacts, ELASTIC, (0.0, 0.0, spring), centre)
+    add_force(contacts, DASHPOT, (0.0, 0.0, damping), centre)
     if table is not None:
         push_nodes(table, contacts.depth, left, points, stiffness, damping / depth_sum)
     for j in range(edge.axial.shape[0]):
@@ -945,31 +943,34 @@ def press_patch(
         for place in range(left, left + points):
             i = place % count
             rise = (
-                edge.angles[0, i] * state[RIM_REFERENCE_VECTOR + 2]
+                edge.angles[0, i] * state[RIM_REFERENCE_VECTOR, 2]
                 + edge.angles[1, i] * rim.quarter_turn_vector[2]
             )
             own = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
             shape += contacts.depth[i] / depth_sum * own
         contacts.pull[ELASTIC, j] += spring * shape
         contacts.pull[DASHPOT, j] += damping * shape
-    slip_x = velocity[0] + velocity[4] * centre_z - velocity[5] * centre_y
-    slip_y = velocity[1] + velocity[5] * centre_x - velocity[3] * centre_z
+    spin_x, spin_y, spin_z = velocity.angular
+    slip_x = velocity.linear[0] + spin_y * centre_z - spin_z * centre_y
+    slip_y = velocity.linear[1] + spin_z * centre_x - spin_x * centre_z
     slip = np.hypot(slip_x, slip_y)
     if slip > 0 and disk.friction > 0 and spring + damping > 0:
         # the contact moves along the rim at the rate w_3/sin(beta)
-        speed = disk.radius * np.hypot(velocity[3], velocity[4]) / rim.sine
+        speed = disk.radius * np.hypot(spin_x, spin_y) / rim.sine
         ellipse = 2 * deepest * np.sqrt(disk.radius / rim.inclination * disk.fillet)
+        # Kalker's coefficient of longitudinal creep for a circle, close to that of a long ellipse
+        creep_coefficient = 4.5
         creep = (
-            CREEP_COEFFICIENT * disk.shear_modulus * ellipse * slip / max(speed, slip)
+            creep_coefficient * disk.shear_modulus * ellipse * slip / max(speed, slip)
         )
         limit = disk.friction * (spring + damping)
         push = creep / np.sqrt(1 + (creep / limit) ** 2)
-        push = min(push, MAX_SLIP_REDUCTION * disk.mass / step * slip)
-        push_x = -push * slip_x / slip
-        push_y = -push * slip_y / slip
-        add_force(
-            contacts.load[FRICTION], push_x, push_y, 0.0, centre_x, centre_y, centre_z
+        max_slip_reduction = (
+            0.25  # friction impulse divided by mass times slip velocity
         )
+        push = min(push, max_slip_reduction * disk.mass / step * slip)
+        friction = (-push * slip_x / slip, -push * slip_y / slip, 0.0)
+        add_force(contacts, FRICTION, friction, centre)
 
 
 @kernel
@@ -979,22 +980,21 @@ def press_rim(
     """Write the forces of all patches and return their elastic energy [J]: that in the middle
     of the step, or, if `is_changed`, the mean of those at both ends.
 
-    `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) its
-    change, by which the depths at both ends deviate from uniform motion; it is zero
-    unless `is_changed`.
+    `velocity` is the mean velocity in the step, and `change` its change, by which the
+    depths at both ends deviate from uniform motion; it is zero unless `is_changed`.
     """
-    travel = abs(velocity[2])
-    travel += (abs(velocity[3]) + abs(velocity[4])) * (
+    travel = abs(velocity.linear[2])
+    travel += (abs(velocity.angular[0]) + abs(velocity.angular[1])) * (
         disk.radius + disk.half_thickness
     )
     reach = 0.0
     table_reach = 0.0
     disk_modes = edge.axial.shape[0]
     for j in range(disk_modes):
-        travel += edge.highest[1 + j] * abs(velocity[LOAD_SIZE + j])
+        travel += edge.highest[1 + j] * abs(velocity.modes[j])
         reach += edge.highest[1 + j] * abs(motion.modes[0, j])
     if table is not None:
-        speeds = velocity[LOAD_SIZE + disk_modes :]
+        speeds = velocity.modes[disk_modes:]
         places = motion.modes[0, disk_modes:]
         travel += edge.highest[1 + disk_modes] * np.sqrt(scalar_product(speeds, speeds))
         table_reach = edge.highest[1 + disk_modes] * np.sqrt(
@@ -1136,28 +1136,26 @@ def press_rim(
 @kernel
 def clear(contacts):
     """Set all forces to zero."""
-    for i in range(contacts.load.shape[0]):
-        for j in range(contacts.load.shape[1]):
-            contacts.load[i, j] = 0.0
-    for i in range(contacts.pull.shape[0]):
-        for j in range(contacts.pull.shape[1]):
-            contacts.pull[i, j] = 0.0
+    contacts.load[:] = 0.0
+    contacts.pull[:] = 0.0
 
 
 @kernel
 def add_sample(motion, share, row):
     """Add a share of state, record and modes of the disk to a row of the samples."""
-    for i in range(STATE_SIZE):
-        row[i] += share * motion.disk[i]
+    disk = motion.disk.ravel()
+    modes = disk.size + RECORD_SIZE
+    for i in range(disk.size):
+        row[i] += share * disk[i]
     for i in range(RECORD_SIZE):
-        row[STATE_SIZE + i] += share * motion.record[i]
+        row[disk.size + i] += share * motion.record[i]
     for j in range(motion.mode_loss.size):
-        row[STATE_SIZE + RECORD_SIZE + 2 * j] += share * motion.modes[0, j]
-        row[STATE_SIZE + RECORD_SIZE + 2 * j + 1] += share * motion.modes[1, j]
+        row[modes + 2 * j] += share * motion.modes[0, j]
+        row[modes + 2 * j + 1] += share * motion.modes[1, j]
 
 
 @kernel
-def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
+def add_resistance(disk, weight, motion, rim, velocity, energy, step, contacts):
     """Add the resisting moments, and the torque due to the variable spring stiffness.
 
     The stiffness varies as the fourth root of the inclination. The contour moment
@@ -1165,24 +1163,26 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
     proportional to the normal force; those of the arms can stop a rotation within a
     step but not reverse it.
     """
-    axis_x = motion.disk[AXIS]
-    axis_y = motion.disk[AXIS + 1]
+    axis_x = motion.disk[AXIS, 0]
+    axis_y = motion.disk[AXIS, 1]
+    spin_x, spin_y, spin_z = velocity.angular
     lean = energy / (4 * rim.inclination * rim.sine)
-    load[ELASTIC, TORQUE] += lean * axis_y
-    load[ELASTIC, TORQUE + 1] -= lean * axis_x
-    normal = load[ELASTIC, 2] + load[DASHPOT, 2]
-    against = velocity[3] * axis_x + velocity[4] * axis_y
-    against = against * rim.upright - velocity[5] * rim.sine**2
+    contacts.torque[ELASTIC, 0] += lean * axis_y
+    contacts.torque[ELASTIC, 1] -= lean * axis_x
+    normal = contacts.force[ELASTIC, 2] + contacts.force[DASHPOT, 2]
+    against = spin_x * axis_x + spin_y * axis_y
+    against = against * rim.upright - spin_z * rim.sine**2
     moment = disk.contour_moment * normal / weight / rim.sine**2 * np.sign(against)
-    load[RESISTANCE, TORQUE] = -moment * axis_x * rim.upright
-    load[RESISTANCE, TORQUE + 1] = -moment * axis_y * rim.upright
-    load[RESISTANCE, TORQUE + 2] = moment * rim.sine**2
+    torque = contacts.torque[RESISTANCE]
+    torque[0] = -moment * axis_x * rim.upright
+    torque[1] = -moment * axis_y * rim.upright
+    torque[2] = moment * rim.sine**2
     d1 = axis_x / rim.sine
     d2 = axis_y / rim.sine
     directions = ((d2, -d1, 0.0), (d1, d2, 0.0), (0.0, 0.0, 1.0))
     arms = disk.arms
     if disk.spin_friction[0] > 0:
-        travel = np.hypot(velocity[3], velocity[4]) / rim.sine
+        travel = np.hypot(spin_x, spin_y) / rim.sine
         root = rim.sine ** (1 / INCLINATION_ROOT_DEGREE)
         unit_arm = 0.0
         creep = 0.0
@@ -1192,7 +1192,7 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
         pivoting = limited_arm_kernel(
             unit_arm / root**4,
             creep / root**4,
-            abs(velocity[5]),
+            abs(spin_z),
             travel * travel,
             False,
             disk.friction,
@@ -1201,66 +1201,60 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
     for arm, direction in zip(arms, directions):  # noqa: B905 - unknown to Numba
         rate = 0.0
         for i in range(3):
-            rate += velocity[3 + i] * direction[i]
+            rate += velocity.angular[i] * direction[i]
         most = abs(rate) * disk.diametral_inertia / step
         resistance = min(arm * max(normal, 0.0), most) * np.sign(rate)
         for i in range(3):
-            load[RESISTANCE, TORQUE + i] -= resistance * direction[i]
+            torque[i] -= resistance * direction[i]
 
 
 @kernel
-def add_film(disk, motion, rim, velocity, step, load, pressure):
-    """Add the forces of the air film; return the work [J] of its compressed air.
-
-    `pressure` (3, 3) is a work array.
-    """
-    axis = motion.disk[AXIS : AXIS + 3]
-    stored = motion.record[COMPRESSED_AIR_ENERGY]
-    work = film_pressure(
-        disk.film, disk, axis, rim.sine, velocity, stored, step, pressure
-    )
-    x, y, z = pressure[film_force.FORCE]
-    arm_x, arm_y, arm_z = pressure[film_force.ARM]
-    add_force(load[FILM], x, y, z, arm_x, arm_y, arm_z)
+def add_film(disk, motion, rim, velocity, step, contacts):
+    """Add the forces of the air film; return the work [J] of its compressed air."""
+    axis = motion.disk[AXIS]
+    up_slope = (-axis[0] * axis[2] / rim.sine, -axis[1] * axis[2] / rim.sine, rim.sine)
+    stored = motion.record[RECORD.compressed_air_energy]
+    film = film_pressure(disk, axis, up_slope, velocity, stored, step)
+    force = (film.pressure * axis[0], film.pressure * axis[1], film.pressure * axis[2])
+    add_force(contacts, FILM, force, point_on_face(disk, axis, up_slope, film.place))
     for i in range(3):
-        load[FILM, TORQUE + i] += pressure[film_force.TORQUE, i]
-    return work
+        contacts.torque[FILM, i] += film.drag * up_slope[i]
+    return film.work
 
 
 @kernel
 def write_change(disk, motion, contacts, h, out):
-    """Write the velocity changes caused by the forces within a time h to `out` (6 +
-    m,)."""
-    load = contacts.load
-    axis = motion.disk[AXIS : AXIS + 3]
+    """Write the velocity changes caused by the forces within a time h to `out`."""
+    axis = motion.disk[AXIS]
     axial = 0.0
     for i in range(3):
-        out[i] = 0.0
-        out[TORQUE + i] = 0.0
-        for origin in range(load.shape[0]):
-            out[i] += h / disk.mass * load[origin, i]
-            out[TORQUE + i] += h / disk.diametral_inertia * load[origin, TORQUE + i]
-            axial += h * load[origin, TORQUE + i] * axis[i]
+        out.linear[i] = 0.0
+        out.angular[i] = 0.0
+        for origin in range(contacts.load.shape[0]):
+            torque = contacts.torque[origin, i]
+            out.linear[i] += h / disk.mass * contacts.force[origin, i]
+            out.angular[i] += h / disk.diametral_inertia * torque
+            axial += h * torque * axis[i]
     extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
     for i in range(3):
-        out[TORQUE + i] += extra * axis[i]
+        out.angular[i] += extra * axis[i]
     for j in range(motion.modes.shape[1]):
-        out[LOAD_SIZE + j] = h * (contacts.pull[ELASTIC, j] + contacts.pull[DASHPOT, j])
+        out.modes[j] = h * (contacts.pull[ELASTIC, j] + contacts.pull[DASHPOT, j])
 
 
 @kernel
 def energy_of_change(contacts, change, disk_modes, h):
-    """Return the kinetic energy [J] of the velocity changes (6 + m,) of the disk and its modes.
+    """Return the kinetic energy [J] of the velocity changes of the disk and its modes.
 
     A quarter of it is the mean kinetic energy before and after the change less that of the
     mean velocity.
     """
     energy = 0.0
-    for i in range(LOAD_SIZE):
+    for i in range(contacts.load.shape[1]):
         for origin in range(contacts.load.shape[0]):
-            energy += h / 2 * contacts.load[origin, i] * change[i]
+            energy += h / 2 * contacts.load[origin, i] * change.all[i]
     for j in range(disk_modes):
-        energy += change[LOAD_SIZE + j] ** 2 / 2
+        energy += change.modes[j] ** 2 / 2
     return energy
 
 
@@ -1268,31 +1262,29 @@ def energy_of_change(contacts, change, disk_modes, h):
 def kick(disk, motion, contacts, before, change, h):
     """Apply the forces for a time h, and record impulse and losses.
 
-    `before` and `change` (6 + m,) are the velocities before the forces and their
-    change.
+    `before` and `change` are the velocities before the forces and their change.
     """
     state = motion.disk
     record = motion.record
     load = contacts.load
-    for i in range(LOAD_SIZE):
-        mean = before[i] + change[i] / 2
-        record[CONTACT_LOSS] -= h * load[DASHPOT, i] * mean
-        record[SLIP_LOSS] -= h * load[FRICTION, i] * mean
-        record[MOMENT_LOSS] -= h * load[RESISTANCE, i] * mean
-        record[FILM_LOSS] -= h * load[FILM, i] * mean
+    for i in range(load.shape[1]):
+        mean = before.all[i] + change.all[i] / 2
+        record[RECORD.contact_loss] -= h * load[DASHPOT, i] * mean
+        record[RECORD.slip_loss] -= h * load[FRICTION, i] * mean
+        record[RECORD.moment_loss] -= h * load[RESISTANCE, i] * mean
+        record[RECORD.film_loss] -= h * load[FILM, i] * mean
     for i in range(3):
         for origin in range(load.shape[0]):
-            state[VELOCITY + i] += h / disk.mass * load[origin, i]
-            state[MOMENTUM + i] += h * load[origin, TORQUE + i]
-            record[IMPULSE + i] += h * load[origin, i]
-    record[FILM_IMPULSE] += h * load[FILM, 2]
+            state[VELOCITY, i] += h / disk.mass * contacts.force[origin, i]
+            state[MOMENTUM, i] += h * contacts.torque[origin, i]
+            record[RECORD.impulse + i] += h * contacts.force[origin, i]
+    record[RECORD.film_impulse] += h * contacts.force[FILM, 2]
     pull = contacts.pull[DASHPOT]
-    record[CONTACT_LOSS] -= h * (
-        scalar_product(pull, before[LOAD_SIZE:])
-        + scalar_product(pull, change[LOAD_SIZE:]) / 2
+    record[RECORD.contact_loss] -= h * (
+        scalar_product(pull, before.modes) + scalar_product(pull, change.modes) / 2
     )
     for j in range(motion.modes.shape[1]):
-        motion.modes[1, j] += change[LOAD_SIZE + j]
+        motion.modes[1, j] += change.modes[j]
 
 
 @kernel
@@ -1313,10 +1305,12 @@ def write_propagator(edge, h, out):
 @kernel
 def is_carried_by_film(record, now, weight):
     """Return True if the air film has supported the disk since the loss of contact."""
-    duration = now - record[FLIGHT_START]
-    if record[FLIGHT_START] < 0 or duration < MIN_AIRBORNE_TIME:
+    min_duration = 2e-3  # s
+    min_lift = 0.5  # mean force of the film divided by the weight
+    duration = now - record[RECORD.flight_start]
+    if record[RECORD.flight_start] < 0 or duration < min_duration:
         return False
-    return record[FLIGHT_FILM_IMPULSE] > MIN_AIRBORNE_LIFT * weight * duration
+    return record[RECORD.flight_film_impulse] > min_lift * weight * duration
 
 
 @kernel
@@ -1328,16 +1322,16 @@ def stays_clear(disk, edge, max_deflection, gravity, motion, rim, contacts, dura
     rate, accelerated by gravity, the rotation and the air film.
     """
     state = motion.disk
-    lean = state[MOMENTUM] * state[AXIS + 1] - state[MOMENTUM + 1] * state[AXIS]
+    lean = state[MOMENTUM, 0] * state[AXIS, 1] - state[MOMENTUM, 1] * state[AXIS, 0]
     lean /= disk.diametral_inertia  # rate of the cosine of the inclination
     below = disk.half_thickness - disk.fillet
     radius = disk.radius - disk.fillet
-    rate = state[VELOCITY + 2] - lean * (below - radius * rim.upright / rim.sine)
+    rate = state[VELOCITY, 2] - lean * (below - radius * rim.upright / rim.sine)
     turning = 0.0
     for i in range(3):
-        turning += (state[MOMENTUM + i] / disk.diametral_inertia) ** 2
+        turning += (state[MOMENTUM, i] / disk.diametral_inertia) ** 2
     fastest = gravity + 2 * (radius + below) * turning / rim.sine
-    fastest += 10 * abs(contacts.load[FILM, 2]) / disk.mass
+    fastest += 10 * abs(contacts.force[FILM, 2]) / disk.mass
     reach = duration**2 / 2 * fastest - min(duration * rate, 0.0)
     for j in range(edge.axial.shape[0]):
         speed = motion.modes[1, j] / edge.frequency[j]
@@ -1396,7 +1390,7 @@ def step_rattling_disk(
         place.
     begin : float
         Time [s] of the first step.
-    samples : ndarray, shape (n, 32 + 2 d)
+    samples : ndarray, shape (n, 16 + RECORD_SIZE + 2 d)
         Receives state, record, modes of the disk and energy of those of the table.
     flights : ndarray, shape (f, 3)
         Output: start [s], duration [s] and height [m] of each loss of contact that
@@ -1407,13 +1401,17 @@ def step_rattling_disk(
     tuple of int
         Number of samples and of flights written, and the reason for the end.
     """
+    upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
     mode_count = edge.frequency.size
     propagators = np.empty((2 * per_sample, 4, mode_count))
     for i in range(2 * per_sample):
         write_propagator(edge, (i + 1) * step / 2, propagators[i])
     count = edge.heights.size
+    load = np.zeros((5, 6))
     contacts = Contacts(
-        np.zeros((5, LOAD_SIZE)),
+        load,
+        load[:, :3],
+        load[:, 3:],
         np.zeros((2, mode_count)),
         np.zeros(count),
         np.zeros(count),
@@ -1423,13 +1421,12 @@ def step_rattling_disk(
         np.zeros(BLOCK_SIZE),
     )
     quarter_turn_vector = np.empty(3)
-    before = np.empty(LOAD_SIZE + mode_count)
-    mean = np.empty(LOAD_SIZE + mode_count)
-    change = np.empty(LOAD_SIZE + mode_count)
+    before = zero_velocities(mode_count)
+    mean = zero_velocities(mode_count)
+    change = zero_velocities(mode_count)
     record = motion.record
     highest = edge.highest[0]
     weight = disk.mass * gravity
-    pressure = np.zeros((3, 3))
     has_film = disk.film.turning > 0
     disk_modes = edge.axial.shape[0]
     stored = 0.0
@@ -1444,7 +1441,7 @@ def step_rattling_disk(
         while done < per_sample:
             merged = 1
             left = per_sample - 1 - done
-            if record[FLIGHT_START] >= 0 and left > 1:
+            if record[RECORD.flight_start] >= 0 and left > 1:
                 rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
                 if max_deflection < 0:
                     max_deflection = 0.0
@@ -1474,19 +1471,18 @@ def step_rattling_disk(
             now = begin + (sample * per_sample + done) * step
             rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
             write_velocity(disk, motion, before)
-            for i in range(before.size):
-                change[i] = 0.0
-                mean[i] = before[i]
+            change.all[:] = 0.0
+            mean.all[:] = before.all
             clear(contacts)
-            record[SPRING_ENERGY] = 0.0
+            record[RECORD.spring_energy] = 0.0
             if merged == 1:
                 for is_changed in (False, True):
                     if is_changed:
                         # Forces at the mean velocity and mean depth of the step
                         # conserve energy.
                         write_change(disk, motion, contacts, step, change)
-                        for i in range(before.size):
-                            mean[i] = before[i] + change[i] / 2
+                        for i in range(before.all.size):
+                            mean.all[i] = before.all[i] + change.all[i] / 2
                         clear(contacts)
                     energy = press_rim(
                         disk,
@@ -1508,43 +1504,41 @@ def step_rattling_disk(
                             motion,
                             rim,
                             mean,
-                            record[SPRING_ENERGY],
+                            record[RECORD.spring_energy],
                             step,
-                            contacts.load,
+                            contacts,
                         )
-                    record[SPRING_ENERGY] = energy
-                    if contacts.load[ELASTIC, 2] <= 0:
+                    record[RECORD.spring_energy] = energy
+                    if contacts.force[ELASTIC, 2] <= 0:
                         break
-            touches = contacts.load[ELASTIC, 2] > 0
+            touches = contacts.force[ELASTIC, 2] > 0
             if has_film:
-                work = add_film(
-                    disk, motion, rim, before, duration, contacts.load, pressure
-                )
-                left = max(record[COMPRESSED_AIR_ENERGY] - work, 0.0)
-                rate = np.hypot(before[3], before[4]) / rim.sine
+                work = add_film(disk, motion, rim, before, duration, contacts)
+                left = max(record[RECORD.compressed_air_energy] - work, 0.0)
+                rate = np.hypot(before.angular[0], before.angular[1]) / rim.sine
                 kept = min(left, film_capacity(disk.film, rim.sine, rate))
-                record[FILM_LOSS] += record[COMPRESSED_AIR_ENERGY] - kept
-                record[COMPRESSED_AIR_ENERGY] = kept
+                record[RECORD.film_loss] += record[RECORD.compressed_air_energy] - kept
+                record[RECORD.compressed_air_energy] = kept
             if (
                 touches
-                and contacts.load[ELASTIC, 2] + contacts.load[DASHPOT, 2]
+                and contacts.force[ELASTIC, 2] + contacts.force[DASHPOT, 2]
                 > 1e-6 * weight
             ):
-                if record[FLIGHT_START] >= 0:
-                    flights[losses, 0] = record[FLIGHT_START]
-                    flights[losses, 1] = now - record[FLIGHT_START]
-                    flights[losses, 2] = record[MAX_FLIGHT_HEIGHT]
+                if record[RECORD.flight_start] >= 0:
+                    flights[losses, 0] = record[RECORD.flight_start]
+                    flights[losses, 1] = now - record[RECORD.flight_start]
+                    flights[losses, 2] = record[RECORD.max_flight_height]
                     losses += 1
-                    record[FLIGHT_START] = -1.0
+                    record[RECORD.flight_start] = -1.0
             else:
-                if record[FLIGHT_START] < 0:
-                    record[FLIGHT_START] = now
-                    record[MAX_FLIGHT_HEIGHT] = 0.0
-                    record[FLIGHT_FILM_IMPULSE] = 0.0
-                record[OPEN_TIME] += duration
-                record[FLIGHT_FILM_IMPULSE] += duration * contacts.load[FILM, 2]
-                record[MAX_FLIGHT_HEIGHT] = max(
-                    record[MAX_FLIGHT_HEIGHT], rim.height - rim.tilt
+                if record[RECORD.flight_start] < 0:
+                    record[RECORD.flight_start] = now
+                    record[RECORD.max_flight_height] = 0.0
+                    record[RECORD.flight_film_impulse] = 0.0
+                record[RECORD.open_time] += duration
+                record[RECORD.flight_film_impulse] += duration * contacts.force[FILM, 2]
+                record[RECORD.max_flight_height] = max(
+                    record[RECORD.max_flight_height], rim.height - rim.tilt
                 )
             if done == per_sample:
                 record_mode_losses(motion)
@@ -1552,7 +1546,7 @@ def step_rattling_disk(
                     samples[sample, i] = 0.0
                 if table is not None:
                     energy = table_energy(edge, table, disk_modes, motion)
-                    record[TABLE_MODE_LOSS] += stored + received - energy
+                    record[RECORD.table_mode_loss] += stored + received - energy
                     samples[sample, -1] = energy
                     stored = energy
                     received = 0.0
@@ -1561,12 +1555,12 @@ def step_rattling_disk(
                 write_change(disk, motion, contacts, duration, change)
                 if done == per_sample:
                     gain = energy_of_change(contacts, change, disk_modes, duration)
-                    samples[sample, STATE_SIZE + SPRING_ENERGY] += gain / 4
+                    samples[sample, motion.disk.size + RECORD.spring_energy] += gain / 4
                 kick(disk, motion, contacts, before, change, duration)
             if table is not None and touches:
                 max_deflection = -1.0
-                old = before[LOAD_SIZE + disk_modes :]
-                gain = change[LOAD_SIZE + disk_modes :]
+                old = before.modes[disk_modes:]
+                gain = change.modes[disk_modes:]
                 by_old = scalar_product(old, gain)
                 by_gain = scalar_product(gain, gain)
                 received += by_old + by_gain / 2
@@ -1581,16 +1575,16 @@ def step_rattling_disk(
             waiting += merged
             if rim.tilt < final_tilt:
                 return sample, losses, LIES_FLAT
-            if rim.upright < UPRIGHT_COSINE_LIMIT:
+            if rim.upright < upright_cosine_limit:
                 return sample, losses, STANDS_UPRIGHT
-            if record[FLIGHT_START] >= 0 and record[MAX_FLIGHT_HEIGHT] > max(
-                rim.tilt, 10 * highest
-            ):
+            if record[RECORD.flight_start] >= 0 and record[
+                RECORD.max_flight_height
+            ] > max(rim.tilt, 10 * highest):
                 return sample, losses, LIFTS_OFF
             if is_carried_by_film(record, now, weight):
                 return sample, losses, IS_AIRBORNE
     if table is not None:
         fly_table(table, disk_modes, motion, propagators[waiting - 1])
         energy = table_energy(edge, table, disk_modes, motion)
-        record[TABLE_MODE_LOSS] += stored + received - energy
+        record[RECORD.table_mode_loss] += stored + received - energy
     return samples.shape[0], losses, CONTINUES

@@ -16,12 +16,6 @@ from dynamics.numba_kernels import kernel
 film_moment_parts_kernel = kernel(film_moment_parts)
 squeezed_air_kernel = kernel(squeezed_air_energy)
 
-MIN_PRECESSION_RATE = 1e-9
-"""Precession rate [rad/s] below which the drag is independent of the rate."""
-FORCE, ARM, TORQUE = range(3)
-"""Rows of the loads (3, 3) of the film: force [N], its position relative to the centre
-[m], and torque [N m]."""
-
 
 class AirFilm(NamedTuple):
     """Constants of `film_moment_parts` in SI units; `turning` is 0 without a film.
@@ -59,20 +53,40 @@ def film_capacity(film, sine, rate):
     )
 
 
-@kernel
-def film_pressure(film, disk, axis, sine, velocity, stored_energy, step, load):
-    """Write the loads (3, 3) of the film in a step; return the work [J] of the compressed air.
+class FilmLoad(NamedTuple):
+    """Mean loads of the film in a step.
 
-    `disk` is a `RattlingDisk`, `axis` (3,) the unit vector along its axis, `sine` that of the
-    inclination, and `velocity` (6,) the velocity of the centre and the angular velocity.
+    Attributes
+    ----------
+    pressure : float
+        Force along the axis [N].
+    place : float
+        Distance [m] of this force from the axis, up the slope of the face.
+    drag : float
+        Torque [N m] about the direction up the slope.
+    work : float
+        Work [J] of the compressed air.
     """
-    up_slope = (-axis[0] * axis[2] / sine, -axis[1] * axis[2] / sine, sine)
-    turning = (
-        velocity[3] * up_slope[0]
-        + velocity[4] * up_slope[1]
-        + velocity[5] * up_slope[2]
-    )
-    rate = abs(turning) / sine + MIN_PRECESSION_RATE
+
+    pressure: float
+    place: float
+    drag: float
+    work: float
+
+
+@kernel
+def film_pressure(disk, axis, up_slope, velocity, stored_energy, step):
+    """Return the `FilmLoad` in a step with an energy [J] stored in the compressed air.
+
+    `disk` is a `RattlingDisk`, `axis` (3,) the unit vector along its axis, and `up_slope` that
+    up its slope, whose height is the sine of the inclination.
+    """
+    min_rate = 1e-9  # rad/s; the drag of slower precession is independent of the rate
+    film = disk.film
+    sine = up_slope[2]
+    spin = velocity.angular
+    turning = spin[0] * up_slope[0] + spin[1] * up_slope[1] + spin[2] * up_slope[2]
+    rate = abs(turning) / sine + min_rate
     drag, fall, lever, tip, lift = film_moment_parts_kernel(
         sine,
         rate,
@@ -88,46 +102,51 @@ def film_pressure(film, disk, axis, sine, velocity, stored_energy, step, load):
     decay = np.expm1(-step * drag / (rate * sine * disk.diametral_inertia))
     torque = turning * disk.diametral_inertia / step * decay
     distance = disk.radius / lever
-    speed = normal_speed(disk, axis, up_slope, velocity, distance)
-    mobility = normal_mobility(disk, distance)
-    closing = (
+    place = distance - disk.radius
+    speed = normal_speed(disk, axis, up_slope, velocity, place)
+    mobility = normal_mobility(disk, place)
+    pressure = (
         speed / (mobility * step) * np.expm1(-step * fall / distance**2 * mobility)
     )
-    pressure = closing
-    moment = closing * (distance - disk.radius)
+    moment = pressure * place
     work = 0.0
     if lift > 0:
-        distance = disk.radius * tip / lift
-        speed = normal_speed(disk, axis, up_slope, velocity, distance)
-        mobility = normal_mobility(disk, distance)
+        place = disk.radius * tip / lift - disk.radius
+        speed = normal_speed(disk, axis, up_slope, velocity, place)
+        mobility = normal_mobility(disk, place)
         fastest = np.sqrt(speed**2 + 2 * mobility * stored_energy)
         impulse = min(step * lift / disk.radius, (fastest - speed) / mobility)
         work = impulse * (speed + impulse * mobility / 2)
         pressure += impulse / step
-        moment += impulse / step * (distance - disk.radius)
+        moment += impulse / step * place
     place = moment / pressure if pressure != 0 else 0.0
-    for i in range(3):
-        load[FORCE, i] = pressure * axis[i]
-        load[ARM, i] = place * up_slope[i] - disk.half_thickness * axis[i]
-        load[TORQUE, i] = torque * up_slope[i]
-    return work
+    return FilmLoad(pressure, place, torque, work)
 
 
 @kernel
-def normal_speed(disk, axis, up_slope, velocity, distance):
-    """Return the velocity along the axis [m/s] of a point on the lower face.
+def point_on_face(disk, axis, up_slope, place):
+    """Return the vector [m] from the centre to a point on the lower face.
 
-    The point is at `distance` [m] from the contact, up the slope.
+    The point is at the distance `place` [m] from the axis, up the slope.
     """
-    x = (distance - disk.radius) * up_slope[0] - disk.half_thickness * axis[0]
-    y = (distance - disk.radius) * up_slope[1] - disk.half_thickness * axis[1]
-    z = (distance - disk.radius) * up_slope[2] - disk.half_thickness * axis[2]
-    speed = axis[0] * (velocity[0] + velocity[4] * z - velocity[5] * y)
-    speed += axis[1] * (velocity[1] + velocity[5] * x - velocity[3] * z)
-    return speed + axis[2] * (velocity[2] + velocity[3] * y - velocity[4] * x)
+    x = place * up_slope[0] - disk.half_thickness * axis[0]
+    y = place * up_slope[1] - disk.half_thickness * axis[1]
+    z = place * up_slope[2] - disk.half_thickness * axis[2]
+    return x, y, z
 
 
 @kernel
-def normal_mobility(disk, distance):
+def normal_speed(disk, axis, up_slope, velocity, place):
+    """Return the velocity along the axis [m/s] of `point_on_face`."""
+    x, y, z = point_on_face(disk, axis, up_slope, place)
+    linear = velocity.linear
+    spin = velocity.angular
+    speed = axis[0] * (linear[0] + spin[1] * z - spin[2] * y)
+    speed += axis[1] * (linear[1] + spin[2] * x - spin[0] * z)
+    return speed + axis[2] * (linear[2] + spin[0] * y - spin[1] * x)
+
+
+@kernel
+def normal_mobility(disk, place):
     """Return the change of `normal_speed` per impulse at the same point [1/kg]."""
-    return 1 / disk.mass + (distance - disk.radius) ** 2 / disk.diametral_inertia
+    return 1 / disk.mass + place**2 / disk.diametral_inertia

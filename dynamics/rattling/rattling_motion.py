@@ -30,10 +30,11 @@ from dynamics.disk import GRAVITY, Disk
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import Film
 from dynamics.kinematics import contact_place
-from dynamics.motion import CAUSES, Outcome
+from dynamics.motion import Outcome
 from dynamics.pivoting import COEFFICIENT_COUNT
 from dynamics.rattling import contact_steps as layout
 from dynamics.rattling.contact_steps import (
+    RECORD,
     Edge,
     MotionState,
     MovingTable,
@@ -44,16 +45,6 @@ from dynamics.rattling.film_force import AirFilm
 from dynamics.scene_constants import scene_constants
 from dynamics.switching import ImpossibleContactError
 
-STEPS_PER_CONTACT = 3.0
-"""Step rate divided by that of a single elastic contact at the same accuracy."""
-MIN_STEPS_PER_PERIOD = 60
-"""Minimum number of time steps per period of the contact resonance."""
-MIN_RIM_HEIGHT_RATIO = 3.0
-"""Ratio of rim height to rms unevenness below which the disk lies flat."""
-NODES_PER_KNOT = 2
-"""Number of rim nodes per spline knot of the table modes."""
-MIN_TABLE_NODES = 64
-"""Minimum number of nodes around the rim at which the table is evaluated."""
 PROGRESS_INTERVAL = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
@@ -98,7 +89,7 @@ class RattlingModel(NamedTuple):
     modes: Any
     rate: float
 
-    def depth(self, inclination: float) -> float:
+    def depth(self, inclination):
         """Return the depth [m] of the static contact at an inclination [rad]."""
         fixed = self.constants
         return static_depth(
@@ -109,6 +100,13 @@ class RattlingModel(NamedTuple):
         """Return the curvature number kappa at an inclination [rad]."""
         depth = self.depth(inclination)
         return curvature_number(self.amplitudes, self.disk.radius, inclination, depth)
+
+    def contact_resonance(self, inclination: ArrayLike) -> np.ndarray:
+        """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""
+        stiffness = 1.5 * self.disk.weight / self.depth(inclination)
+        mobility = 1 / self.disk.mass
+        mobility += self.disk.radius**2 / self.constants.diametral_inertia
+        return np.sqrt(stiffness * mobility) / (2 * pi)
 
     @property
     def roughness_rms(self) -> float:
@@ -156,8 +154,10 @@ class RattlingModel(NamedTuple):
         # copies, because read-only arrays have a different Numba type
         knots_x, knots_y = (np.array(part) for part in modes.knots)
         spacing = min(np.diff(part).max() for part in (knots_x, knots_y))
+        nodes_per_knot = 2
+        min_count = 64
         around = 2 * pi * self.constants.radius / spacing
-        count = max(MIN_TABLE_NODES, ceil(NODES_PER_KNOT * around))
+        count = max(min_count, ceil(nodes_per_knot * around))
         place = np.arange(len(self.heights)) * count / len(self.heights)
         return MovingTable(
             np.array(modes.coefficients, order="C"),
@@ -240,17 +240,7 @@ class RattlingMotion(CompliantMotion):
 
     def contact_resonance(self, inclination) -> np.ndarray:
         """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""
-        beta = np.asarray(inclination, dtype=float)
-        depth = static_depth(
-            self.disk.weight,
-            self.model.constants.modulus,
-            self.disk.radius,
-            self.model.constants.fillet,
-            beta,
-        )
-        mobility = 1 / self.disk.mass
-        mobility += self.disk.radius**2 / self.model.constants.diametral_inertia
-        return np.sqrt(1.5 * self.disk.weight / depth * mobility) / (2 * pi)
+        return self.model.contact_resonance(np.asarray(inclination, dtype=float))
 
     def rim_vibration(self, t) -> np.ndarray:
         """Return displacement, velocity, acceleration (k, 3, m) of modes at t (k,) [s].
@@ -331,15 +321,14 @@ def film_constants(disk: Disk, film: Film | None) -> AirFilm:
 
 def _step_rate(scene, model):
     """Return a step rate [1/s] that resolves the contact, a multiple of FORCE_RATE."""
-    beta = radians(scene.release.inclination_deg)
-    stiffness = 1.5 * model.disk.weight / model.depth(beta)
-    mobility = (
-        1 / model.disk.mass + model.disk.radius**2 / model.constants.diametral_inertia
+    steps_per_contact = (
+        3.0  # step rate divided by that of one elastic contact as accurate
     )
-    resonance = np.sqrt(stiffness * mobility) / (2 * pi)
+    min_steps_per_period = 60  # of the contact resonance
+    resonance = model.contact_resonance(radians(scene.release.inclination_deg))
     wanted = scene.numerics.contact_rate or max(
-        STEPS_PER_CONTACT * scene.numerics.level.contact_rate,
-        MIN_STEPS_PER_PERIOD * resonance,
+        steps_per_contact * scene.numerics.level.contact_rate,
+        min_steps_per_period * resonance,
     )
     return FORCE_RATE * ceil(wanted / FORCE_RATE)
 
@@ -347,7 +336,7 @@ def _step_rate(scene, model):
 def rolling_state_at_release(
     model: RattlingModel, inclination: float, omega
 ) -> np.ndarray:
-    """Return the state (15,) of a disk released on its contact, rolling without slip.
+    """Return the state (5, 3) of a disk released on its contact, rolling without slip.
 
     `inclination` [rad] and the angular velocity `omega` (3,) [rad/s] along a_1, a_2' (the axis)
     and e3 are those of the release.
@@ -359,24 +348,24 @@ def rolling_state_at_release(
     axis = np.array([0.0, s, c])
     e3 = np.array([0.0, -c, s])
     spin = omega[0] * a1 + omega[1] * axis + omega[2] * e3
-    state = np.zeros(layout.STATE_SIZE)
-    state[layout.AXIS : layout.AXIS + 3] = axis
-    state[layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3] = -e3
     place = contact_place(
         c, s, fixed.half_thickness / fixed.radius, fixed.fillet / fixed.radius
     )
     lever = fixed.radius * (place.depth * axis + place.radius * e3)
-    state[layout.VELOCITY : layout.VELOCITY + 3] = np.cross(spin, lever)
     momentum = fixed.diametral_inertia * (omega[0] * a1 + omega[2] * e3)
-    state[layout.MOMENTUM : layout.MOMENTUM + 3] = (
-        momentum + fixed.axial_inertia * omega[1] * axis
-    )
     angle = 2 * pi * np.arange(len(model.heights)) / len(model.heights)
     core = fixed.radius - fixed.fillet
     clearance = model.heights - core * s * (1 - np.cos(angle))
-    height = fixed.radius * place.e
-    state[layout.CENTRE + 2] = height + clearance.max() - model.depth(inclination)
-    return state
+    height = fixed.radius * place.e + clearance.max() - model.depth(inclination)
+    return np.array(
+        [
+            [0.0, 0.0, height],
+            np.cross(spin, lever),
+            axis,
+            -e3,
+            momentum + fixed.axial_inertia * omega[1] * axis,
+        ]
+    )
 
 
 def effective_restitution(
@@ -397,15 +386,12 @@ def effective_restitution(
     )
     smooth = model._replace(heights=np.zeros(len(model.heights)), constants=alone)
     state = rolling_state_at_release(smooth, inclination, (0.0, 0.0, 0.0))
-    contact = -fixed.half_thickness * state[layout.AXIS : layout.AXIS + 3]
-    contact += (
-        fixed.radius
-        * state[layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3]
-    )
-    state[layout.CENTRE + 2] += smooth.depth(inclination)
+    contact = -fixed.half_thickness * state[layout.AXIS]
+    contact += fixed.radius * state[layout.RIM_REFERENCE_VECTOR]
+    state[layout.CENTRE, 2] += smooth.depth(inclination)
     kick = np.array([0.0, 0.0, -fixed.mass * speed])
-    state[layout.VELOCITY : layout.VELOCITY + 3] = kick / fixed.mass
-    state[layout.MOMENTUM : layout.MOMENTUM + 3] = np.cross(contact, kick)
+    state[layout.VELOCITY] = kick / fixed.mass
+    state[layout.MOMENTUM] = np.cross(contact, kick)
     before = _edge_speed(fixed, state)
     # gravity is not 0, because losses are divided by the weight
     simulate_rattling(smooth, state, PROGRESS_INTERVAL / 2, 0.0, gravity=1e-9)
@@ -413,9 +399,9 @@ def effective_restitution(
 
 
 def _edge_speed(fixed, state):
-    """Return the vertical speed [m/s] of the lowest point of the edge in a state (15,)."""
-    axis = state[layout.AXIS : layout.AXIS + 3]
-    momentum = state[layout.MOMENTUM : layout.MOMENTUM + 3]
+    """Return the vertical speed [m/s] of the lowest point of the edge in a state (5, 3)."""
+    axis = state[layout.AXIS]
+    momentum = state[layout.MOMENTUM]
     axial = momentum @ axis
     omega = (
         momentum - axial * axis
@@ -424,7 +410,7 @@ def _edge_speed(fixed, state):
         [axis[0] * axis[2], axis[1] * axis[2], -(axis[0] ** 2 + axis[1] ** 2)]
     )
     contact = fixed.radius * down / np.linalg.norm(down) - fixed.half_thickness * axis
-    return float(state[layout.VELOCITY + 2] + np.cross(omega, contact)[2])
+    return float(state[layout.VELOCITY, 2] + np.cross(omega, contact)[2])
 
 
 def solve_rattling_motion(
@@ -464,8 +450,11 @@ def solve_rattling_motion(
     inclination = radians(scene.release.inclination_deg)
     state = rolling_state_at_release(model, inclination, scene.release.omega)
     last = scene.numerics.final_inclination or 0.0
+    min_height_ratio = (
+        3.0  # of the rim of a disk that is not flat to the rms unevenness
+    )
     final_tilt = max(
-        MIN_RIM_HEIGHT_RATIO * model.roughness_rms,
+        min_height_ratio * model.roughness_rms,
         model.disk.radius * last,
         model.depth(0.1),
     )
@@ -480,7 +469,7 @@ def simulate_rattling(
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
     gravity: float = GRAVITY,
 ) -> RattlingMotion:
-    """Advance a state (15,) in place until a time [s] or a final tilt of the rim [m].
+    """Advance a state (5, 3) in place until a time [s] or a final tilt of the rim [m].
 
     A table with modes is initially at rest and deflected by the weight of the disk,
     which is lowered accordingly.
@@ -491,19 +480,24 @@ def simulate_rattling(
     ring = np.zeros((2, len(edge.frequency)))
     if model.modes is not None:
         bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
-        state[layout.CENTRE + 2] += bend
+        state[layout.CENTRE, 2] += bend
     record = np.zeros(layout.RECORD_SIZE)
-    record[layout.FLIGHT_START] = -1.0
+    record[RECORD.flight_start] = -1.0
     motion = MotionState(state, ring, record, np.zeros(disk_modes))
     per_sample = round(model.rate / FORCE_RATE)
     chunk = round(PROGRESS_INTERVAL * FORCE_RATE)
-    width = layout.STATE_SIZE + layout.RECORD_SIZE + 2 * disk_modes + 1
+    sizes = (
+        state.size,
+        record.size,
+        2 * disk_modes,
+        1,
+    )  # the last is the energy of the table
     blocks = []
     flights = [np.zeros((0, 3))]
     begin = 0.0
     reason = layout.CONTINUES
     while reason == layout.CONTINUES and begin < time_limit:
-        samples = np.empty((chunk, width))
+        samples = np.empty((chunk, sum(sizes)))
         found = np.empty((chunk * per_sample // 2 + 1, 3))
         written, losses, reason = step_rattling_disk(
             model.constants,
@@ -521,21 +515,20 @@ def simulate_rattling(
         blocks.append(samples[:written])
         flights.append(found[:losses].copy())
         begin += written / FORCE_RATE
-        sine = np.hypot(state[layout.AXIS], state[layout.AXIS + 1])
+        sine = np.hypot(state[layout.AXIS, 0], state[layout.AXIS, 1])
         watch(begin, float(np.arcsin(min(sine, 1.0))), "")
     samples = np.concatenate(blocks)
     count = (len(samples) - 1) // FORCES_PER_ROW * FORCES_PER_ROW + 1
     if count < 2 * FORCES_PER_ROW:
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
-    if record[layout.FLIGHT_START] >= 0:
-        since = record[layout.FLIGHT_START]
+    if record[RECORD.flight_start] >= 0:
+        since = record[RECORD.flight_start]
         flights.append(np.array([[since, begin + 1 / FORCE_RATE - since, 0.0]]))
-        flights[-1][0, 2] = record[layout.MAX_FLIGHT_HEIGHT]
+        flights[-1][0, 2] = record[RECORD.max_flight_height]
     lost = np.concatenate(flights)
     lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
-    return _motion_of_samples(
-        model, samples[:count], lost, OUTCOME_OF_END[reason], gravity
-    )
+    columns = np.split(samples[:count], np.cumsum(sizes[:-1]), axis=1)
+    return _motion_of_samples(model, columns, lost, OUTCOME_OF_END[reason], gravity)
 
 
 def static_deflection(
@@ -544,49 +537,45 @@ def static_deflection(
     """Return the static height [m] of the table at the contact and the displacements
     (t,) of its modes.
 
-    The table carries the weight of a disk in a state (15,).
+    The table carries the weight of a disk in a state (5, 3).
     """
     fixed = model.constants
-    axis = state[layout.AXIS : layout.AXIS + 3]
+    axis = state[layout.AXIS]
     sine = np.hypot(axis[0], axis[1])
     reach = (fixed.radius - fixed.fillet) * axis[2] - (
         fixed.half_thickness - fixed.fillet
     ) * sine
     x, y = reach * axis[:2] / sine + model.modes.place
     if model.modes.mass > 0:
-        x += state[layout.CENTRE]
-        y += state[layout.CENTRE + 1]
+        x += state[layout.CENTRE, 0]
+        y += state[layout.CENTRE, 1]
     shape = model.modes.at(np.array([x]), np.array([y]))[0]
     moved = -fixed.mass * gravity * shape / (2 * pi * model.modes.frequency) ** 2
     return float(shape @ moved), moved
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion from samples (n, 32 + 2 d) at FORCE_RATE."""
-    state = samples[:, : layout.STATE_SIZE]
-    record = samples[:, layout.STATE_SIZE : layout.STATE_SIZE + layout.RECORD_SIZE]
-    ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE : -1]
-    in_table = samples[:, -1]
+    """Return the motion from samples at FORCE_RATE.
+
+    The `samples` are state (n, 15), record, modes of the disk (n, 2 d) and energy of the table (n, 1).
+    """
+    state, record, ringing, in_table = samples
+    state = state.reshape(len(state), -1, 3)
+    in_table = in_table[:, 0]
     columns = motion_columns(model, state)
-    lost = np.zeros((len(state), len(CAUSES)))
-    lost[:, CAUSES.index("contact")] = record[:, layout.CONTACT_LOSS]
-    lost[:, CAUSES.index("slip")] = record[:, layout.SLIP_LOSS]
-    lost[:, CAUSES.index("moments")] = record[:, layout.MOMENT_LOSS]
-    lost[:, CAUSES.index("body")] = record[:, layout.DISK_MODE_LOSS]
-    lost[:, CAUSES.index("film")] = record[:, layout.FILM_LOSS]
-    lost[:, CAUSES.index("table")] = record[:, layout.TABLE_MODE_LOSS]
     internal = modal_energy(model.rim.squared, ringing)
-    stored = record[:, layout.SPRING_ENERGY] + record[:, layout.COMPRESSED_AIR_ENERGY]
+    stored = record[:, RECORD.spring_energy] + record[:, RECORD.compressed_air_energy]
     energy = rigid_energy(model, state, gravity) + stored + internal + in_table
+    lost = record[:, layout.ENERGY_LOSSES]
     rows = np.column_stack([columns, energy, lost, in_table, internal])
-    impulse = record[:, layout.IMPULSE : layout.IMPULSE + 3]
+    impulse = record[:, RECORD.impulse : RECORD.contact_loss]
     step = np.diff(impulse, axis=0)
     middle = (columns[1:, 0] + columns[:-1, 0]) / 2
     along = step[:, 0] * np.cos(middle) + step[:, 1] * np.sin(middle)
     across = step[:, 1] * np.cos(middle) - step[:, 0] * np.sin(middle)
     own = np.zeros_like(impulse)
     own[1:] = np.cumsum(np.column_stack([along, across, step[:, 2]]), axis=0)
-    end = (len(samples) - 1) / FORCE_RATE
+    end = (len(state) - 1) / FORCE_RATE
     losses = flights[flights[:, 0] < end]
     losses[:, 1] = np.minimum(losses[:, 1], end - losses[:, 0])
     return RattlingMotion(
@@ -599,23 +588,23 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         max_friction_excess=0.0,
         outcome=outcome,
         ringing=np.ascontiguousarray(ringing),
-        film_impulses=record[:, layout.FILM_IMPULSE].copy(),
-        open_time=float(record[-1, layout.OPEN_TIME]),
+        film_impulses=record[:, RECORD.film_impulse].copy(),
+        open_time=float(record[-1, RECORD.open_time]),
     )
 
 
 def rigid_energy(
     model: RattlingModel, state: np.ndarray, gravity: float = GRAVITY
 ) -> np.ndarray:
-    """Return kinetic plus potential energy (k,) [J] of the rigid disk at states (k, 15)."""
+    """Return kinetic plus potential energy (k,) [J] of the rigid disk at states (k, 5, 3)."""
     fixed = model.constants
-    momentum = state[:, layout.MOMENTUM : layout.MOMENTUM + 3]
-    axial = np.sum(momentum * state[:, layout.AXIS : layout.AXIS + 3], axis=1)
+    momentum = state[:, layout.MOMENTUM]
+    axial = np.sum(momentum * state[:, layout.AXIS], axis=1)
     turning = (np.sum(momentum**2, axis=1) - axial**2) / fixed.diametral_inertia
     turning += axial**2 / fixed.axial_inertia
-    speed = np.sum(state[:, layout.VELOCITY : layout.VELOCITY + 3] ** 2, axis=1)
-    height = state[:, layout.CENTRE + 2] - fixed.half_thickness
-    offset = state[:, layout.CENTRE : layout.CENTRE + 2] + fixed.bowl[1:]
+    speed = np.sum(state[:, layout.VELOCITY] ** 2, axis=1)
+    height = state[:, layout.CENTRE, 2] - fixed.half_thickness
+    offset = state[:, layout.CENTRE, :2] + fixed.bowl[1:]
     height += fixed.bowl[0] / gravity / 2 * np.sum(offset**2, axis=1)
     return (fixed.mass * speed + turning) / 2 + fixed.mass * gravity * height
 
@@ -628,10 +617,10 @@ def modal_energy(squared: np.ndarray, ringing: np.ndarray) -> np.ndarray:
 
 
 def motion_columns(model: RattlingModel, state: np.ndarray) -> np.ndarray:
-    """Return the COLUMNS (k, 11) of states (k, 15); precession and spin are continuous."""
+    """Return the COLUMNS (k, 11) of states (k, 5, 3); precession and spin are continuous."""
     fixed = model.constants
-    axis = state[:, layout.AXIS : layout.AXIS + 3]
-    reference = state[:, layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3]
+    axis = state[:, layout.AXIS]
+    reference = state[:, layout.RIM_REFERENCE_VECTOR]
     sine = np.hypot(axis[:, 0], axis[:, 1])
     inclination = np.arctan2(sine, axis[:, 2])
     precession = np.unwrap(np.arctan2(axis[:, 1], axis[:, 0]) - pi / 2)
@@ -645,7 +634,7 @@ def motion_columns(model: RattlingModel, state: np.ndarray) -> np.ndarray:
             -np.sum(e3 * quarter_turn_vector, axis=1), -np.sum(e3 * reference, axis=1)
         )
     )
-    momentum = state[:, layout.MOMENTUM : layout.MOMENTUM + 3]
+    momentum = state[:, layout.MOMENTUM]
     axial = np.sum(momentum * axis, axis=1)
     omega = momentum / fixed.diametral_inertia
     omega += ((1 / fixed.axial_inertia - 1 / fixed.diametral_inertia) * axial)[
@@ -654,13 +643,13 @@ def motion_columns(model: RattlingModel, state: np.ndarray) -> np.ndarray:
     ratio = fixed.half_thickness / fixed.radius
     place = contact_place(axis[:, 2], sine, ratio, fixed.fillet / fixed.radius)
     contact = -fixed.radius * (place.depth[:, None] * axis + place.radius[:, None] * e3)
-    slip = state[:, layout.VELOCITY : layout.VELOCITY + 3] + np.cross(omega, contact)
+    slip = state[:, layout.VELOCITY] + np.cross(omega, contact)
     return np.column_stack(
         [
             precession,
             inclination,
             lowest[0] - lowest,
-            state[:, layout.CENTRE : layout.CENTRE + 2],
+            state[:, layout.CENTRE, :2],
             np.sum(omega * a1, axis=1),
             np.sum(omega * axis, axis=1),
             np.sum(omega * e3, axis=1),

@@ -29,12 +29,12 @@ from sonify.scene import from_document
 
 
 def steps_of(model, state, seconds, per_sample=1):
-    """Return the state (n, 15) of a disk in the middle of every time step, or of each of
+    """Return the state (n, 5, 3) of a disk in the middle of every time step, or of each of
     several."""
     count = round(seconds * model.rate / per_sample)
     record = np.zeros(layout.RECORD_SIZE)
-    record[layout.FLIGHT_START] = -1.0
-    samples = np.empty((count, layout.STATE_SIZE + layout.RECORD_SIZE))
+    record[layout.RECORD.flight_start] = -1.0
+    samples = np.empty((count, state.size + layout.RECORD_SIZE))
     motion = MotionState(state, np.zeros((2, 0)), record, np.zeros(0))
     flights = np.empty((count * per_sample, 3))
     options = (
@@ -48,17 +48,17 @@ def steps_of(model, state, seconds, per_sample=1):
     )
     written, _, _ = step_rattling_disk(*options, motion, 0.0, samples, flights)
     assert written == count
-    return samples[:, : layout.STATE_SIZE]
+    return samples[:, : state.size].reshape(count, *state.shape)
 
 
 def springs_and_dashpots(model, state, reach=300):
-    """Return the elastic energy (n,) [J] and the power of the dashpots (n,) [W] in states (n, 15).
+    """Return the elastic energy (n,) [J] and the power of the dashpots (n,) [W] in states (n, 5, 3).
 
     The points of the rim within `reach` of the lowest one are examined.
     """
     disk = model.constants
-    axis = state[:, layout.AXIS : layout.AXIS + 3]
-    reference = state[:, layout.RIM_REFERENCE_VECTOR : layout.RIM_REFERENCE_VECTOR + 3]
+    axis = state[:, layout.AXIS]
+    reference = state[:, layout.RIM_REFERENCE_VECTOR]
     quarter_turn_vector = np.cross(axis, reference)
     sine = np.hypot(axis[:, 0], axis[:, 1])
     beta = np.arctan2(sine, axis[:, 2])
@@ -72,9 +72,9 @@ def springs_and_dashpots(model, state, reach=300):
     rise = cosine * reference[:, 2:] + sine_of * quarter_turn_vector[:, 2:]
     core = disk.radius - disk.fillet
     half = disk.half_thickness - disk.fillet
-    height = state[:, layout.CENTRE + 2] - half * axis[:, 2] - disk.fillet
+    height = state[:, layout.CENTRE, 2] - half * axis[:, 2] - disk.fillet
     depth = model.heights[point % len(model.heights)] - height[:, None] - core * rise
-    momentum = state[:, layout.MOMENTUM : layout.MOMENTUM + 3]
+    momentum = state[:, layout.MOMENTUM]
     axial = np.sum(momentum * axis, axis=1)[:, None] * axis
     omega = (momentum - axial) / disk.diametral_inertia + axial / disk.axial_inertia
     horizontal = [
@@ -87,7 +87,7 @@ def springs_and_dashpots(model, state, reach=300):
         for i in (0, 1)
     ]
     speed = omega[:, 1:2] * horizontal[0] - omega[:, :1] * horizontal[1]
-    speed -= state[:, layout.VELOCITY + 2, None]
+    speed -= state[:, layout.VELOCITY, 2, None]
     curvature_radius = disk.radius / beta
     stiffness = disk.modulus * (curvature_radius * disk.fillet) ** 0.25
     stiffness *= cell * disk.radius / np.sqrt(2 * curvature_radius)
@@ -134,7 +134,7 @@ def test_long_steps_above_the_table_miss_no_contact():
     release = rolling_state_at_release(model, 0.1, scene.release.omega)
     short = steps_of(model, release.copy(), 6e-3)[11::12]
     long = steps_of(model, release, 6e-3, 12)
-    bounces = np.sum(np.diff(np.sign(np.diff(long[:, layout.CENTRE + 2]))) > 0)
+    bounces = np.sum(np.diff(np.sign(np.diff(long[:, layout.CENTRE, 2]))) > 0)
     assert bounces >= 3
     assert long == pytest.approx(short, rel=1e-7, abs=1e-9)
 

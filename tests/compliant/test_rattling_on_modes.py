@@ -17,6 +17,7 @@ from dynamics.compliant.compliant_motion import FORCE_RATE, FORCES_PER_ROW
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.modes_from_scene import modes_from_numbers
 from dynamics.disk import GRAVITY
+from dynamics.rattling.contact_steps import CENTRE
 from dynamics.rattling.rattling_motion import (
     effective_restitution,
     rattling_model,
@@ -121,7 +122,7 @@ def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass
     model = model_of(scene, np.zeros(8192), modes=table_of(scene))
     fixed = model.constants
     state = rolling_state_at_release(model, 0.09, (0.0, 0.0, 0.0))
-    state[2] += 2e-5
+    state[CENTRE, 2] += 2e-5
     bend, displacement = static_deflection(model, state)
     omega = 2 * pi * frequency
     shape = mass**-0.5
@@ -152,7 +153,7 @@ def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass
             -(omega**2) * q - 2 * damping * omega * speed - force * shape,
         ]
 
-    start = [state[2] + bend, 0.09, displacement[0], 0.0, 0.0, 0.0]
+    start = [state[CENTRE, 2] + bend, 0.09, displacement[0], 0.0, 0.0, 0.0]
     t = np.arange(0.0, 0.012, FORCES_PER_ROW / FORCE_RATE)
     later = t + 1e-5 - 0.5 / model.rate  # the first sample is the middle of a step
     options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-14, "max_step": 1e-5}
