@@ -28,11 +28,7 @@ from modal.spectral.basis import Plate
 from modal.spectral.p_refinement import first_basis_size
 from modal.synthesis.clamped import HeldSymmetryClass
 from modal.synthesis.free_disk import FreeDisk
-from modal.synthesis.tractions import (
-    DEFAULT_BASIS_SIZES,
-    MAX_HALF_ANGLE_DEG,
-    BasisSizes,
-)
+from modal.synthesis.tractions import MAX_HALF_ANGLE_DEG, BasisSizes
 
 FREE_MODE_FREQUENCY_RATIO = 2.0
 """Ratio of the highest frequency of the free modes used to that of the requested
@@ -41,7 +37,7 @@ modes."""
 
 def synthesis_basis_sizes(accuracy: str) -> BasisSizes:
     """Return the minimum `BasisSizes` of the synthesis at an accuracy."""
-    return replace(DEFAULT_BASIS_SIZES, **ACCURACY_LEVELS[accuracy].basis_sizes)
+    return BasisSizes(**ACCURACY_LEVELS[accuracy].basis_sizes)
 
 
 def held_modes(plate: Plate, support: Support, below: float, accuracy: str) -> Modes:
@@ -57,12 +53,10 @@ def held_modes(plate: Plate, support: Support, below: float, accuracy: str) -> M
 
 
 def synthesised_classes(
-    plate: Plate, support: Support, below: float, accuracy: str, max_cutoff: float = 4.0
+    plate: Plate, support: Support, below: float, accuracy: str
 ) -> list[HeldSymmetryClass] | None:
-    """Return each `HeldSymmetryClass`, or None if synthesis is not applicable.
-
-    `max_cutoff` is the largest `BasisSizes.cutoff`.
-    """
+    """Return each `HeldSymmetryClass`, or None if synthesis is not applicable."""
+    max_cutoff = 4.0  # largest `BasisSizes.cutoff`
     min_sizes = synthesis_basis_sizes(accuracy)
     shear_speed = (lame_constants(plate.material)[1] / plate.density) ** 0.5
     waves = below * plate.radius / shear_speed
@@ -124,19 +118,18 @@ def match_modes_of_class(
     known: HeldSymmetryClass,
     top_rim: np.ndarray,
     limit: float,
-    max_excess: float = 0.04,
-    min_similarity: float = 0.9,
 ) -> SolvedSymmetryClass | None:
     """Return the finite-element class with the frequencies of the synthesis, or None.
 
     The result is None if the modes do not match.
 
     `top_rim` (k, n, 3) is the displacement of the top edge in the element modes. An
-    element mode matches a mode of the synthesis if its frequency is higher by at most
-    the fraction `max_excess` and the squared correlation of the rim motions is at least
-    `min_similarity`. Every mode of the synthesis and every element eigenvalue below
-    `limit` [1/s^2] must have a match.
+    element mode matches a mode of the synthesis if its frequency is slightly higher and
+    the rim motions are similar. Every mode of the synthesis and every element eigenvalue
+    below `limit` [1/s^2] must have a match.
     """
+    max_excess = 0.04  # of the frequency, as a fraction
+    min_similarity = 0.9  # squared correlation of the rim motions
     values = element_class.values
     rim = sample.polar_components(top_rim, sample.rim_angles())
     element_rims, known_rims = (

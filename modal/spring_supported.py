@@ -16,7 +16,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from modal.elements.sample import polar_components, sample_points, strongest_order
-from modal.elements.unfold import rigid_fields
+from modal.mesh.symmetry import rigid_fields
 from modal.modes import Modes, UnsolvableError
 from modal.patch import FREE_MODE_FREQUENCY_RATIO, synthesis_basis_sizes
 from modal.spectral.axisymmetric import plate_modes

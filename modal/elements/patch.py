@@ -138,9 +138,7 @@ def without_rigid_modes(solved, shift):
     ArithmeticError if a free body does not have six of them. Raises UnsolvableError if
     a held body has any, because round-off then exceeds the effect of the patch.
     """
-    rigid: list[int] = [
-        int(np.count_nonzero(c.values < 1e-6 * abs(shift))) for c in solved
-    ]
+    rigid = [np.count_nonzero(c.values < 1e-6 * abs(shift)) for c in solved]
     total = sum(rigid)
     if shift and total != 6:
         raise ArithmeticError(f"{total} rigid-body modes were found, not 6")
@@ -150,12 +148,7 @@ def without_rigid_modes(solved, shift):
             f"motion(s)",
         )
     return [
-        SolvedSymmetryClass(
-            mirror=c.mirror,
-            values=c.values[r:],
-            shapes=c.shapes[r:],
-            residual=c.residual[r:],
-        )
+        replace(c, values=c.values[r:], shapes=c.shapes[r:], residual=c.residual[r:])
         for c, r in zip(solved, rigid, strict=True)
     ]
 
@@ -181,15 +174,17 @@ def held_modes(plate, support, below, accuracy) -> Modes:
     return whole_disk_modes(part, solid, solved, error_estimates(solved, coarse), plate)
 
 
-def error_estimates(solved, coarse, safety=1.8, min_share=0.5):
+def error_estimates(solved, coarse):
     """Return estimated relative errors (m,) of the frequencies of all classes from a
     coarser mesh.
 
-    The difference between the meshes is multiplied by `safety`, because the error of
-    the coarser mesh may be only 1.6 times as large. Each estimate is at least
-    `min_share` of the median, because errors of a mode on both meshes may be equal by
+    The difference between the meshes is multiplied by a safety factor, because the
+    error of the coarser mesh may be only 1.6 times as large. Each estimate is at least
+    a fraction of the median, because errors of a mode on both meshes may be equal by
     chance.
     """
+    safety = 1.8
+    min_share = 0.5  # of the median
     differences = [
         np.abs(np.sqrt(b.values[: len(a.values)] / a.values) - 1)  # of the frequencies
         for a, b in zip(solved, coarse, strict=True)

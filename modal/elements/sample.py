@@ -8,17 +8,15 @@ import scipy.sparse as sp
 
 from modal.modes import Body, Modes
 
-RIM_ANGLE_COUNT = 128
-"""Number of angles of `Modes.rim_shape`."""
-FACE_RADIUS_COUNT = 16
-"""Number of Gauss radii of `Modes.face_shape`."""
-FACE_ANGLE_COUNT = 64
-"""Number of angles of `Modes.face_shape`."""
-
 
 def rim_angles():
     """Return the equally spaced angles (k,) [rad] of `Modes.rim_shape`."""
-    return np.arange(RIM_ANGLE_COUNT) * 2 * np.pi / RIM_ANGLE_COUNT
+    return equally_spaced_angles(128)
+
+
+def equally_spaced_angles(count):
+    """Return angles (count,) [rad] from 0 on around the whole circumference."""
+    return np.arange(count) * 2 * np.pi / count
 
 
 def face_grid(radius, inner=0.0):
@@ -26,10 +24,11 @@ def face_grid(radius, inner=0.0):
 
     It consists of Gauss radii [m], weights [m^2] of int f r dr, and equally spaced
     angles [rad]."""
-    node, weight = np.polynomial.legendre.leggauss(FACE_RADIUS_COUNT)
+    radius_count = 16
+    angle_count = 64
+    node, weight = np.polynomial.legendre.leggauss(radius_count)
     r = (radius + inner) / 2 + node * (radius - inner) / 2
-    angle = np.arange(FACE_ANGLE_COUNT) * 2 * np.pi / FACE_ANGLE_COUNT
-    return r, weight * (radius - inner) / 2 * r, angle
+    return r, weight * (radius - inner) / 2 * r, equally_spaced_angles(angle_count)
 
 
 def sample_points(radius):
@@ -65,9 +64,10 @@ def sorted_modes(
     """Return `Modes`, sorted by frequency, from columns (m, ...) by name.
 
     The columns are all fields of `Modes` with one entry per mode except the decay rate.
-    Shapes are sampled on the grids for the radii `radius` and `inner` [m]. A further
-    column is the `displacement` (m, p, 3) of the nodes. The optional column `pair`, the
-    number of the degenerate pair, replaces `partner`.
+    Shapes are sampled on the grids for the radii `radius` and `inner` [m]; `face_shape`
+    may have the shape (m, 2, a b). A further column is the `displacement` (m, p, 3) of
+    the nodes. The optional column `pair`, the number of the degenerate pair, replaces
+    `partner`.
     """
     ascending = np.lexsort((columns["parity"] == "odd", columns["frequency"]))
     columns = {name: np.asarray(value)[ascending] for name, value in columns.items()}
@@ -76,6 +76,7 @@ def sorted_modes(
     }
     displacement = columns.pop("displacement")
     r, weight, angle = face_grid(radius, inner)
+    columns["face_shape"] = columns["face_shape"].reshape(-1, 2, len(r), len(angle))
     return Modes(
         partner=partner_indices(columns.pop("pair", np.arange(len(ascending)))),
         **columns,

@@ -8,6 +8,7 @@ import numpy as np
 from modal.elements import sample
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.mesh.sector import HEXAHEDRON_NODES
+from modal.mesh.symmetry import rigid_fields
 from modal.modes import Modes
 
 
@@ -51,15 +52,6 @@ def whole_mesh(points, cells, quarter):
 def mirror_factors(flip):
     """Return factors (3,) that map a point to its mirror image."""
     return np.where([False, *flip], -1.0, 1.0)
-
-
-def rigid_fields(points):
-    """Return the displacements (6, p, 3) of unit translations along x, y, z and unit
-    rotations about them."""
-    unit = np.eye(3)[:, None]
-    return np.concatenate(
-        [np.broadcast_to(unit, (3, len(points), 3)), np.cross(unit, points[None])],
-    )
 
 
 def participation(solid, quarter, c):
@@ -186,9 +178,7 @@ def symmetry_class_arrays(solid, part, c, rim, face):
         "parity": np.full(len(c.shapes), "even" if c.mirror.y > 0 else "odd"),
         "participation": participation(solid, part.quarter, c),
         "rim_shape": rim_shape,
-        "face_shape": axial.reshape(
-            -1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT
-        ),
+        "face_shape": axial,
         "residual": c.residual,
     }
 

@@ -38,8 +38,6 @@ def relative_errors(
     shapes,
     shift,
     edge_error_ratio,
-    smooth_error_ratio=1 / 4,
-    safety=1.5,
 ):
     """Estimate the relative errors (k,) of the frequencies of a `DiscreteBody`.
 
@@ -59,13 +57,14 @@ def relative_errors(
         Shapes of the fine body.
     shift : float
         Shift of the eigenvalue problem [1/s^2].
-    edge_error_ratio, smooth_error_ratio : float
+    edge_error_ratio : float
         Ratio of remaining to removed error energy at singular edges
-        (CORNER_REMAINING_ERROR_RATIO or FLAT_FACE_REMAINING_ERROR_RATIO) and elsewhere,
-        where refinement reduces the energy by a factor of 5.
-    safety : float
-        Safety factor of the estimate.
+        (CORNER_REMAINING_ERROR_RATIO or FLAT_FACE_REMAINING_ERROR_RATIO).
     """
+    smooth_error_ratio = (
+        1 / 4
+    )  # elsewhere; refinement reduces the energy by a factor of 5
+    safety = 1.5
     from_coarse = prolongation(fine.solid, coarse, part_nodes)[
         :, np.repeat(~coarse.held, 3)
     ]

@@ -6,8 +6,9 @@ import numpy as np
 from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
 
 from modal.elements import sample
-from modal.elements.unfold import axial_share, rigid_fields
+from modal.elements.unfold import axial_share
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
+from modal.mesh.symmetry import rigid_fields
 from modal.modes import Modes
 
 VTK_TETRAHEDRON = [
@@ -95,7 +96,7 @@ def mesh_modes_record(solved, material) -> Modes:
         axis=1,
     )
     flat = shapes.reshape(len(shapes), 3 * len(solid.points))
-    mirrored = rim_shape[:, -np.arange(sample.RIM_ANGLE_COUNT)] * [1, -1, 1]
+    mirrored = rim_shape[:, -np.arange(rim_shape.shape[1])] * [1, -1, 1]
     odd = (rim_shape * mirrored).sum(axis=(1, 2)) < 0
     columns = {
         "frequency": np.sqrt(solved.values) / (2 * pi),
@@ -105,9 +106,7 @@ def mesh_modes_record(solved, material) -> Modes:
         "participation": flat
         @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
         "rim_shape": rim_shape,
-        "face_shape": face.reshape(
-            -1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT
-        ),
+        "face_shape": face,
         "residual": solved.residual,
         "error": solved.error,
         "displacement": shapes,

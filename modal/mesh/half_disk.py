@@ -9,7 +9,7 @@ r^(1/2). Nested boxes around the middle of a short arc grow to the size of the d
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil, pi
+from math import ceil, inf, pi
 
 import numpy as np
 
@@ -73,11 +73,7 @@ def rim_mapped_block(flat, edge=0.0, scale=1.0):
     return block
 
 
-EDGE_CELLS_BOX_RATIO = 0.6
-"""Size ratio of the conformally squared cells around an edge to their box."""
-
-
-def singular_edge_blocks(size, aspect=1.0, squared_share=EDGE_CELLS_BOX_RATIO):
+def singular_edge_blocks(size, aspect=1.0, max_squared_share=inf):
     """Return blocks of the box [-1, 1] x [0, 1] that resolve u ~ r^(1/2) at the origin.
 
     The box is later stretched to `aspect` times the depth. The map z = w^2 transforms a
@@ -85,8 +81,9 @@ def singular_edge_blocks(size, aspect=1.0, squared_share=EDGE_CELLS_BOX_RATIO):
     cos(theta/2) and r^(1/2) sin(theta/2). Quadratic cells in the w plane represent both
     the map and the field, as quarter-point elements do along their sides (Henshell &
     Shaw 1975, Barsoum 1976). Rings of four cells shrink geometrically towards the
-    origin, and the outermost ring connects them to the box. If the number of rings is
-    0, there are two plain cells.
+    origin, and the outermost ring connects them to the box. The squared cells cover a
+    share of the box of at most `max_squared_share`. If the number of rings is 0, there
+    are two plain cells.
     """
     corners = np.array(
         [
@@ -100,6 +97,7 @@ def singular_edge_blocks(size, aspect=1.0, squared_share=EDGE_CELLS_BOX_RATIO):
     )
     if not size.rings:
         return [bilinear_block([*corners[i : i + 3], (0, 0)]) for i in (0, 2)]
+    squared_share = min(0.6, max_squared_share)
     scale = squared_share * np.array([min(1, aspect), min(1, 1 / aspect)])
     widths = size.ring_ratio ** np.arange(float(size.rings))
     # corners in the w plane of the outer sides of four convex cells; their squares are
@@ -195,11 +193,7 @@ def rim_ring(edge, size):
     width = size.width
     half = min(edge, size.width)
     depth = edge_box_depth(half, size)
-    about_edge = singular_edge_blocks(
-        size,
-        depth / half,
-        min(EDGE_CELLS_BOX_RATIO, max_squared_width / half),
-    )
+    about_edge = singular_edge_blocks(size, depth / half, max_squared_width / half)
     blocks = [
         rim_mapped_block(flat, edge, np.array([half, depth])) for flat in about_edge
     ]

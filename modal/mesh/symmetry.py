@@ -97,14 +97,20 @@ def cartesian_from_cylindrical(points, marked):
     ).tocsc()
 
 
+def rigid_fields(points):
+    """Return the displacements (6, p, 3) of unit translations along x, y, z and unit
+    rotations about them."""
+    unit = np.eye(3)[:, None]
+    return np.concatenate(
+        [np.broadcast_to(unit, (3, len(points), 3)), np.cross(unit, points[None])],
+    )
+
+
 def check_no_rigid_motion(points, components):
     """Raise ValueError if components held at points (p, 3) do not prevent all
     rigid-body motions."""
     frame = cartesian_from_cylindrical(points, np.ones(len(points), bool))
-    translations = np.tile(np.eye(3), (len(points), 1, 1))
-    rotations = np.cross(np.eye(3), points[:, None])
-    fields = np.concatenate([translations, rotations], axis=1)
-    columns = fields.transpose(0, 2, 1).reshape(-1, 6)
+    columns = rigid_fields(points).reshape(6, -1).T
     motion = (frame.T @ columns).reshape(-1, 3, 6)
     at_held = motion[:, [COMPONENTS.index(c) for c in components]].reshape(-1, 6)
     size = np.linalg.norm(motion.reshape(-1, 6), axis=0)

@@ -134,38 +134,28 @@ def ritz_problem(
     """Return the `RitzProblem` of one order and symmetry.
 
     For n >= 1 both in-plane terms vanish on a lateral surface that is held radially."""
-    held = EDGE_CONDITIONS[plate.edge]
-    hole = plate.hole
+
+    def basis_family(
+        power: int, factors: tuple[float, float, float], symmetry: int, component: str
+    ) -> BasisFamily:
+        return BasisFamily(
+            power=power,
+            component_factors=factors,
+            even=symmetry,
+            held=component in EDGE_CONDITIONS[plate.edge],
+            hole=plate.hole,
+        )
+
     if n == 0 and torsional:
-        term = BasisFamily(
-            power=1,
-            component_factors=(0, 1, 0),
-            even=even,
-            held="tangential" in held,
-            hole=hole,
-        )
+        term = basis_family(1, (0, 1, 0), even, "tangential")
         return RitzProblem(n=n, even=even, family="torsional", terms=(term,))
-    axial = BasisFamily(
-        power=n,
-        component_factors=(0, 0, 1),
-        even=-even,
-        held="axial" in held,
-        hole=hole,
-    )
-    powers = [(1, (1, 0, 0))]
+    plane = [basis_family(1, (1, 0, 0), even, "radial")]
     if n > 0:
-        powers = [(n + 1, (1, 1, 0)), (n - 1, (1, -1, 0))]
-    plane = []
-    for k, factors in powers:
-        plane.append(
-            BasisFamily(
-                power=k,
-                component_factors=factors,
-                even=even,
-                held="radial" in held,
-                hole=hole,
-            )
-        )
+        plane = [
+            basis_family(n + 1, (1, 1, 0), even, "radial"),
+            basis_family(n - 1, (1, -1, 0), even, "radial"),
+        ]
+    axial = basis_family(n, (0, 0, 1), -even, "axial")
     return RitzProblem(n=n, even=even, family="meridional", terms=(*plane, axial))
 
 

@@ -48,12 +48,10 @@ def solve_problem(plate, p, size, below) -> Eigenpairs:
     inverse, vectors = eigh(m, k, subset_by_value=(1 / limit, inf))
     values = 1 / inverse[::-1]
     vectors = (vectors / np.sqrt(inverse))[:, ::-1]
-    smaller_sizes = ((size[0] - 1, size[1]), (size[0], size[1] - 1))
-    coarse = []
-    for smaller in smaller_sizes:
-        coarse.append(
-            lowest_eigenvalues(k, m, nested_indices(p, size, smaller), len(values))
-        )
+    coarse = [
+        lowest_eigenvalues(k, m, nested_indices(p, size, smaller), len(values))
+        for smaller in ((size[0] - 1, size[1]), (size[0], size[1] - 1))
+    ]
     return Eigenpairs(
         problem=p,
         size=size,

@@ -1,7 +1,7 @@
 """Compute the modes of a disk on a patch by coupling free modes with tractions, class
 by class."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, pi
 from typing import Any
 
@@ -51,26 +51,24 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
         np.array(patch.held)[:, None] * disk.axial_count + np.arange(disk.axial_count),
     )
     nodal = []
-    for n in orders:
-        around = patch.circumferential_work(np.array([n]), y)[patch.held, 0]
-        nodal.append(traction_work_on_order(around, through))
-    works = [
-        b @ o.shapes[held_rows] for b, o in zip(nodal, orders.values(), strict=True)
-    ]
+    works = []
     rest = 0
-    for b, o in zip(nodal, orders.values(), strict=True):
+    for n, o in orders.items():
+        around = patch.circumferential_work(np.array([n]), y)[patch.held, 0]
+        b = traction_work_on_order(around, through)
+        nodal.append(b)
+        works.append(b @ o.shapes[held_rows])
         rest = rest + b @ o.omitted_flexibility[:, held_rows[:, None], held_rows] @ b.T
     rest = rest + high_order_flexibility(
         disk, patch, y, even, block_diag(*through), held_rows
     )
-    values = np.concatenate([o.values for o in orders.values()])
     free = FreeSymmetryClass(
-        values=values, work=np.hstack(works), omitted_flexibility=rest
+        values=np.concatenate([o.values for o in orders.values()]),
+        work=np.hstack(works),
+        omitted_flexibility=rest,
     )
     limit = (2 * pi * below) ** 2
-    square, modes, tractions = coupled_modes(
-        free.values, free.work, free.omitted_flexibility, limit
-    )
+    square, modes, tractions = coupled_modes(free, limit)
     parts = np.split(modes, np.cumsum([work.shape[1] for work in works])[:-1])
     rim: Any = 0.0
     for (n, o), b, q in zip(orders.items(), nodal, parts, strict=True):
@@ -93,16 +91,16 @@ def traction_work_on_order(around, through):
     )
 
 
-def coupled_modes(values, work, rest, limit):
+def coupled_modes(free, limit):
     """Return the modes that result from coupling the free modes, up to a limit [1/s^2].
 
     The result consists of squared angular frequencies (k,) [1/s^2], coefficients (n, k)
-    of the free modes, and tractions (P, k). The arguments are those of
-    `FreeSymmetryClass`.
+    of the free modes, and tractions (P, k). `free` is a `FreeSymmetryClass`.
     """
-    tractions = cho_solve(cho_factor(rest[0]), work)
-    stiffness = np.diag(values) + work.T @ tractions
-    mass = np.eye(len(values)) + tractions.T @ rest[1] @ tractions
+    rest = free.omitted_flexibility
+    tractions = cho_solve(cho_factor(rest[0]), free.work)
+    stiffness = np.diag(free.values) + free.work.T @ tractions
+    mass = np.eye(len(free.values)) + tractions.T @ rest[1] @ tractions
     square, modes = eigh(stiffness, mass, subset_by_value=(-np.inf, limit))
     return square, modes, tractions @ modes
 
@@ -125,10 +123,12 @@ def error_estimates(patch, free, square, tractions, limit):
     fewer_through = grid[:, :, :-1].ravel()
     changes = []
     for kept in (fewer_around, fewer_through):
-        rest = free.omitted_flexibility[:, kept[:, None], kept]
-        lower = coupled_modes(free.values, free.work[kept], rest, limit)[0][
-            : len(square)
-        ]
+        fewer = replace(
+            free,
+            work=free.work[kept],
+            omitted_flexibility=free.omitted_flexibility[:, kept[:, None], kept],
+        )
+        lower = coupled_modes(fewer, limit)[0][: len(square)]
         # negative values are round-off
         changes.append(1 - np.sqrt(np.maximum(lower / square, 0)))
     from_basis = np.einsum(

@@ -7,7 +7,7 @@ to first order in w^2. With P = F^-1 B to the same order, (Omega^2 + P^T F P) q 
 + P^T G P) q (MacNeal 1971, Rubin 1975). The module `tractions` defines the tractions.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import pi
 
@@ -24,7 +24,7 @@ from modal.progress import report_each
 from modal.spectral.basis import Plate, RitzProblem, rigid_mode_count, ritz_problem
 from modal.spectral.ritz import stiffness_and_mass
 from modal.synthesis.clamped import HeldSymmetryClass, solve_held_class
-from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, BasisSizes, PatchTractions
+from modal.synthesis.tractions import BasisSizes, PatchTractions
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,7 +143,7 @@ class FreeDisk:
     """
 
     plate: Plate
-    richness: BasisSizes = DEFAULT_BASIS_SIZES
+    richness: BasisSizes = field(default_factory=BasisSizes)
 
     def __post_init__(self) -> None:
         if (

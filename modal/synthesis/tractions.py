@@ -64,10 +64,6 @@ class BasisSizes:
             )
 
 
-DEFAULT_BASIS_SIZES = BasisSizes()
-"""Default sizes of the bases."""
-
-
 @dataclass(frozen=True, kw_only=True)
 class PatchTractions:
     """Tractions on a patch: Chebyshev polynomials around the rim times Jacobi

@@ -28,9 +28,9 @@ from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmode
 from modal.accuracy import COARSE_REFERENCE_MESH
 from modal.elements.elastic import assemble_solid
 from modal.elements.sample import quadratic_shape_functions, quadratic_shape_slopes
-from modal.elements.unfold import HEXAHEDRON_SIDES, rigid_fields
+from modal.elements.unfold import HEXAHEDRON_SIDES
 from modal.mesh.sector import sector
-from modal.mesh.symmetry import Mirror, admissible_displacements
+from modal.mesh.symmetry import Mirror, admissible_displacements, rigid_fields
 from modal.spectral.axisymmetric import plate_modes
 from modal.spring_supported import (
     contact_modes,
