@@ -155,29 +155,27 @@ def uff_mode_dataset(
 ) -> dict[str, Any]:
     """Return dataset 55 of mode i: structural model, normal mode, three real
     displacements per node."""
-    damping = modes.decay_rate[i] / (2 * np.pi * modes.frequency[i])
-    kind = {
+    id_lines = ("modes", modes.method, modes.family[i], "SI", "NONE")
+    return {
         "type": 55,
         "model_type": 1,
         "analysis_type": 2,
         "data_ch": 2,
         "spec_data_type": 8,
         "data_type": 2,
-    }
-    place = {"n_data_per_node": 3, "load_case": 1, "mode_n": i + 1, "node_nums": number}
-    size = {
+        "n_data_per_node": 3,
+        "load_case": 1,
+        "mode_n": i + 1,
+        "node_nums": number,
         "freq": modes.frequency[i],
         "modal_m": 1.0,
-        "modal_damp_vis": damping,
+        "modal_damp_vis": modes.decay_rate[i] / (2 * np.pi * modes.frequency[i]),
         "modal_damp_his": 0.0,
+        **{f"id{k}": line for k, line in enumerate(id_lines, 1)},
+        "r1": u[:, 0],
+        "r2": u[:, 1],
+        "r3": u[:, 2],
     }
-    text = {
-        f"id{k}": line
-        for k, line in enumerate(
-            ("modes", modes.method, modes.family[i], "SI", "NONE"), 1
-        )
-    }
-    return kind | place | size | text | {"r1": u[:, 0], "r2": u[:, 1], "r3": u[:, 2]}
 
 
 UNIT_STRIKE_PEAK = 0.9

@@ -160,25 +160,16 @@ def map_from_unit_square(nodes, coordinates):
     The cells are given by their nodes (n, c, 3, 3, 2), and the coordinates are those of
     the unit square.
     """
-    u = coordinates[..., 0]
-    v = coordinates[..., 1]
-    point = np.einsum(
-        "nci,ncj,ncijx->ncx",
-        quadratic_shape_functions(u),
-        quadratic_shape_functions(v),
-        nodes,
-    )
-    along_u = np.einsum(
-        "nci,ncj,ncijx->ncx",
-        quadratic_shape_slopes(u),
-        quadratic_shape_functions(v),
-        nodes,
-    )
-    along_v = np.einsum(
-        "nci,ncj,ncijx->ncx",
-        quadratic_shape_functions(u),
-        quadratic_shape_slopes(v),
-        nodes,
+    u, v = np.moveaxis(coordinates, -1, 0)
+    in_u = quadratic_shape_functions(u)
+    in_v = quadratic_shape_functions(v)
+    point, along_u, along_v = (
+        np.einsum("nci,ncj,ncijx->ncx", of_u, of_v, nodes)
+        for of_u, of_v in (
+            (in_u, in_v),
+            (quadratic_shape_slopes(u), in_v),
+            (in_u, quadratic_shape_slopes(v)),
+        )
     )
     return point, np.stack([along_u, along_v], axis=-1)
 

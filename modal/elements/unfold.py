@@ -59,12 +59,11 @@ def participation(solid, quarter, c):
     rigid-body fields.
 
     The fields of all mirror images are mapped onto the sector and summed."""
-    images = []
-    for flip in mirror_flips(quarter):
-        images.append(
-            c.mirror.component_signs(*flip)
-            * rigid_fields(solid.points * mirror_factors(flip))
-        )
+    images = (
+        c.mirror.component_signs(*flip)
+        * rigid_fields(solid.points * mirror_factors(flip))
+        for flip in mirror_flips(quarter)
+    )
     gathered = sum(images).reshape(6, -1)
     return c.shapes.reshape(len(c.shapes), 3 * len(solid.points)) @ (
         solid.mass @ gathered.T
@@ -126,15 +125,11 @@ def face_interpolation_pair(solid, part, points):
     folded = np.stack([points[:, 0], np.abs(points[:, 1])], axis=1)
     points = np.round(folded, 15)
     distinct, position = np.unique(points, axis=0, return_inverse=True)
-    low = solid.points[:, 2].min()
-    high = solid.points[:, 2].max()
-    top = face_interpolation(solid, distinct, high)[position.ravel()]
-    bottom = (
-        top
-        if part.quarter
-        else face_interpolation(solid, distinct, low)[position.ravel()]
-    )
-    return bottom, top
+    z = solid.points[:, 2]
+    top = face_interpolation(solid, distinct, z.max())[position.ravel()]
+    if part.quarter:
+        return top, top
+    return face_interpolation(solid, distinct, z.min())[position.ravel()], top
 
 
 def displacement_on_faces(matrices, points, quarter, c):

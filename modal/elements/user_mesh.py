@@ -139,13 +139,11 @@ def nodes_on_facets(mesh: Any, facets: np.ndarray, nodes: np.ndarray) -> np.ndar
     `nodes` (3, n) are in reference coordinates.
     """
     cell = mesh.elem.refdom
-    planes = [cell.p[:, list(corners)[:3]] for corners in cell.facets]
-    normals = []
-    for p in planes:
-        normals.append(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
-    distances = [
-        np.abs(n @ (nodes - p[:, :1])) for n, p in zip(normals, planes, strict=True)
-    ]
+    distances = []
+    for corners in cell.facets:
+        p = cell.p[:, list(corners)]
+        normal = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+        distances.append(np.abs(normal @ (nodes - p[:, :1])))
     on_plane = np.array(distances) < 1e-9
     return (np.isin(mesh.t2f, facets).T.astype(int) @ on_plane) > 0
 
@@ -321,16 +319,14 @@ def mesh_modes(
         if support.kind == "free"
         else patch_facets(mesh, support, patch)
     )
-    max_unknowns = inf if refine else 0
-    held = support.held
     solved = solve_body(
         mesh,
         facets,
-        held,
+        support.held,
         material,
         density,
         below,
-        max_unknowns,
-        FLAT_FACE_REMAINING_ERROR_RATIO,
+        max_unknowns=inf if refine else 0,
+        edge_error_ratio=FLAT_FACE_REMAINING_ERROR_RATIO,
     )
     return mesh_modes_record(solved, material)

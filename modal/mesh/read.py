@@ -140,9 +140,10 @@ def hexahedra27_from_20(points, cells):
     middle of a face, and -1/4 and 1/4 in the middle of a cell.
     """
     lattice = np.array(VTK_HEXAHEDRON27)
-    sides = []
-    for node in lattice[20:26]:
-        sides.append(np.flatnonzero((lattice[:20] == node)[:, node != 1].all(axis=1)))
+    sides = [
+        np.flatnonzero((lattice[:20] == node)[:, node != 1].all(axis=1))
+        for node in lattice[20:26]
+    ]
     faces = cells[:, sides].reshape(-1, 8)
     face_corners = np.sort(faces[:, :4], axis=1)
     _, first, face = np.unique(

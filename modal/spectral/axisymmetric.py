@@ -77,7 +77,7 @@ def mode_columns(
     """Return the arrays (k, ...) of `Modes` for one problem; `drawing_nodes` is from
     `drawing_mesh`."""
     p = pairs.problem
-    n = pairs.problem.n
+    n = p.n
     k = len(pairs.values)
     participation = cosine_participation(plate, pairs)
     if odd:

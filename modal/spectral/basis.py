@@ -8,6 +8,7 @@ Legendre polynomials in r are used.
 """
 
 from dataclasses import dataclass
+from itertools import product
 from math import pi
 from typing import Any
 
@@ -159,6 +160,15 @@ def ritz_problem(
     return RitzProblem(n=n, even=even, family="meridional", terms=(*plane, axial))
 
 
+def ritz_problems(plate: Plate, n: int) -> list[RitzProblem]:
+    """Return the independent `RitzProblem` records of one order."""
+    kinds = (False, True) if n == 0 else (False,)
+    return [
+        ritz_problem(plate, n, even, torsional)
+        for torsional, even in product(kinds, (1, -1))
+    ]
+
+
 def legendre_values(order: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return values and slopes (j, k) of Legendre polynomials of orders (j, 1) at x
     (k,).
@@ -243,9 +253,10 @@ def rigid_mode(plate: Plate, p: RitzProblem, size: tuple[int, int]) -> np.ndarra
     else:
         weights = (0, 1.0, 0)
     lowest = np.eye(size[1])[0]
-    parts = []
-    for weight, term in zip(weights, p.terms, strict=True):
-        parts.append(weight * np.kron(power_coefficients(term, size[0]), lowest))
+    parts = [
+        weight * np.kron(power_coefficients(term, size[0]), lowest)
+        for weight, term in zip(weights, p.terms, strict=True)
+    ]
     return np.concatenate(parts)[:, None][:, : rigid_mode_count(plate, p)]
 
 

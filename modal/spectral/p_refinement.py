@@ -14,7 +14,7 @@ from modal.spectral.basis import (
     axial_functions,
     radial_functions,
     rigid_mode,
-    ritz_problem,
+    ritz_problems,
 )
 from modal.spectral.ritz import stiffness_and_mass
 
@@ -149,7 +149,7 @@ def all_eigenpairs(plate, below, tolerance) -> list[Eigenpairs]:
     """
     start = first_basis_size(plate, below)
     sizes: dict[tuple[int, str], tuple[int, int]] = {}
-    found = []
+    found: list[Eigenpairs] = []
     empty = 0
     n = 0
     wave_number = bending_wave_number(
@@ -157,20 +157,15 @@ def all_eigenpairs(plate, below, tolerance) -> list[Eigenpairs]:
     )
     expected_orders = wave_number * plate.radius + 2
     while n < 3 or empty < 2:
-        problems = [ritz_problem(plate, n, even) for even in (1, -1)]
-        if n == 0:
-            problems += [
-                ritz_problem(plate, 0, even, torsional=True) for even in (1, -1)
-            ]
-        solved = []
-        for p in problems:
-            size = sizes.get((p.even, p.family), start)
-            solved.append(solve_to_tolerance(plate, p, size, below, tolerance))
-        sizes |= {
-            (pairs.problem.even, pairs.problem.family): pairs.size for pairs in solved
-        }
-        found += [pairs for pairs in solved if len(pairs.values)]
-        empty = 0 if any(len(pairs.values) for pairs in solved) else empty + 1
+        before = len(found)
+        for p in ritz_problems(plate, n):
+            kind = (p.even, p.family)
+            size = sizes.get(kind, start)
+            pairs = solve_to_tolerance(plate, p, size, below, tolerance)
+            sizes[kind] = pairs.size
+            if len(pairs.values):
+                found.append(pairs)
+        empty = 0 if len(found) > before else empty + 1
         n += 1
         report_progress(min(n / expected_orders, 1.0))
     return found

@@ -21,7 +21,13 @@ from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_no_rigid_motion
 from modal.modes import Support
 from modal.progress import report_each
-from modal.spectral.basis import Plate, RitzProblem, rigid_mode_count, ritz_problem
+from modal.spectral.basis import (
+    Plate,
+    RitzProblem,
+    rigid_mode_count,
+    ritz_problem,
+    ritz_problems,
+)
 from modal.spectral.ritz import stiffness_and_mass
 from modal.synthesis.clamped import HeldSymmetryClass, solve_held_class
 from modal.synthesis.tractions import BasisSizes, PatchTractions
@@ -178,13 +184,9 @@ class FreeDisk:
         found_modes = True
         while found_modes or n <= self.richness.highest_direct_order:
             found_modes = False
-            symmetries = [(1, False), (-1, False)]
-            if n == 0:
-                symmetries += [(1, True), (-1, True)]
-            for even, torsional in symmetries:
-                p = ritz_problem(self.plate, n, even, torsional)
+            for p in ritz_problems(self.plate, n):
                 order = solve_free_order(self.plate, p, self.richness.size, self.cutoff)
-                orders[n, even, torsional] = order
+                orders[n, p.even, p.family == "torsional"] = order
                 found_modes = found_modes or len(order.values) > 0
             n += 1
         return orders
