@@ -157,8 +157,13 @@ class MovingTable(NamedTuple):
         Origin [m] in the frame of the splines.
     is_fixed : float
         0 if the modes move with the centre of the disk, as modes given by numbers do; else 1.
-    mean_factor : ndarray, shape (t,)
-        sin(x)/x with x = w h/2: average over the free vibration in a step.
+    frequency, decay : ndarray, shape (t,)
+        Angular frequency [rad/s] and decay rate [1/s].
+    mean_factor, place_factor : ndarray, shape (t,)
+        sin(x)/x with x = w h/2: average over the free vibration in a step; and x/tan(x), for
+        the mean of the displacements at both ends of the step.
+    shape_norm : float
+        Greatest norm of the mode shapes at a point [kg^-1/2].
     shapes : ndarray, shape (k, t)
         Mode shapes at the nodes [kg^-1/2], times `mean_factor`.
     slopes : ndarray, shape (k, 2, t)
@@ -191,7 +196,11 @@ class MovingTable(NamedTuple):
     knots_y: np.ndarray
     place: np.ndarray
     is_fixed: float
+    frequency: np.ndarray
+    decay: np.ndarray
     mean_factor: np.ndarray
+    place_factor: np.ndarray
+    shape_norm: float
     shapes: np.ndarray
     slopes: np.ndarray
     known_since: np.ndarray
@@ -211,7 +220,7 @@ DEFLECTION, SPEED, CHANGE = range(3)
 
 
 class Edge(NamedTuple):
-    """Lower edge of the disk, with p points and d modes, on a table with t modes; m = d + t.
+    """Lower edge of the disk, with p points and d modes.
 
     Attributes
     ----------
@@ -225,13 +234,12 @@ class Edge(NamedTuple):
         Displacement along the axis and the radius by modes of unit modal mass
         [kg^-1/2], times sin(x)/x with x = w h/2, which is the average over the free
         vibration in a step.
-    place_factor : ndarray, shape (m,)
+    place_factor : ndarray, shape (d,)
         Factor x/tan(x), for the mean of the displacements at both ends of the step.
-    frequency, decay : ndarray, shape (m,)
-        Angular frequency [rad/s] and decay rate [1/s] of the modes of disk and table.
-    highest : ndarray, shape (2 + d,)
-        Greatest height [m], greatest displacement by each mode of the disk, and greatest norm of
-        the mode shapes of the table [kg^-1/2].
+    frequency, decay : ndarray, shape (d,)
+        Angular frequency [rad/s] and decay rate [1/s] of the modes.
+    highest : ndarray, shape (1 + d,)
+        Greatest height [m], and greatest displacement by each mode [kg^-1/2].
     """
 
     heights: np.ndarray
@@ -264,7 +272,7 @@ def rotate(vector, axis, angle):
 def fly(disk, gravity, edge, motion, propagator, h):
     """Advance the disk and its modes exactly by a time h without contact.
 
-    `propagator` (4, m) is that of all modes; those of the table are not advanced.
+    `propagator` (4, d) is that of the modes.
     """
     state = motion.disk
     ring = motion.modes
@@ -309,65 +317,53 @@ def record_mode_losses(motion):
 
 
 @kernel
-def fly_table(table, disk_modes, motion, propagator):
-    """Advance the modes of the table exactly without contact.
-
-    `propagator` (4, m) is that of all modes; the first `disk_modes` are those of the disk.
-    """
-    place = motion.modes[0, disk_modes:]
-    speed = motion.modes[1, disk_modes:]
-    by_place, by_speed = propagator[0, disk_modes:], propagator[1, disk_modes:]
+def fly_table(table, motion, propagator):
+    """Advance the modes of the table exactly without contact by their propagator (4, t)."""
+    place = motion.table_place
+    speed = motion.table_speed
     later = table.work
     for j in range(later.size):
-        later[j] = by_place[j] * place[j] + by_speed[j] * speed[j]
-    by_place, by_speed = propagator[2, disk_modes:], propagator[3, disk_modes:]
+        later[j] = propagator[0, j] * place[j] + propagator[1, j] * speed[j]
     for j in range(later.size):
-        speed[j] = by_place[j] * place[j] + by_speed[j] * speed[j]
+        speed[j] = propagator[2, j] * place[j] + propagator[3, j] * speed[j]
     for j in range(later.size):
         place[j] = later[j]
 
 
 @kernel
-def table_energy(edge, table, disk_modes, motion):
+def table_energy(table, motion):
     """Return the energy [J] of the modes of the table."""
-    frequency = edge.frequency[disk_modes:]
-    place = motion.modes[0, disk_modes:]
-    speed = motion.modes[1, disk_modes:]
+    speed = motion.table_speed
     rate = table.work
     for j in range(rate.size):
-        rate[j] = frequency[j] * place[j]
+        rate[j] = table.frequency[j] * motion.table_place[j]
     return (scalar_product(rate, rate) + scalar_product(speed, speed)) / 2
 
 
 @kernel
-def work_lost_to_damping(edge, table, disk_modes, motion, gain, step):
+def work_lost_to_damping(table, motion, gain, step):
     """Return the part [J] of the work on the table modes that damping dissipates in a step.
 
     The impulses that change the speeds by `gain` (t,) represent forces that act during the
     whole step, in which the displacements decay. The work of these forces is smaller than
     that of the impulses; the difference is of first order in the decay rates.
     """
-    decay = edge.decay[disk_modes:]
-    frequency = edge.frequency[disk_modes:]
-    place = motion.modes[0, disk_modes:]
     lost = table.work
     for j in range(lost.size):
-        bend = frequency[j] ** 2 * place[j]
-        lost[j] = decay[j] * (gain[j] * step / 4 - bend * step**2 / 12)
+        bend = table.frequency[j] ** 2 * motion.table_place[j]
+        lost[j] = table.decay[j] * (gain[j] * step / 4 - bend * step**2 / 12)
     return scalar_product(gain, lost)
 
 
 @kernel
-def table_deflection_bound(edge, table, disk_modes, motion):
+def table_deflection_bound(table, motion):
     """Return an upper amplitude [m] of the table deflection until the next contact."""
-    frequency = edge.frequency[disk_modes:]
-    place = motion.modes[0, disk_modes:]
-    speed = motion.modes[1, disk_modes:]
+    place = motion.table_place
     amplitude = table.work
     for j in range(amplitude.size):
-        amplitude[j] = speed[j] / frequency[j]
+        amplitude[j] = motion.table_speed[j] / table.frequency[j]
     squares = scalar_product(place, place) + scalar_product(amplitude, amplitude)
-    return edge.highest[1 + disk_modes] * np.sqrt(squares)
+    return table.shape_norm * np.sqrt(squares)
 
 
 @kernel
@@ -390,7 +386,7 @@ def scalar_product(a, b):
 
 
 class Velocities(NamedTuple):
-    """Velocities of the disk and of m modes, or changes of them.
+    """Velocities of the disk and of m modes, t of which are of the table, or changes of them.
 
     Attributes
     ----------
@@ -400,19 +396,24 @@ class Velocities(NamedTuple):
         Velocity of the centre [m/s] and angular velocity [rad/s].
     modes : ndarray, shape (m,)
         Velocities of the modes of disk and table.
+    table_modes : ndarray, shape (t,)
+        Those of the table alone.
     """
 
     all: np.ndarray
     linear: np.ndarray
     angular: np.ndarray
     modes: np.ndarray
+    table_modes: np.ndarray
 
 
 @kernel
-def zero_velocities(mode_count):
-    """Return the `Velocities` of a disk at rest."""
-    velocities = np.zeros(6 + mode_count)
-    return Velocities(velocities, velocities[:3], velocities[3:6], velocities[6:])
+def zero_velocities(motion):
+    """Return `Velocities` that are zero, for the modes of a `MotionState`."""
+    velocities = np.zeros(6 + motion.modes.shape[1])
+    modes = velocities[6:]
+    table_modes = modes[motion.mode_loss.size :]
+    return Velocities(velocities, velocities[:3], velocities[3:6], modes, table_modes)
 
 
 @kernel
@@ -453,17 +454,27 @@ class MotionState(NamedTuple):
     disk : ndarray, shape (5, 3)
         Position, velocity, axis, reference vector of the rim, angular momentum.
     modes : ndarray, shape (2, m)
-        Displacements [kg^1/2 m] and velocities of the modes.
+        Displacements [kg^1/2 m] and velocities of the modes of disk and table.
     record : ndarray, shape (RECORD_SIZE,)
         Sums since the start; see `RecordLayout`.
     mode_loss : ndarray, shape (d,)
         Energy lost by the damping of each mode of the disk since the last sample [J].
+    table_place, table_speed : ndarray, shape (t,)
+        Parts of `modes` for the table.
     """
 
     disk: np.ndarray
     modes: np.ndarray
     record: np.ndarray
     mode_loss: np.ndarray
+    table_place: np.ndarray
+    table_speed: np.ndarray
+
+
+def motion_state(disk, modes, record, disk_modes) -> MotionState:
+    """Return the `MotionState`; the first `disk_modes` modes are those of the disk."""
+    of_table = modes[:, disk_modes:]
+    return MotionState(disk, modes, record, np.zeros(disk_modes), *of_table)
 
 
 class RimGeometry(NamedTuple):
@@ -471,7 +482,9 @@ class RimGeometry(NamedTuple):
 
     Attributes
     ----------
-    quarter_turn_vector : ndarray, shape (3,)
+    axis, reference : ndarray, shape (3,)
+        Axis of the disk and unit vector towards the point of the rim at angle zero.
+    quarter_turn : ndarray, shape (3,)
         Unit vector from the centre to the point of the rim at the angle pi/2.
     upright : float
         Cosine of the inclination.
@@ -485,7 +498,9 @@ class RimGeometry(NamedTuple):
         Height of that point above the lowest point of the edge [m].
     """
 
-    quarter_turn_vector: np.ndarray
+    axis: np.ndarray
+    reference: np.ndarray
+    quarter_turn: np.ndarray
     upright: float
     sine: float
     inclination: float
@@ -535,6 +550,8 @@ def rim_geometry(disk, state, quarter_turn_vector):
     sine = np.hypot(reference[2], quarter_turn_vector[2])
     upright = axis[2]
     return RimGeometry(
+        axis,
+        reference,
         quarter_turn_vector,
         upright,
         max(sine, 1e-6),
@@ -545,18 +562,19 @@ def rim_geometry(disk, state, quarter_turn_vector):
 
 
 @kernel
-def horizontal_offset(state, rim, cosine, sine, below):
-    """Return the horizontal coordinates [m] of a point relative to the centre of the
-    disk.
+def point_in_space(rim, cosine, sine, below):
+    """Return the vector (x, y, z) [m] from the centre of the disk to a point of it.
 
     `cosine` and `sine` [m] are its coordinates along the reference vector of the rim and a
     quarter turn ahead; `below` [m] is its distance below the middle plane.
     """
-    axis = state[AXIS]
-    reference = state[RIM_REFERENCE_VECTOR]
-    x = cosine * reference[0] + sine * rim.quarter_turn_vector[0] - below * axis[0]
-    y = cosine * reference[1] + sine * rim.quarter_turn_vector[1] - below * axis[1]
-    return x, y
+    axis = rim.axis
+    reference = rim.reference
+    turned = rim.quarter_turn
+    x = cosine * reference[0] + sine * turned[0] - below * axis[0]
+    y = cosine * reference[1] + sine * turned[1] - below * axis[1]
+    z = cosine * reference[2] + sine * turned[2] - below * axis[2]
+    return x, y, z
 
 
 @kernel
@@ -603,25 +621,12 @@ def nodes_of_arc(table, first, number, points):
 
 
 @kernel
-def node_arm(disk, table, motion, rim, node):
+def node_arm(disk, table, rim, node):
     """Return the vector (x, y, z) [m] from the centre of the disk to a node of the rim."""
-    state = motion.disk
     angle = 2 * np.pi * node / table.known_since.size
     c = (disk.radius - disk.fillet) * np.cos(angle)
     s = (disk.radius - disk.fillet) * np.sin(angle)
-    below = disk.half_thickness - disk.fillet
-    x, y = horizontal_offset(state, rim, c, s, below)
-    z = c * state[RIM_REFERENCE_VECTOR, 2] + s * rim.quarter_turn_vector[2]
-    return x, y, z - below * rim.upright
-
-
-@kernel
-def horizontal_velocity(velocity, is_fixed, x, y, z):
-    """Return the horizontal velocity [m/s] of a point of the disk relative to the mode shapes."""
-    spin_x, spin_y, spin_z = velocity.angular
-    along_x = is_fixed * velocity.linear[0] + spin_y * z - spin_z * y
-    along_y = is_fixed * velocity.linear[1] + spin_z * x - spin_x * z
-    return along_x, along_y
+    return point_in_space(rim, c, s, disk.half_thickness - disk.fillet)
 
 
 @kernel
@@ -648,15 +653,12 @@ def move_shapes(table, node, x, y, now, basis_x, basis_y):
 
 
 @kernel
-def move_nodes(disk, edge, table, motion, rim, now, begin, count):
+def move_nodes(disk, table, motion, rim, now, begin, count):
     """Evaluate the deflection of the table at `count` nodes from `begin` on, and clear their
     forces; return the greatest deflection [m].
     """
-    disk_modes = edge.axial.shape[0]
-    factor = edge.place_factor[disk_modes:]
-    place = motion.modes[0, disk_modes:]
-    for m in range(place.size):
-        table.displacement[m] = factor[m] * place[m]
+    for m in range(table.displacement.size):
+        table.displacement[m] = table.place_factor[m] * motion.table_place[m]
     basis_x = np.empty((3, 4))
     basis_y = np.empty((3, 4))
     highest = -np.inf
@@ -666,7 +668,7 @@ def move_nodes(disk, edge, table, motion, rim, now, begin, count):
         table.force[DASHPOT, node] = 0.0
         if table.evaluated[0, node] != now:
             table.evaluated[0, node] = now
-            x, y, _ = node_arm(disk, table, motion, rim, node)
+            x, y, _ = node_arm(disk, table, rim, node)
             x += table.is_fixed * motion.disk[CENTRE, 0]
             y += table.is_fixed * motion.disk[CENTRE, 1]
             move_shapes(table, node, x, y, now, basis_x, basis_y)
@@ -679,22 +681,11 @@ def move_nodes(disk, edge, table, motion, rim, now, begin, count):
 
 @kernel
 def write_node_speeds(
-    disk,
-    table,
-    disk_modes,
-    motion,
-    rim,
-    velocity,
-    change,
-    is_changed,
-    now,
-    begin,
-    count,
+    disk, table, rim, velocity, change, is_changed, now, begin, count
 ):
     """Evaluate slopes and speed of the table at `count` nodes from `begin` on.
 
-    The first `disk_modes` modes are those of the disk. A speed that was evaluated
-    before the change is corrected by half of it.
+    A speed that was evaluated before the change is corrected by half of it.
     """
     for n in range(begin, begin + count):
         node = n % table.known_since.size
@@ -704,30 +695,31 @@ def write_node_speeds(
             table.evaluated[1, node] = now
             for i in range(2):
                 incline[i] = scalar_product(table.slopes[node, i], table.displacement)
-            table.motion[SPEED, node] = node_speed(
-                disk, table, disk_modes, motion, rim, velocity, node
-            )
+            table.motion[SPEED, node] = node_speed(disk, table, rim, velocity, node)
         if is_changed:
-            gain = node_speed(disk, table, disk_modes, motion, rim, change, node)
+            gain = node_speed(disk, table, rim, change, node)
             table.motion[CHANGE, node] = gain
             if is_known:
                 table.motion[SPEED, node] += gain / 2
 
 
 @kernel
-def node_speed(disk, table, disk_modes, motion, rim, velocity, node):
+def node_speed(disk, table, rim, velocity, node):
     """Return the speed [m/s] at which the table rises under a node of the moving rim."""
-    x, y, z = node_arm(disk, table, motion, rim, node)
-    moved_x, moved_y = horizontal_velocity(velocity, table.is_fixed, x, y, z)
+    x, y, z = node_arm(disk, table, rim, node)
+    spin_x, spin_y, spin_z = velocity.angular
+    # velocity of the node relative to the mode shapes
+    moved_x = table.is_fixed * velocity.linear[0] + spin_y * z - spin_z * y
+    moved_y = table.is_fixed * velocity.linear[1] + spin_z * x - spin_x * z
     return (
-        scalar_product(table.shapes[node], velocity.modes[disk_modes:])
+        scalar_product(table.shapes[node], velocity.table_modes)
         + table.incline[node, 0] * moved_x
         + table.incline[node, 1] * moved_y
     )
 
 
 @kernel
-def push_table(disk, table, motion, rim, disk_modes, begin, count, contacts):
+def push_table(disk, table, motion, rim, begin, count, contacts):
     """Add the forces on `count` nodes from `begin` on to those on the modes of the table, and their
     horizontal parts to those on the disk.
     """
@@ -737,13 +729,13 @@ def push_table(disk, table, motion, rim, disk_modes, begin, count, contacts):
             force = table.force[origin, node]
             if force == 0:
                 continue
-            pull = contacts.pull[origin, disk_modes:]
+            pull = contacts.pull[origin, motion.mode_loss.size :]
             shapes = table.shapes[node]
             for m in range(shapes.size):
                 pull[m] -= force * shapes[m]
             push_x = -force * table.incline[node, 0]
             push_y = -force * table.incline[node, 1]
-            arm = node_arm(disk, table, motion, rim, node)
+            arm = node_arm(disk, table, rim, node)
             add_force(contacts, origin, (push_x, push_y, 0.0), arm)
             # modes that move with the centre exert torques only
             contacts.force[origin, 0] -= (1 - table.is_fixed) * push_x
@@ -763,8 +755,8 @@ def write_depths(disk, edge, motion, rim, first, size, contacts):
     sine = edge.angles[1, points]
     depth = contacts.depth[points]
     rise = contacts.rise
-    x = motion.disk[RIM_REFERENCE_VECTOR, 2]
-    y = rim.quarter_turn_vector[2]
+    x = rim.reference[2]
+    y = rim.quarter_turn[2]
     radius = disk.radius - disk.fillet
     for i in range(size):
         rise[i] = cosine[i] * x + sine[i] * y
@@ -785,7 +777,6 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
     The points are those of the last call of `write_depths`.
     """
     points = slice(first, first + size)
-    state = motion.disk
     speed = out[points]
     rise = contacts.rise
     radius = contacts.radius
@@ -807,10 +798,10 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
             below[i] -= place * axial[i]
     cosine = edge.angles[0, points]
     sine = edge.angles[1, points]
-    x0, y0 = state[RIM_REFERENCE_VECTOR, 0], state[RIM_REFERENCE_VECTOR, 1]
-    x1, y1 = rim.quarter_turn_vector[0], rim.quarter_turn_vector[1]
-    axis_x, axis_y = state[AXIS, 0], state[AXIS, 1]
-    turn_x, turn_y = velocity.angular[0], velocity.angular[1]
+    x0, y0, _ = rim.reference
+    x1, y1, _ = rim.quarter_turn
+    axis_x, axis_y, _ = rim.axis
+    turn_x, turn_y, _ = velocity.angular
     for i in range(size):
         arm_x = radius[i] * (cosine[i] * x0 + sine[i] * x1) - below[i] * axis_x
         arm_y = radius[i] * (cosine[i] * y0 + sine[i] * y1) - below[i] * axis_y
@@ -818,7 +809,7 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
 
 
 @kernel
-def block_depth(disk, edge, motion, rim, block):
+def block_depth(disk, edge, rim, block):
     """Return an upper bound of the depth [m] of the points of a block.
 
     Disk and table are assumed undeformed.
@@ -826,8 +817,8 @@ def block_depth(disk, edge, motion, rim, block):
     count = edge.heights.size
     first = block * BLOCK_SIZE
     last = min(first + BLOCK_SIZE, count) - 1
-    x = motion.disk[RIM_REFERENCE_VECTOR, 2]
-    y = rim.quarter_turn_vector[2]
+    x = rim.reference[2]
+    y = rim.quarter_turn[2]
     rise = min(
         edge.angles[0, first] * x + edge.angles[1, first] * y,
         edge.angles[0, last] * x + edge.angles[1, last] * y,
@@ -837,7 +828,7 @@ def block_depth(disk, edge, motion, rim, block):
 
 
 @kernel
-def arc_below(edge, motion, rim, room):
+def arc_below(edge, rim, room):
     """Return the arc of the rim less than `room` [m] above its lowest point.
 
     The result consists of its half-angle [rad], its first point and its number of
@@ -847,9 +838,7 @@ def arc_below(edge, motion, rim, room):
     half = np.pi
     if room < 2 * rim.tilt:
         half = 2 * np.arcsin(np.sqrt(room / (2 * rim.tilt)))
-    lowest = np.arctan2(
-        -rim.quarter_turn_vector[2], -motion.disk[RIM_REFERENCE_VECTOR, 2]
-    )
+    lowest = np.arctan2(-rim.quarter_turn[2], -rim.reference[2])
     first = int(np.floor((lowest - half) / cell)) - 1
     return half, first, min(int(2 * half / cell) + 4, count)
 
@@ -887,7 +876,6 @@ def press_patch(
 ):
     """Add the forces of a patch of `points` adjacent points that begins at the point
     `left`."""
-    state = motion.disk
     count = edge.heights.size
     depth_sum = 0.0
     squares = 0.0
@@ -916,12 +904,7 @@ def press_patch(
     cosine /= depth_sum
     sine /= depth_sum
     below = disk.half_thickness - disk.fillet + below / depth_sum
-    centre_x, centre_y = horizontal_offset(state, rim, cosine, sine, below)
-    centre_z = (
-        cosine * state[RIM_REFERENCE_VECTOR, 2]
-        + sine * rim.quarter_turn_vector[2]
-        - below * rim.upright
-    )
+    centre_x, centre_y, centre_z = point_in_space(rim, cosine, sine, below)
     centre_z -= disk.fillet
     centre = (centre_x, centre_y, centre_z)
     mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
@@ -943,8 +926,8 @@ def press_patch(
         for place in range(left, left + points):
             i = place % count
             rise = (
-                edge.angles[0, i] * state[RIM_REFERENCE_VECTOR, 2]
-                + edge.angles[1, i] * rim.quarter_turn_vector[2]
+                edge.angles[0, i] * rim.reference[2]
+                + edge.angles[1, i] * rim.quarter_turn[2]
             )
             own = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
             shape += contacts.depth[i] / depth_sum * own
@@ -965,9 +948,8 @@ def press_patch(
         )
         limit = disk.friction * (spring + damping)
         push = creep / np.sqrt(1 + (creep / limit) ** 2)
-        max_slip_reduction = (
-            0.25  # friction impulse divided by mass times slip velocity
-        )
+        # friction impulse divided by mass times slip velocity
+        max_slip_reduction = 0.25
         push = min(push, max_slip_reduction * disk.mass / step * slip)
         friction = (-push * slip_x / slip, -push * slip_y / slip, 0.0)
         add_force(contacts, FRICTION, friction, centre)
@@ -989,17 +971,14 @@ def press_rim(
     )
     reach = 0.0
     table_reach = 0.0
-    disk_modes = edge.axial.shape[0]
-    for j in range(disk_modes):
+    for j in range(edge.axial.shape[0]):
         travel += edge.highest[1 + j] * abs(velocity.modes[j])
         reach += edge.highest[1 + j] * abs(motion.modes[0, j])
     if table is not None:
-        speeds = velocity.modes[disk_modes:]
-        places = motion.modes[0, disk_modes:]
-        travel += edge.highest[1 + disk_modes] * np.sqrt(scalar_product(speeds, speeds))
-        table_reach = edge.highest[1 + disk_modes] * np.sqrt(
-            scalar_product(places, places)
-        )
+        speed = velocity.table_modes
+        bend = motion.table_place
+        travel += table.shape_norm * np.sqrt(scalar_product(speed, speed))
+        table_reach = table.shape_norm * np.sqrt(scalar_product(bend, bend))
     travel *= step
     room = edge.highest[0] + reach + table_reach + travel - rim.height + rim.tilt
     if room <= 0:
@@ -1009,7 +988,7 @@ def press_rim(
     curvature_radius = disk.radius / rim.inclination
     stiffness = disk.modulus * (curvature_radius * disk.fillet) ** 0.25
     stiffness *= cell * disk.radius / np.sqrt(2 * curvature_radius)
-    _, first, number = arc_below(edge, motion, rim, room)
+    _, first, number = arc_below(edge, rim, room)
     min_depth = -travel - reach - table_reach
     last = first
     nearest = -1
@@ -1017,7 +996,7 @@ def press_rim(
     while place < first + number:
         i = place % count
         after = place + min(BLOCK_SIZE - i % BLOCK_SIZE, count - i)
-        if block_depth(disk, edge, motion, rim, i // BLOCK_SIZE) > min_depth:
+        if block_depth(disk, edge, rim, i // BLOCK_SIZE) > min_depth:
             if nearest < 0:
                 nearest = place - first
             last = min(after, first + number)
@@ -1031,7 +1010,7 @@ def press_rim(
     has_node_speeds = False
     if table is not None:
         begin, nodes = nodes_of_arc(table, first, number, count)
-        highest = move_nodes(disk, edge, table, motion, rim, now, begin, nodes)
+        highest = move_nodes(disk, table, motion, rim, now, begin, nodes)
         min_depth = -travel - reach - highest
     points = 0
     left = first
@@ -1042,7 +1021,7 @@ def press_rim(
         size = min(BLOCK_SIZE - begin_of_block % BLOCK_SIZE, count - begin_of_block)
         size = min(size, last - place)
         block = begin_of_block // BLOCK_SIZE
-        is_near = block_depth(disk, edge, motion, rim, block) > min_depth
+        is_near = block_depth(disk, edge, rim, block) > min_depth
         if is_near:
             write_depths(disk, edge, motion, rim, begin_of_block, size, contacts)
             if table is not None:
@@ -1081,8 +1060,6 @@ def press_rim(
                     write_node_speeds(
                         disk,
                         table,
-                        disk_modes,
-                        motion,
                         rim,
                         velocity,
                         change,
@@ -1129,7 +1106,7 @@ def press_rim(
                 points = 0
         place += size
     if table is not None:
-        push_table(disk, table, motion, rim, disk_modes, begin, nodes, contacts)
+        push_table(disk, table, motion, rim, begin, nodes, contacts)
     return stiffness * squares / 2
 
 
@@ -1141,21 +1118,21 @@ def clear(contacts):
 
 
 @kernel
-def add_sample(motion, share, row):
-    """Add a share of state, record and modes of the disk to a row of the samples."""
+def add_half_sample(motion, row):
+    """Add half of state, record and modes of the disk to a row of the samples."""
     disk = motion.disk.ravel()
     modes = disk.size + RECORD_SIZE
     for i in range(disk.size):
-        row[i] += share * disk[i]
+        row[i] += 0.5 * disk[i]
     for i in range(RECORD_SIZE):
-        row[disk.size + i] += share * motion.record[i]
+        row[disk.size + i] += 0.5 * motion.record[i]
     for j in range(motion.mode_loss.size):
-        row[modes + 2 * j] += share * motion.modes[0, j]
-        row[modes + 2 * j + 1] += share * motion.modes[1, j]
+        row[modes + 2 * j] += 0.5 * motion.modes[0, j]
+        row[modes + 2 * j + 1] += 0.5 * motion.modes[1, j]
 
 
 @kernel
-def add_resistance(disk, weight, motion, rim, velocity, energy, step, contacts):
+def add_resistance(disk, weight, rim, velocity, energy, step, contacts):
     """Add the resisting moments, and the torque due to the variable spring stiffness.
 
     The stiffness varies as the fourth root of the inclination. The contour moment
@@ -1163,8 +1140,7 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, contacts):
     proportional to the normal force; those of the arms can stop a rotation within a
     step but not reverse it.
     """
-    axis_x = motion.disk[AXIS, 0]
-    axis_y = motion.disk[AXIS, 1]
+    axis_x, axis_y, _ = rim.axis
     spin_x, spin_y, spin_z = velocity.angular
     lean = energy / (4 * rim.inclination * rim.sine)
     contacts.torque[ELASTIC, 0] += lean * axis_y
@@ -1211,7 +1187,7 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, step, contacts):
 @kernel
 def add_film(disk, motion, rim, velocity, step, contacts):
     """Add the forces of the air film; return the work [J] of its compressed air."""
-    axis = motion.disk[AXIS]
+    axis = rim.axis
     up_slope = (-axis[0] * axis[2] / rim.sine, -axis[1] * axis[2] / rim.sine, rim.sine)
     stored = motion.record[RECORD.compressed_air_energy]
     film = film_pressure(disk, axis, up_slope, velocity, stored, step)
@@ -1288,11 +1264,11 @@ def kick(disk, motion, contacts, before, change, h):
 
 
 @kernel
-def write_propagator(edge, h, out):
-    """Write the propagator of each mode over a time h to `out` (4, m)."""
-    for j in range(edge.frequency.size):
-        d = edge.decay[j]
-        w = np.sqrt(edge.frequency[j] ** 2 - d * d)
+def write_propagator(body, h, out):
+    """Write the propagator of each mode of edge or table over a time h to `out` (4, k)."""
+    for j in range(body.frequency.size):
+        d = body.decay[j]
+        w = np.sqrt(body.frequency[j] ** 2 - d * d)
         c = np.cos(w * h)
         s = np.sin(w * h)
         fade = np.exp(-d * h)
@@ -1341,13 +1317,13 @@ def stays_clear(disk, edge, max_deflection, gravity, motion, rim, contacts, dura
     if room <= 0:
         return True
     sideways = duration * radius * np.sqrt(turning)
-    half, first, number = arc_below(edge, motion, rim, room + sideways)
+    half, first, number = arc_below(edge, rim, room + sideways)
     reach += sideways * min(half, 1.0)
     count = edge.heights.size
     place = first
     while place < first + number:
         i = place % count
-        if block_depth(disk, edge, motion, rim, i // BLOCK_SIZE) > -reach:
+        if block_depth(disk, edge, rim, i // BLOCK_SIZE) > -reach:
             return False
         place += min(BLOCK_SIZE - i % BLOCK_SIZE, count - i)
     return True
@@ -1402,10 +1378,17 @@ def step_rattling_disk(
         Number of samples and of flights written, and the reason for the end.
     """
     upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
-    mode_count = edge.frequency.size
-    propagators = np.empty((2 * per_sample, 4, mode_count))
-    for i in range(2 * per_sample):
+    mode_count = motion.modes.shape[1]
+    disk_modes = motion.mode_loss.size
+    propagators = np.empty((per_sample, 4, disk_modes))
+    for i in range(per_sample):
         write_propagator(edge, (i + 1) * step / 2, propagators[i])
+    stored = 0.0
+    if table is not None:
+        table_propagators = np.empty((2 * per_sample, 4, mode_count - disk_modes))
+        for i in range(2 * per_sample):
+            write_propagator(table, (i + 1) * step / 2, table_propagators[i])
+        stored = table_energy(table, motion)
     count = edge.heights.size
     load = np.zeros((5, 6))
     contacts = Contacts(
@@ -1421,17 +1404,13 @@ def step_rattling_disk(
         np.zeros(BLOCK_SIZE),
     )
     quarter_turn_vector = np.empty(3)
-    before = zero_velocities(mode_count)
-    mean = zero_velocities(mode_count)
-    change = zero_velocities(mode_count)
+    before = zero_velocities(motion)
+    mean = zero_velocities(motion)
+    change = zero_velocities(motion)
     record = motion.record
     highest = edge.highest[0]
     weight = disk.mass * gravity
     has_film = disk.film.turning > 0
-    disk_modes = edge.axial.shape[0]
-    stored = 0.0
-    if table is not None:
-        stored = table_energy(edge, table, disk_modes, motion)
     received = 0.0
     max_deflection = -1.0
     waiting = 0
@@ -1446,9 +1425,7 @@ def step_rattling_disk(
                 if max_deflection < 0:
                     max_deflection = 0.0
                     if table is not None:
-                        max_deflection = table_deflection_bound(
-                            edge, table, disk_modes, motion
-                        )
+                        max_deflection = table_deflection_bound(table, motion)
                 if stays_clear(
                     disk,
                     edge,
@@ -1466,7 +1443,7 @@ def step_rattling_disk(
             fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
             if table is not None and merged == 1:
-                fly_table(table, disk_modes, motion, propagators[waiting - 1])
+                fly_table(table, motion, table_propagators[waiting - 1])
                 waiting = 0
             now = begin + (sample * per_sample + done) * step
             rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
@@ -1501,7 +1478,6 @@ def step_rattling_disk(
                         add_resistance(
                             disk,
                             weight,
-                            motion,
                             rim,
                             mean,
                             record[RECORD.spring_energy],
@@ -1542,15 +1518,14 @@ def step_rattling_disk(
                 )
             if done == per_sample:
                 record_mode_losses(motion)
-                for i in range(samples.shape[1]):
-                    samples[sample, i] = 0.0
+                samples[sample] = 0.0
                 if table is not None:
-                    energy = table_energy(edge, table, disk_modes, motion)
+                    energy = table_energy(table, motion)
                     record[RECORD.table_mode_loss] += stored + received - energy
                     samples[sample, -1] = energy
                     stored = energy
                     received = 0.0
-                add_sample(motion, 0.5, samples[sample])
+                add_half_sample(motion, samples[sample])
             if touches or has_film:
                 write_change(disk, motion, contacts, duration, change)
                 if done == per_sample:
@@ -1559,18 +1534,15 @@ def step_rattling_disk(
                 kick(disk, motion, contacts, before, change, duration)
             if table is not None and touches:
                 max_deflection = -1.0
-                old = before.modes[disk_modes:]
-                gain = change.modes[disk_modes:]
-                by_old = scalar_product(old, gain)
+                gain = change.table_modes
+                by_old = scalar_product(before.table_modes, gain)
                 by_gain = scalar_product(gain, gain)
                 received += by_old + by_gain / 2
-                received -= work_lost_to_damping(
-                    edge, table, disk_modes, motion, gain, step
-                )
+                received -= work_lost_to_damping(table, motion, gain, step)
                 if done == per_sample:  # the mean energy before and after the impulse
                     samples[sample, -1] += by_old / 2 + by_gain / 4
             if done == per_sample:
-                add_sample(motion, 0.5, samples[sample])
+                add_half_sample(motion, samples[sample])
             fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
             if rim.tilt < final_tilt:
@@ -1584,7 +1556,7 @@ def step_rattling_disk(
             if is_carried_by_film(record, now, weight):
                 return sample, losses, IS_AIRBORNE
     if table is not None:
-        fly_table(table, disk_modes, motion, propagators[waiting - 1])
-        energy = table_energy(edge, table, disk_modes, motion)
+        fly_table(table, motion, table_propagators[waiting - 1])
+        energy = table_energy(table, motion)
         record[RECORD.table_mode_loss] += stored + received - energy
     return samples.shape[0], losses, CONTINUES

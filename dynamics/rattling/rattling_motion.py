@@ -36,9 +36,9 @@ from dynamics.rattling import contact_steps as layout
 from dynamics.rattling.contact_steps import (
     RECORD,
     Edge,
-    MotionState,
     MovingTable,
     RattlingDisk,
+    motion_state,
     step_rattling_disk,
 )
 from dynamics.rattling.film_force import AirFilm
@@ -89,7 +89,7 @@ class RattlingModel(NamedTuple):
     modes: Any
     rate: float
 
-    def depth(self, inclination):
+    def depth(self, inclination: Any) -> Any:
         """Return the depth [m] of the static contact at an inclination [rad]."""
         fixed = self.constants
         return static_depth(
@@ -114,19 +114,11 @@ class RattlingModel(NamedTuple):
         return float(np.std(self.heights))
 
     def edge(self) -> Edge:
-        """Return the lower edge of the disk, and frequencies and decay rates of all modes."""
+        """Return the lower edge of the disk."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
-        wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
-        wave *= self._mean_factor(np.sqrt(self.rim.squared))[:, None]
         frequency = np.sqrt(self.rim.squared)
-        decay = self.rim.decay
-        if self.modes is not None:
-            frequency = np.append(frequency, 2 * pi * self.modes.frequency)
-            decay = np.append(decay, self.modes.decay_rate)
-        turn = frequency / (2 * self.rate)
-        shape_norm = 0.0
-        if self.modes is not None:
-            shape_norm = np.linalg.norm(self.modes.coefficients, axis=2).max()
+        wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
+        wave *= self._mean_factor(frequency)[:, None]
         displacement = abs(self.rim.axial) + abs(self.rim.radial)
         return Edge(
             heights=self.heights,
@@ -136,14 +128,18 @@ class RattlingModel(NamedTuple):
             angles=np.array([np.cos(angle), np.sin(angle)]),
             axial=self.rim.axial[:, None] * wave,
             radial=self.rim.radial[:, None] * wave,
-            place_factor=turn / np.tan(turn),
+            place_factor=self._place_factor(frequency),
             frequency=frequency,
-            decay=decay,
-            highest=np.array([self.heights.max(), *displacement, shape_norm]),
+            decay=self.rim.decay,
+            highest=np.array([self.heights.max(), *displacement]),
         )
 
     def _mean_factor(self, frequency: np.ndarray) -> np.ndarray:
         return np.sinc(frequency / (2 * pi * self.rate))
+
+    def _place_factor(self, frequency: np.ndarray) -> np.ndarray:
+        turn = frequency / (2 * self.rate)
+        return turn / np.tan(turn)
 
     def table(self) -> MovingTable | None:
         """Return the modes of the table, or None if it is rigid."""
@@ -165,7 +161,11 @@ class RattlingModel(NamedTuple):
             knots_y,
             place=np.array(modes.place, dtype=float),
             is_fixed=float(modes.mass > 0),  # 0 for modes without a body
+            frequency=frequency,
+            decay=np.array(modes.decay_rate),
             mean_factor=self._mean_factor(frequency),
+            place_factor=self._place_factor(frequency),
+            shape_norm=float(np.linalg.norm(modes.coefficients, axis=2).max()),
             shapes=np.zeros((count, len(frequency))),
             slopes=np.zeros((count, 2, len(frequency))),
             known_since=np.full(count, -1.0),
@@ -441,18 +441,13 @@ def solve_rattling_motion(
     ImpossibleContactError
         If the disk leaves the table or lies flat at once.
     """
-    watch(
-        0.0,
-        radians(scene.release.inclination_deg),
-        "loading or compiling the equations",
-    )
-    model = rattling_model(scene, modes)
     inclination = radians(scene.release.inclination_deg)
+    watch(0.0, inclination, "loading or compiling the equations")
+    model = rattling_model(scene, modes)
     state = rolling_state_at_release(model, inclination, scene.release.omega)
     last = scene.numerics.final_inclination or 0.0
-    min_height_ratio = (
-        3.0  # of the rim of a disk that is not flat to the rms unevenness
-    )
+    # ratio of rim height to rms unevenness below which the disk lies flat
+    min_height_ratio = 3.0
     final_tilt = max(
         min_height_ratio * model.roughness_rms,
         model.disk.radius * last,
@@ -477,21 +472,17 @@ def simulate_rattling(
     edge = model.edge()
     table = model.table()
     disk_modes = len(model.rim.order)
-    ring = np.zeros((2, len(edge.frequency)))
-    if model.modes is not None:
+    table_modes = 0 if table is None else len(table.frequency)
+    ring = np.zeros((2, disk_modes + table_modes))
+    if table is not None:
         bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
         state[layout.CENTRE, 2] += bend
     record = np.zeros(layout.RECORD_SIZE)
     record[RECORD.flight_start] = -1.0
-    motion = MotionState(state, ring, record, np.zeros(disk_modes))
+    motion = motion_state(state, ring, record, disk_modes)
     per_sample = round(model.rate / FORCE_RATE)
     chunk = round(PROGRESS_INTERVAL * FORCE_RATE)
-    sizes = (
-        state.size,
-        record.size,
-        2 * disk_modes,
-        1,
-    )  # the last is the energy of the table
+    sizes = (state.size, record.size, 2 * disk_modes, 1)
     blocks = []
     flights = [np.zeros((0, 3))]
     begin = 0.0
@@ -523,8 +514,8 @@ def simulate_rattling(
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
     if record[RECORD.flight_start] >= 0:
         since = record[RECORD.flight_start]
-        flights.append(np.array([[since, begin + 1 / FORCE_RATE - since, 0.0]]))
-        flights[-1][0, 2] = record[RECORD.max_flight_height]
+        duration = begin + 1 / FORCE_RATE - since
+        flights.append(np.array([[since, duration, record[RECORD.max_flight_height]]]))
     lost = np.concatenate(flights)
     lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
     columns = np.split(samples[:count], np.cumsum(sizes[:-1]), axis=1)
@@ -557,7 +548,8 @@ def static_deflection(
 def _motion_of_samples(model, samples, flights, outcome, gravity):
     """Return the motion from samples at FORCE_RATE.
 
-    The `samples` are state (n, 15), record, modes of the disk (n, 2 d) and energy of the table (n, 1).
+    The `samples` are state (n, 15), record, modes of the disk (n, 2 d) and energy of the
+    table (n, 1).
     """
     state, record, ringing, in_table = samples
     state = state.reshape(len(state), -1, 3)

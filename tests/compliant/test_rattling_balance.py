@@ -20,7 +20,7 @@ from dynamics.compliant.model_selection import predicted_vibration
 from dynamics.disk import GRAVITY
 from dynamics.rattling import contact_steps as layout
 from dynamics.rattling.contact_steps import (
-    MotionState,
+    motion_state,
     step_rattling_disk,
     write_propagator,
 )
@@ -35,7 +35,7 @@ def steps_of(model, state, seconds, per_sample=1):
     record = np.zeros(layout.RECORD_SIZE)
     record[layout.RECORD.flight_start] = -1.0
     samples = np.empty((count, state.size + layout.RECORD_SIZE))
-    motion = MotionState(state, np.zeros((2, 0)), record, np.zeros(0))
+    motion = motion_state(state, np.zeros((2, 0)), record, 0)
     flights = np.empty((count * per_sample, 3))
     options = (
         model.constants,
