@@ -259,7 +259,8 @@ class ModeList:
 class Modes(ModeList):
     """The m elastic modes of a disk in ascending order of frequency.
 
-    Rigid-body modes are excluded. The shapes phi [kg^-1/2] are normalised to unit modal mass, phi^T M phi = 1.
+    Rigid-body modes are excluded. The shapes phi [kg^-1/2] are normalised to unit modal
+    mass, phi^T M phi = 1.
 
     Attributes
     ----------

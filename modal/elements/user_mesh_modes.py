@@ -11,41 +11,22 @@ from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.mesh.symmetry import rigid_fields
 from modal.modes import Modes
 
-VTK_TETRAHEDRON = [
-    (0, 0, 0),
-    (2, 0, 0),
-    (0, 2, 0),
-    (0, 0, 2),
-]
-"""Twice the reference coordinates of the corners of a tetrahedron, in VTK's order."""
-VTK_NODES = {
-    "tetra": VTK_TETRAHEDRON,
-    "tetra10": [
-        *VTK_TETRAHEDRON,
-        (1, 0, 0),
-        (1, 1, 0),
-        (0, 1, 0),
-        (0, 0, 1),
-        (1, 0, 1),
-        (0, 1, 1),
-    ],
-    "hexahedron": VTK_HEXAHEDRON27[:8],
-    "hexahedron27": VTK_HEXAHEDRON27,
-}
-"""Twice the reference coordinates of the nodes of each meshio cell type, in VTK's
-order."""
+CELL_TYPES = {4: "tetra", 10: "tetra10", 8: "hexahedron", 27: "hexahedron27"}
+"""meshio's name of each cell type by its number of nodes."""
 
 
 def cells_in_vtk_order(element, solid):
-    """Return the cells (c, nodes) of a `Solid` in VTK's order, and their meshio
-    type."""
-    index = {
-        tuple(row): i for i, row in enumerate(np.rint(2 * element.doflocs).astype(int))
-    }
-    cell_type = next(
-        name for name, nodes in VTK_NODES.items() if set(nodes) == set(index)
-    )
-    return solid.cells[:, [index[node] for node in VTK_NODES[cell_type]]], cell_type
+    """Return the cells (c, nodes) of a `Solid` in VTK's order, and their meshio type.
+
+    The nodes of tetrahedra have the same order in scikit-fem.
+    """
+    lattice = np.rint(2 * element.doflocs).astype(int)
+    cell_type = CELL_TYPES[len(lattice)]
+    if cell_type.startswith("tetra"):
+        return solid.cells, cell_type
+    index = {tuple(node): i for i, node in enumerate(lattice)}
+    order = [index[node] for node in VTK_HEXAHEDRON27[: len(lattice)]]
+    return solid.cells[:, order], cell_type
 
 
 def interpolate_on_face(solid, shapes, height, points):
