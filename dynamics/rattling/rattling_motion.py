@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from math import ceil, pi, radians
 from typing import Any, NamedTuple
 
@@ -251,11 +250,6 @@ class RattlingMotion(CompliantMotion):
         value = interpolate_rows(self.ringing, place, False)
         slope = interpolate_rows(self.ringing, place, True) / self.dt
         return np.stack([value[:, ::2], value[:, 1::2], slope[:, 1::2]], axis=1)
-
-    @cached_property
-    def _flights(self) -> np.ndarray:
-        begin, duration, _ = self.contact_losses.array.T
-        return np.column_stack([begin, begin + duration])
 
 
 def rattling_model(scene, modes: Any = None) -> RattlingModel:
