@@ -31,13 +31,11 @@ def whole_mesh(points, cells, quarter):
     for index, flip in enumerate(mirror_flips(quarter)):
         is_left_handed = sum(flip) == 1
         order = [
-            (2 - i, j, k) if is_left_handed else (i, j, k)
+            lattice[(2 - i, j, k) if is_left_handed else (i, j, k)]
             for i, j, k in VTK_HEXAHEDRON27
         ]
         images.append(points * mirror_factors(flip))
-        numbers.append(
-            cells[:, [lattice[node] for node in order]] + index * len(points)
-        )
+        numbers.append(cells[:, order] + index * len(points))
         sources.append(
             np.stack([np.arange(len(points)), np.full(len(points), index)], axis=1)
         )
@@ -142,16 +140,12 @@ def displacement_on_faces(matrices, points, quarter, c):
         (matrix @ nodes).reshape(len(points), k, 3).transpose(1, 0, 2)
         for matrix in matrices
     ]
-    signs = []
-    for is_bottom in (True, False):
-        signs.append(
-            [
-                c.mirror.component_signs(flip_y, quarter and is_bottom)
-                for flip_y in (False, True)
-            ]
-        )
+    signs = [
+        c.mirror.component_signs(flip_y, quarter and is_bottom)
+        for is_bottom, flip_y in product((True, False), (False, True))
+    ]
     side = (points[:, 1] < 0).astype(int)
-    return np.stack(values, axis=1) * np.array(signs)[:, side]
+    return np.stack(values, axis=1) * np.reshape(signs, (2, 2, 3))[:, side]
 
 
 def symmetry_class_arrays(solid, part, c, rim, face):
