@@ -61,7 +61,7 @@ STUDIO_HEADERS = SECURITY_HEADERS | {
 }
 
 
-def studio(folder: str | Path, port: int = 8001, note: Callable = print):
+def studio(folder: str | Path, port: int, note: Callable):
     """Serve the studio on this machine until interrupted, and pass its address to
     `note`.
 
@@ -103,7 +103,12 @@ def application(
         routes=[Mount(f"/{token}", routes=routes)],
         middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=[*LOOPBACK[:2]])],
         lifespan=lifespan,
+        exception_handlers={InputError: _report_input_error},
     )
+
+
+async def _report_input_error(request, error) -> Response:
+    return JSONResponse(_error_record(error), 422)
 
 
 class Session:
@@ -151,22 +156,19 @@ class Session:
             return JSONResponse(
                 {"error": "invalid run: expected scene and values"}, 400
             )
-        try:
-            scene = changed_scene(name, values)
-        except InputError as error:
-            return JSONResponse(_error_record(error), 422)
+        scene = changed_scene(name, values)
         out = first_matching_folder(
             self.root / f"studio-{scene.name}", lambda folder: not folder.exists()
         )
         out.mkdir(parents=True)
         number, folder = self._new_folder()
-        job = Job(number, folder, run_scene, scene.document, out, folder)
+        job = Job(folder, run_scene, scene.document, out, folder)
         self._runs[number] = job
         places = {
             "page": f"runs/{out.name}/",
             "sound": f"session/{number}/{PREVIEW_FILE}",
+            "stream": f"stream/{number}",
         }
-        places["stream"] = f"stream/{number}"
         return self._stream(request, job, places)
 
     async def recording(self, request: Request) -> Response:
@@ -180,15 +182,12 @@ class Session:
             return JSONResponse(
                 {"error": "invalid recording: expected scene, values, from and to"}, 400
             )
-        try:
-            scene = changed_scene(query.get("scene", ""), values)
-        except InputError as error:
-            return JSONResponse(_error_record(error), 422)
+        scene = changed_scene(query.get("scene", ""), values)
         content = await _body(request, MAX_UPLOAD_BYTES)
         number, folder = self._new_folder()
         path = folder / "recording.wav"
         path.write_bytes(content)
-        job = Job(number, folder, analyse_recording, path, scene.document, folder, span)
+        job = Job(folder, analyse_recording, path, scene.document, folder, span)
         return self._stream(request, job, {"folder": f"session/{number}/"})
 
     def session_file(self, request: Request) -> Response:
@@ -248,7 +247,7 @@ async def _growing_file(job) -> AsyncIterator[bytes]:
 
 def _final_record(job) -> dict[str, Any]:
     if job.error is None:
-        return {"done": True, "heard": True} | {"result": job.result}
+        return {"done": True, "heard": True, "result": job.result}
     if isinstance(job.error, WorkerDiedError):
         return {"error": "the run was cancelled or its process died", "key": ""}
     return _error_record(job.error)

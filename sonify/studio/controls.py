@@ -119,30 +119,19 @@ def _number_control(scene, key):
 
 def _choice_control(scene, key):
     if key == "surface":
-        tables = [
-            name
-            for name in shipped_scenes()
-            if load_scene(name).surface.kind != "rigid"
-        ]
         meaning = "Table under the disk, optionally that of another scene."
-        choices = (KEEP_SCENE_VALUE, "published", *tables)
-        return Control(
-            key=key, meaning=meaning, unit="", value=KEEP_SCENE_VALUE, choices=choices
-        )
-    described = _schema_of(key)
-    meaning, _ = _meaning_and_unit(described)
-    names = tuple(described["enum"])
+        names = ["published"]
+        names += [n for n in shipped_scenes() if load_scene(n).surface.kind != "rigid"]
+    else:
+        described = _schema_of(key)
+        meaning, _ = _meaning_and_unit(described)
+        names = described["enum"]
     if key == "air.film":
-        return Control(
-            key=key, meaning=meaning, unit="", value=scene.air.film, choices=names
-        )
-    return Control(
-        key=key,
-        meaning=meaning,
-        unit="",
-        value=KEEP_SCENE_VALUE,
-        choices=(KEEP_SCENE_VALUE, *names),
-    )
+        value = scene.air.film
+    else:
+        value = KEEP_SCENE_VALUE
+        names = [KEEP_SCENE_VALUE, *names]
+    return Control(key=key, meaning=meaning, unit="", value=value, choices=tuple(names))
 
 
 def _schema_of(key):

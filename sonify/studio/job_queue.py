@@ -15,8 +15,7 @@ class Job:
     """One function call in the worker process, which writes its progress to
     `folder`."""
 
-    def __init__(self, number: int, folder: Path, function: Callable, *arguments: Any):
-        self.number = number
+    def __init__(self, folder: Path, function: Callable, *arguments: Any):
         self.folder = folder
         self.function = function
         self.arguments = arguments
@@ -28,12 +27,9 @@ class Job:
     def progress(self) -> dict[str, Any]:
         """Return the latest progress written by the worker."""
         try:
-            content = json.loads(
-                (self.folder / PROGRESS_FILE).read_text(encoding="utf-8")
-            )
+            return json.loads((self.folder / PROGRESS_FILE).read_text("utf-8"))
         except (OSError, ValueError):
-            content = {"line": "", "share": None, "heard": False, "streams": False}
-        return content
+            return {"line": "", "share": None, "heard": False, "streams": False}
 
 
 class JobQueue:
@@ -48,11 +44,11 @@ class JobQueue:
     ):
         self._start_worker = start_worker
         self._warm = warm
-        self._jobs: SimpleQueue[Job | None] = SimpleQueue()
+        self._submitted: SimpleQueue[Job | None] = SimpleQueue()
         self._lock = Lock()
         self._worker: WorkerProcess | None = None
-        self._current: Job | None = None
-        self._waiting: list[Job] = []
+        self._jobs: list[Job] = []
+        self._running: Job | None = None
         self._closed = False
         self._thread = Thread(target=self._work, daemon=True)
         self._thread.start()
@@ -60,44 +56,37 @@ class JobQueue:
     def submit(self, job: Job) -> Job:
         """Append a job."""
         with self._lock:
-            self._waiting.append(job)
-        self._jobs.put(job)
+            self._jobs.append(job)
+        self._submitted.put(job)
         return job
 
     def jobs_before(self, job: Job) -> int:
         """Return the number of jobs ahead of this one."""
         with self._lock:
-            ahead = self._waiting.index(job) if job in self._waiting else 0
-            return ahead + (self._current is not None and self._current is not job)
+            return self._jobs.index(job) if job in self._jobs else 0
 
     def cancel(self, job: Job):
         """Cancel a job; kill the worker if the job is running."""
         with self._lock:
-            if job.ended.is_set():
-                return
             job.cancelled = True
-            if job in self._waiting:
-                self._waiting.remove(job)
-            if self._current is job and self._worker is not None:
-                self._worker.kill()
-                self._worker = None
+            if job is self._running:
+                self._kill_worker()
+            else:
+                self._remove(job)
 
     def close(self):
         """Cancel all jobs and end the worker."""
         with self._lock:
             self._closed = True
-            if self._worker:
-                self._worker.kill()
-                self._worker = None
-        self._jobs.put(None)
+            self._kill_worker()
+        self._submitted.put(None)
         self._thread.join(timeout=10.0)
 
     def _work(self):
         self._ensure_worker()
-        while (job := self._jobs.get()) is not None:
+        while (job := self._submitted.get()) is not None:
             self._execute(job)
-            if not self._closed and self._worker is None:
-                self._ensure_worker()
+            self._ensure_worker()
 
     def _ensure_worker(self) -> WorkerProcess | None:
         """Return the worker; start and warm up a new one if none is running."""
@@ -109,17 +98,15 @@ class JobQueue:
             try:
                 worker.call(warm_up)
             except WorkerDiedError:
-                self._discard_worker(worker)
+                with self._lock:
+                    self._kill_worker()
                 return None
         return worker
 
     def _execute(self, job):
         worker = self._ensure_worker()
         with self._lock:
-            if job in self._waiting:
-                self._waiting.remove(job)
-            if not job.cancelled:
-                self._current = job
+            self._running = None if job.cancelled else job
         try:
             if job.cancelled or worker is None:
                 raise WorkerDiedError("cancelled" if job.cancelled else "no worker")
@@ -127,17 +114,23 @@ class JobQueue:
         except WorkerDiedError as error:
             job.error = error
             if not job.cancelled:
-                self._discard_worker(worker)
+                with self._lock:
+                    self._kill_worker()
         except Exception as error:
             job.error = error
         finally:
             with self._lock:
-                self._current = None
+                self._running = None
+                self._remove(job)
             job.ended.set()
 
-    def _discard_worker(self, worker: WorkerProcess | None):
-        """Remove a dead worker."""
-        with self._lock:
-            if worker is not None and self._worker is worker:
-                worker.kill()
-                self._worker = None
+    def _kill_worker(self):
+        """Kill the worker, if there is one; the lock is held."""
+        if self._worker is not None:
+            self._worker.kill()
+            self._worker = None
+
+    def _remove(self, job):
+        """Remove a job, if it has not yet been removed; the lock is held."""
+        if job in self._jobs:
+            self._jobs.remove(job)

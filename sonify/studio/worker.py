@@ -64,21 +64,21 @@ class ProgressFile(Stages):
 
         peak_headroom = 0.5
         peak = float(np.max(np.abs(block), initial=1e-12))
-        gain = min(self._gain, peak_headroom / peak)
-        self._gain = gain
-        scaled = np.round(32767 * gain * block).astype("<i2")
+        self._gain = min(self._gain, peak_headroom / peak)
+        scaled = np.round(32767 * self._gain * block).astype("<i2")
         with open(self._folder / STREAM_FILE, "ab") as file:
             if not self.streams:
                 file.write(_wav_header(sample_rate, samples))
             file.write(scaled.tobytes())
         self.streams = True
-        self.write(interval=0.0)
+        self.write(at_once=True)
 
-    def write(self, interval: float = 0.1):
-        """Write the progress, at most once per `interval` [s]."""
+    def write(self, at_once: bool = False):
+        """Write the progress, unless it was just written; `at_once`, in any case."""
+        interval = 0.1  # s
         with self._lock:
             now = perf_counter()
-            if now - self._written < interval:
+            if now - self._written < interval and not at_once:
                 return
             self._written = now
             line = "; ".join(stage.line(now) for stage in self._running.values())
@@ -91,8 +91,8 @@ class ProgressFile(Stages):
                 "line": line,
                 "share": min(shares, default=None),
                 "heard": self.heard,
+                "streams": self.streams,
             }
-            content["streams"] = self.streams
             temporary = self._folder / "progress.tmp"
             temporary.write_text(json.dumps(content), encoding="utf-8")
             os.replace(temporary, self._folder / PROGRESS_FILE)
@@ -206,7 +206,7 @@ def _callback_with_preview(
                     file.write(block)
             os.replace(temporary, session / PREVIEW_FILE)
             stages.heard = True
-            stages.write(interval=0.0)
+            stages.write(at_once=True)
         begin(solved)
 
     return begin_with_preview

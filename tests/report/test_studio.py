@@ -97,7 +97,7 @@ def run_of(scene, values):
 
 
 def job(tmp_path, name):
-    return Job(1, tmp_path, print, name)
+    return Job(tmp_path, print, name)
 
 
 def test_an_address_without_the_token_does_not_exist(client):
@@ -307,9 +307,9 @@ def test_a_reader_that_leaves_ends_its_run(monkeypatch, jobs, workers, tmp_path)
 def test_a_port_in_use_is_one_line(monkeypatch, jobs, tmp_path):
     port, _ = served(monkeypatch, tmp_path, jobs)
     with pytest.raises(InputError, match=f"--port = {port}: unavailable"):
-        studio_pages.studio(tmp_path, port)
+        studio_pages.studio(tmp_path, port, print)
     with pytest.raises(InputError, match="--port = 70000"):
-        studio_pages.studio(tmp_path, 70_000)
+        studio_pages.studio(tmp_path, 70_000, print)
 
 
 def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers, tmp_path):
