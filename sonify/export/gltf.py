@@ -23,10 +23,6 @@ COLOURS = {
     "table": (0.86, 0.84, 0.8, 0.0),
 }
 """Red, green, blue and metallic factor of each material."""
-GL_FLOAT = 5126
-GL_UNSIGNED_INT = 5125
-GL_ARRAY_BUFFER = 34962
-GL_ELEMENT_ARRAY_BUFFER = 34963
 
 
 @dataclass
@@ -51,6 +47,8 @@ class Buffer:
     ) -> int:
         """Append float or index values (k,) or (k, n) and return the index of their
         accessor."""
+        gl_float = 5126
+        gl_unsigned_int = 5125
         is_index = values.dtype.kind in "iu"
         array = np.ascontiguousarray(values, "<u4" if is_index else "<f4")
         view: dict[str, Any] = {
@@ -63,7 +61,7 @@ class Buffer:
         width = array.shape[1] if array.ndim == 2 else 1
         accessor = {
             "bufferView": len(self.views),
-            "componentType": GL_UNSIGNED_INT if is_index else GL_FLOAT,
+            "componentType": gl_unsigned_int if is_index else gl_float,
             "count": len(array),
             "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[width],
         }
@@ -100,19 +98,19 @@ def animated_model(
     nodes[1] |= {"translation": centre[0].tolist(), "rotation": quaternion[0].tolist()}
     nodes[2] |= {"translation": contact[0].tolist()}
     clock = buffer.add(times, bounds=True)
-    channels = []
-    samplers: list[dict] = []
-    for node, path, values in (
+    animated = (
         (1, "translation", centre),
         (1, "rotation", quaternion),
         (2, "translation", contact),
-    ):
-        channels.append(
-            {"sampler": len(samplers), "target": {"node": node, "path": path}}
-        )
-        samplers.append(
-            {"input": clock, "output": buffer.add(values), "interpolation": "LINEAR"}
-        )
+    )
+    channels = [
+        {"sampler": i, "target": {"node": node, "path": path}}
+        for i, (node, path, _) in enumerate(animated)
+    ]
+    samplers = [
+        {"input": clock, "output": buffer.add(values), "interpolation": "LINEAR"}
+        for _, _, values in animated
+    ]
     model: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": f"eulers-disk-sonify {__version__}"},
         "scene": 0,
@@ -182,39 +180,35 @@ def disk_mesh(disk: Disk) -> Mesh:
     axis = np.array([0.0, 1.0, 0.0])
     outer = disk.radius * outward
     inner = disk.inner_radius * outward
-    rings = [
-        (outer - up, outward),
-        (outer + up, outward),
-    ]  # each pair of rings bounds a strip
-    rings += [(outer + up, axis), (inner + up, axis)]
-    rings += [(inner - up, -axis), (outer - up, -axis)]
-    strips = [(0, True), (2, True), (4, False)]
+    strips = [  # bounded by two rings, with their normals
+        (outer - up, outer + up, outward),
+        (outer + up, inner + up, axis),
+        (inner - up, outer - up, -axis),
+    ]
     if disk.inner_radius > 0:
-        rings += [(inner + up, -outward), (inner - up, -outward)]
-        strips.append((6, False))
+        strips.append((inner + up, inner - up, -outward))
     count = sides + 1
+    points = np.concatenate([np.concatenate(rings) for *rings, _ in strips])
+    normals = np.concatenate(
+        [np.broadcast_to(normal, (2, count, 3)).reshape(-1, 3) for *_, normal in strips]
+    )
     first = np.arange(sides)
-    parts: dict[str, list[np.ndarray]] = {"metal": [], "mark": []}
-    marked = first < sides / 24  # a coloured mark makes the spin visible
-    for ring, carries_mark in strips:
-        a = ring * count + first
-        b = a + count
-        strip = np.stack([[a, a + 1, b + 1], [a, b + 1, b]], axis=0).transpose(2, 0, 1)
-        parts["metal"].append(strip[~marked] if carries_mark else strip)
-        if carries_mark:
-            parts["mark"].append(strip[marked])
-    points = np.concatenate([ring for ring, _ in rings])
-    triangles = {
-        name: np.concatenate(some).reshape(-1, 3) for name, some in parts.items()
+    side = np.array([[0, 1, count + 1], [0, count + 1, count]])
+    triangles = [
+        2 * count * i + first[:, None, None] + side for i in range(len(strips))
+    ]
+    rim_and_face = np.array(triangles[:2])
+    is_marked = first < sides / 24  # a coloured mark makes the spin visible
+    parts = {
+        "metal": [*rim_and_face[:, ~is_marked], *triangles[2:]],
+        "mark": [*rim_and_face[:, is_marked]],
     }
     return Mesh(
         points=points,
-        normals=np.concatenate(
-            [np.broadcast_to(normal, (count, 3)) for _, normal in rings]
-        ),
+        normals=normals,
         triangles={
-            name: _nondegenerate_triangles(points, some)
-            for name, some in triangles.items()
+            name: _nondegenerate_triangles(points, np.concatenate(some).reshape(-1, 3))
+            for name, some in parts.items()
         },
     )
 
@@ -243,16 +237,11 @@ def marker_mesh(radius: float) -> Mesh:
         axis=-1,
     ).reshape(-1, 3)
     width = 2 * latitude_bands + 1
-    row, column = np.meshgrid(
-        np.arange(latitude_bands), np.arange(2 * latitude_bands), indexing="ij"
-    )
-    a = (row * width + column).ravel()
-    triangles = np.concatenate(
-        [
-            np.column_stack([a, a + 1, a + width + 1]),
-            np.column_stack([a, a + width + 1, a + width]),
-        ]
-    )
+    corner = np.add.outer(
+        width * np.arange(latitude_bands), np.arange(2 * latitude_bands)
+    ).reshape(-1, 1)
+    halves = np.array([[0, 1, width + 1], [0, width + 1, width]])
+    triangles = (corner + halves[:, None]).reshape(-1, 3)
     return Mesh(
         points=radius * normals, normals=normals, triangles={"contact": triangles}
     )
@@ -286,14 +275,16 @@ def table_mesh(scene: Scene, contact: np.ndarray) -> Mesh:
 
 
 def _mesh_record(name, mesh, buffer, materials):
+    gl_array_buffer = 34962
+    gl_element_array_buffer = 34963
     attributes = {
-        "POSITION": buffer.add(mesh.points, GL_ARRAY_BUFFER, bounds=True),
-        "NORMAL": buffer.add(mesh.normals, GL_ARRAY_BUFFER),
+        "POSITION": buffer.add(mesh.points, gl_array_buffer, bounds=True),
+        "NORMAL": buffer.add(mesh.normals, gl_array_buffer),
     }
     primitives = [
         {
             "attributes": attributes,
-            "indices": buffer.add(triangles.ravel(), GL_ELEMENT_ARRAY_BUFFER),
+            "indices": buffer.add(triangles.ravel(), gl_element_array_buffer),
             "material": materials.index(material),
         }
         for material, triangles in mesh.triangles.items()

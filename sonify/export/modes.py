@@ -4,8 +4,8 @@ from math import isfinite, radians
 from pathlib import Path
 
 from modal import Modes, as_faust, write_uff, write_vtu
-from sonify.export.scene_source import scene_or_run_record
-from sonify.pipeline import check_solvable_scene, plan_with_modes
+from sonify.export.scene_source import scene_to_export
+from sonify.pipeline import plan_with_modes
 from sonify.runtime.files import atomic_write
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
@@ -45,7 +45,7 @@ def export_modes(
         If the scene cannot be solved or has no modes, if a package for the format is
         missing, or if the disk cannot be struck at this angle.
     """
-    scene = check_solvable_scene(scene_or_run_record(scene), None)
+    scene = scene_to_export(scene)
     _check_strike(scene, form, strike_deg)
     _, modes = plan_with_modes(scene)
     path = Path(out or f"{scene.name}.{SUFFIXES[form]}")

@@ -14,9 +14,9 @@ from dynamics.progress import MotionProgress
 from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify.export.gltf import animated_model
-from sonify.export.scene_source import scene_or_run_record
+from sonify.export.scene_source import scene_to_export
 from sonify.plan.plan import plan_of
-from sonify.plan.preflight import check_solvable_scene, solve_motion
+from sonify.plan.preflight import solve_motion
 from sonify.plan.table import with_table
 from sonify.runtime.extras import require_extra
 from sonify.runtime.files import atomic_write
@@ -26,8 +26,6 @@ from sonify.scene_errors import InputError
 
 MOTION_SUFFIXES = {"gltf": "glb", "parquet": "parquet", "csv": "csv"}
 """File suffix of each format."""
-FRAME_RATE = 60.0
-"""Default number of frames per second of an animated model."""
 
 
 @one_blas_thread
@@ -50,8 +48,8 @@ def export_motion(
         Path of the file (default: <scene name>.<suffix>). A model is written as text if
         the name ends in .gltf.
     rate : float, optional
-        Frames or rows per second (default: FRAME_RATE for a model, the ends of the
-        pieces of the solution for a table).
+        Frames or rows per second (default: 60 for a model, the ends of the pieces of
+        the solution for a table).
     stages : Stages, optional
         Receives the progress.
 
@@ -70,12 +68,14 @@ def export_motion(
         raise InputError(f"--rate = {rate:g}: must be greater than 0")
     if form == "parquet":
         require_extra("--as parquet", "pyarrow", "sweep")
-    scene = check_solvable_scene(scene_or_run_record(scene), None)
+    scene = scene_to_export(scene)
     path = Path(out or f"{scene.name}.{MOTION_SUFFIXES[form]}")
     stages = stages or Stages()
     with stages.stage("motion") as watch:
         motion = solved_motion(scene, watch)
-    times = _row_times(motion, rate if rate or form != "gltf" else FRAME_RATE)
+    if rate is None and form == "gltf":
+        rate = 60.0  # frames per second
+    times = _row_times(motion, rate)
     with stages.stage(path.name), atomic_write(path) as temporary:
         if form == "gltf":
             as_text = path.suffix.lower() == ".gltf"

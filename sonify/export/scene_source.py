@@ -2,13 +2,16 @@
 
 from pathlib import Path
 
+from sonify.plan.preflight import check_solvable_scene
 from sonify.scene import Scene
 
 
-def scene_or_run_record(scene: Scene | str | Path) -> Scene | str | Path:
-    """Return the path of run.json if `scene` is the folder of a run, and otherwise
-    `scene` unchanged."""
-    if isinstance(scene, Scene):
-        return scene
-    record = Path(scene) / "run.json"
-    return record if record.is_file() else scene
+def scene_to_export(scene: Scene | str | Path) -> Scene:
+    """Return a scene, given as such, by name, by its file, or by the folder or run.json
+    of an earlier run.
+
+    Raises InputError if it cannot be solved."""
+    if not isinstance(scene, Scene):
+        record = Path(scene) / "run.json"
+        scene = record if record.is_file() else scene
+    return check_solvable_scene(scene, None)

@@ -10,11 +10,11 @@ from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify import __version__
 from sonify.export.motion import solved_motion
-from sonify.export.scene_source import scene_or_run_record
+from sonify.export.scene_source import scene_to_export
 from sonify.hearing.audio_source import read_samples
 from sonify.pipeline import cached_modes
 from sonify.plan.plan import plan_of
-from sonify.plan.preflight import check_solvable_scene, plan_with_modes
+from sonify.plan.preflight import plan_with_modes
 from sonify.plan.table import with_table
 from sonify.runtime.files import claimed_folder
 from sonify.runtime.progress import Stages
@@ -24,10 +24,6 @@ from sonify.sound.pressure import Sound
 from sonify.sound.render import render_sound
 from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
 
-TAKE_RATES = (48000, 96000)
-"""Sample rates [Hz] allowed for `--rate`."""
-SILENCE_DB = -60.0
-"""Level relative to the peak [dB] below which the sound is trimmed at both ends."""
 FADE_IN = 0.005  # s
 FADE_OUT = 0.02  # s
 
@@ -57,7 +53,7 @@ def export_takes(
     seed : int
         Seed of the random variations.
     rate : float, optional
-        Sample rate [Hz], one of TAKE_RATES (default: that of the scene).
+        Sample rate [Hz], 48000 or 96000 (default: that of the scene).
     out : str or Path, optional
         Folder of the files <scene name>-01.wav, ... (default: the current folder).
     stages : Stages, optional
@@ -75,10 +71,9 @@ def export_takes(
     InputError
         If a take cannot be solved or is silent, or the sample rate is not allowed.
     """
-    if rate is not None and rate not in TAKE_RATES:
-        allowed = " or ".join(map(str, TAKE_RATES))
-        raise InputError(f"--rate = {rate:g}: must be {allowed} for a sound")
-    scene = check_solvable_scene(scene_or_run_record(scene), None)
+    if rate is not None and rate not in (48000, 96000):
+        raise InputError(f"--rate = {rate:g}: must be 48000 or 96000 for a sound")
+    scene = scene_to_export(scene)
     if rate is not None:
         scene = scene.replace(f"audio.sample_rate={round(rate)}")
     variations = [varied_scene(scene, seed, number) for number in range(1, takes + 1)]
@@ -134,7 +129,7 @@ def sound_of_take(
 ) -> Sound:
     """Return the sound of a take; `watch(fraction, note)` is called with the completed
     fraction."""
-    scene = check_solvable_scene(scene, None)
+    scene = scene_to_export(scene)
     plan, modes = plan_with_modes(scene, cached_modes)
     motion = solved_motion(scene, lambda share, note="": watch(share / 2, note), table)
     return render_sound(
@@ -173,15 +168,15 @@ def write_take(sound: Sound, path: Path, note: str) -> None:
 
 
 def audible_range(source) -> tuple[int, int]:
-    """Return the first sample and the end of the part above SILENCE_DB relative to the
-    peak.
+    """Return the first sample and the end of the part that is not silent.
 
     The durations of the fades are added at both ends. The length is even, because some
     programs expect an even number of bytes. Raises InputError if the sound is silent.
     """
+    silence_db = -60.0  # relative to the peak
     tops = [np.abs(block).max(axis=1) for block in source.blocks()]
     level = np.concatenate(tops)
-    loud = np.flatnonzero(level > level.max() * 10 ** (SILENCE_DB / 20))
+    loud = np.flatnonzero(level > level.max() * 10 ** (silence_db / 20))
     if not len(loud):
         raise InputError("the sound is silent")
     rate = source.sample_rate
