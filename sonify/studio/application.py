@@ -3,7 +3,7 @@
 import asyncio
 import json
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, closing
 from functools import cache
 from importlib import resources
 from itertools import count
@@ -73,30 +73,33 @@ def studio(folder: str | Path, port: int, note: Callable):
         root = create_folder(folder)
         token = token_urlsafe(16)
         note(f"{address(host, listening)}{token}/")
-        run_application(application(root, token), STUDIO_HEADERS, listening)
+        app = application(root, token, JobQueue())
+        run_application(app, STUDIO_HEADERS, listening)
 
 
-def application(
-    folder: str | Path, token: str, queue: JobQueue | None = None
-) -> Starlette:
+def application(folder: str | Path, token: str, queue: JobQueue) -> Starlette:
     """Return the web application; all its paths start with the token.
 
-    `queue` executes the jobs (default: a new queue with its own worker process).
+    The queue executes the jobs and is closed when the application ends.
     """
-    studio_session = Session(Path(folder).resolve(), queue)
+    session = Session(Path(folder).resolve(), queue)
     routes = [
-        Route("/", studio_session.page),
-        Route("/controls/{scene}", studio_session.controls_of_scene),
-        Route("/runs", studio_session.run, methods=["POST"]),
-        Route("/recordings", studio_session.recording, methods=["POST"]),
-        Route("/stream/{number:int}", studio_session.stream),
-        Route("/session/{path:path}", studio_session.session_file),
-        *routes_of_runs(studio_session.root, "/list"),
+        Route("/", session.page),
+        Route("/controls/{scene}", session.controls_of_scene),
+        Route("/runs", session.run, methods=["POST"]),
+        Route("/recordings", session.recording, methods=["POST"]),
+        Route("/stream/{number:int}", session.stream),
+        Route("/session/{path:path}", session.session_file),
+        *routes_of_runs(session.root, "/list"),
     ]
 
     @asynccontextmanager
     async def lifespan(app):
-        with studio_session:
+        temporary = TemporaryDirectory(
+            prefix="sonify-studio-", ignore_cleanup_errors=True
+        )
+        with temporary as name, closing(queue):
+            session.folder = Path(name).resolve()
             yield
 
     return Starlette(
@@ -112,26 +115,17 @@ async def _report_input_error(request, error) -> Response:
 
 
 class Session:
-    """Session of the studio with its folder, its jobs, and temporary files that are
-    deleted at the end."""
+    """Session of the studio with its jobs, the folder of its runs, and a folder of
+    temporary files."""
 
-    def __init__(self, root: Path, queue: JobQueue | None):
+    folder: Path
+    """Folder of the temporary files."""
+
+    def __init__(self, root: Path, queue: JobQueue):
         self.root = root
-        self._given_queue = queue
+        self._queue = queue
         self._numbers = count(1)
         self._runs: dict[int, Job] = {}
-
-    def __enter__(self):
-        self._queue = self._given_queue or JobQueue()
-        self._temporary = TemporaryDirectory(
-            prefix="sonify-studio-", ignore_cleanup_errors=True
-        )
-        self._session_folder = Path(self._temporary.name).resolve()
-        return self
-
-    def __exit__(self, *_):
-        self._queue.close()
-        self._temporary.cleanup()
 
     def page(self, request: Request) -> Response:
         """Return the page of the studio."""
@@ -192,7 +186,7 @@ class Session:
 
     def session_file(self, request: Request) -> Response:
         """Return a sound or picture of this session."""
-        return file_response(request, self._session_folder)
+        return file_response(request, self.folder)
 
     def stream(self, request: Request) -> Response:
         """Return the sound of a run while it is rendered."""
@@ -203,7 +197,7 @@ class Session:
 
     def _new_folder(self):
         number = next(self._numbers)
-        folder = self._session_folder / str(number)
+        folder = self.folder / str(number)
         folder.mkdir()
         return number, folder
 

@@ -277,10 +277,7 @@ def assert_soon(condition, limit=5.0):
 
 def served(monkeypatch, folder, jobs):
     """Return the port and the token of a studio that runs in a thread."""
-    application = studio_pages.application
-    monkeypatch.setattr(
-        studio_pages, "application", lambda root, token: application(root, token, jobs)
-    )
+    monkeypatch.setattr(studio_pages, "JobQueue", lambda: jobs)
     told = queue.Queue()
     threading.Thread(
         target=studio_pages.studio, args=(folder, 0, told.put), daemon=True
