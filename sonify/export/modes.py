@@ -3,7 +3,7 @@
 from math import isfinite, radians
 from pathlib import Path
 
-from modal import Modes, as_faust, write_uff, write_vtu
+from modal import as_faust, write_uff, write_vtu
 from sonify.export.scene_source import scene_to_export
 from sonify.pipeline import plan_with_modes
 from sonify.runtime.files import atomic_write
@@ -49,14 +49,15 @@ def export_modes(
     _check_strike(scene, form, strike_deg)
     _, modes = plan_with_modes(scene)
     path = Path(out or f"{scene.name}.{SUFFIXES[form]}")
+    strike = radians(180.0 if strike_deg is None else strike_deg)
     try:
         with atomic_write(path) as temporary:
-            _write_modes_file(
-                modes,
-                form,
-                temporary,
-                180.0 if strike_deg is None else strike_deg,
-            )
+            if form == "faust":
+                temporary.write_text(as_faust(modes, strike), "utf-8")
+            elif form == "uff":
+                write_uff(modes, temporary)
+            else:
+                write_vtu(modes, temporary)
     except (ValueError, ModuleNotFoundError) as error:
         raise InputError(str(error)) from None
     return path
@@ -80,12 +81,3 @@ def _check_strike(scene: Scene, form: str, strike_deg: float | None):
             f"--strike = {strike_deg:g}: must be more than {half:g} degrees from 0, the middle of "
             f"the patch that holds the disk"
         )
-
-
-def _write_modes_file(modes: Modes, form: str, path: Path, strike_deg: float):
-    if form == "faust":
-        path.write_text(as_faust(modes, radians(strike_deg)), "utf-8")
-    elif form == "uff":
-        write_uff(modes, path)
-    else:
-        write_vtu(modes, path)

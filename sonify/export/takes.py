@@ -80,11 +80,7 @@ def export_takes(
     stages = stages or Stages()
     paths = []
     with claimed_folder(out or ".") as folder, stages.stage("takes") as watch:
-        table = (
-            None
-            if scene.surface.kind == "rigid"
-            else with_table(plan_of(scene), scene)[1]
-        )
+        table = with_table(plan_of(scene), scene)[1]
         for number, (take, changes) in enumerate(variations, 1):
             title = f"take {number} of {takes}"
 
