@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from modal import Modes
+from modal import Modes, SurfaceModes
 from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
 from sonify.sound.modal_forcing import forcing_per_newton
@@ -56,35 +56,41 @@ def response_to_unit_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.nd
     """Return loudness (m,) [Pa^2 s] and energy (m,) [J] of the modes after a force jump
     of 1 N.
 
+    The forcing of a mode is the root of the sum of squares over the three force
+    directions, and its radiation the root mean square of Rayleigh's integral over 64
+    azimuths."""
+    forcing2 = np.square(forcing_per_newton(modes, scene)).sum(axis=0)
+    radiation = directivity_table(modes, listener_of(scene), count=64)
+    return loudness_and_energy(modes, forcing2, np.mean(np.abs(radiation) ** 2, axis=0))
+
+
+def loudness_and_energy(
+    modes: Modes | SurfaceModes, forcing2: np.ndarray, radiation2: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return loudness (m,) [Pa^2 s] and energy (m,) [J] of modes after a unit jump of
+    the force.
+
     A mode of unit modal mass and forcing g rings as q'' = g exp(-d t) cos(w t). Its
     energy is g^2/(2 w^2), and the integral of its squared A-weighted pressure is (g
-    R)^2/(4 d). Here g is the root of the sum of squares over the three force
-    directions, and R is the root mean square of Rayleigh's integral over 64 azimuths.
-    If the nutation frequency instead sweeps through the modes at the rate w^2/k, it
-    excites q'' = g sqrt(pi k/2), so the ratios between modes are the same."""
-    listener = listener_of(scene)
-    g2 = np.square(forcing_per_newton(modes, scene)).sum(axis=0)
-    pressure2 = np.mean(
-        np.abs(directivity_table(modes, listener, count=64)) ** 2, axis=0
-    )
+    R)^2/(4 d), where R is the pressure per unit acceleration. The arguments are the
+    squares of g and R (m,). If the nutation frequency instead sweeps through the modes
+    at the rate w^2/k, it excites q'' = g sqrt(pi k/2), so the ratios between modes are
+    the same."""
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)
     decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
-    return weight * g2 * pressure2 / (4 * decay), g2 / (
+    return weight * forcing2 * radiation2 / (4 * decay), forcing2 / (
         2 * (2 * np.pi * modes.frequency) ** 2
     )
 
 
-def ring_down_time(
-    modes: Modes, scene: Scene, decay_rate: np.ndarray | None = None
-) -> float:
+def ring_down_time(modes: Modes, scene: Scene, decay_rate: np.ndarray) -> float:
     """Return the time [s] from the end of the motion until no mode is audible.
 
-    The result is limited to MAX_RING_TIME. `decay_rate` (m,) [1/s] replaces the decay
-    rates of the modes, for example those with damping by a film."""
+    The result is limited to MAX_RING_TIME. The modes decay at `decay_rate` (m,) [1/s],
+    which may include damping by a film."""
     loudness, _ = response_to_unit_jump(modes, scene)
     at_start = loudness * np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
-    rate = modes.decay_rate if decay_rate is None else decay_rate
     with np.errstate(divide="ignore"):
         level = 10 * np.log10(at_start / at_start.max(initial=1e-300))
-        duration = (RING_DOWN_DB + level) / (20 / np.log(10) * rate)
+        duration = (RING_DOWN_DB + level) / (20 / np.log(10) * decay_rate)
     return float(np.clip(duration.max(initial=0.0), 0.0, MAX_RING_TIME))

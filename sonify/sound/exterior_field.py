@@ -13,13 +13,6 @@ from scipy.sparse.linalg import splu
 from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
 from skfem import Basis, BilinearForm, ElementQuad2, FacetBasis, LinearForm, MeshQuad
 
-FACE_ELEMENT_COUNT = 14
-"""Number of elements along the face of the disk."""
-RADIAL_ELEMENT_COUNT = 6
-"""Number of elements between the disk and the hemisphere."""
-MULTIPOLE_COUNT = 8
-"""Number of multipoles of each azimuthal order."""
-
 
 class ExteriorField:
     """Finite-element model of the air between a disk and a hemisphere of radius `far`.
@@ -30,18 +23,10 @@ class ExteriorField:
         Load vectors of heave, tilt, and a unit volume flow per length of the rim.
     """
 
-    def __init__(
-        self,
-        thickness: float,
-        gap: float,
-        far: float,
-        face_cells: int = FACE_ELEMENT_COUNT,
-        radial_cells: int = RADIAL_ELEMENT_COUNT,
-    ):
-        self.gap = gap
+    def __init__(self, thickness: float, gap: float, far: float):
         self.far = far
         height = thickness + gap
-        mesh = exterior_mesh(height, gap, far, face_cells, radial_cells)
+        mesh = self._mesh(height, gap)
         self._basis = Basis(mesh, ElementQuad2())
         facets = mesh.boundary_facets()
         ends = mesh.p[:, mesh.facets[:, facets]]
@@ -61,20 +46,23 @@ class ExteriorField:
             form.assemble(self._basis)
             for form in (gradient_form, azimuthal_form, mass_form)
         ]
-        heave = boundary_load_form.assemble(face, weight=1.0)
-        face_tilt = boundary_load_form.assemble(
-            face, weight=quadrature_coordinates(face)[0]
-        )
-        side_tilt = boundary_load_form.assemble(
+        load = boundary_load_form.assemble
+        face_tilt = load(face, weight=quadrature_coordinates(face)[0])
+        side_tilt = load(
             side, weight=quadrature_coordinates(side)[1] - gap - thickness / 2
         )
         self.loads = np.array(
             [
-                heave,
+                load(face, weight=1.0),
                 face_tilt - side_tilt,
-                boundary_load_form.assemble(outlet, weight=1 / gap),
+                load(outlet, weight=1 / gap),
             ]
         )
+
+    def _mesh(self, height, gap):
+        face_cells = 14  # along the face of the disk
+        radial_cells = 6  # between the disk and the hemisphere
+        return exterior_mesh(height, gap, self.far, face_cells, radial_cells)
 
     def solve(self, n: int, wavenumbers) -> tuple[np.ndarray, np.ndarray]:
         """Solve for each load, multiplied by cos n theta, at wavenumbers k (a,).
@@ -83,22 +71,17 @@ class ExteriorField:
         -------
         at_rim : ndarray, shape (a, 3)
             Mean pressure at the outlet of the gap.
-        multipoles : ndarray, shape (a, MULTIPOLE_COUNT, 3)
+        multipoles : ndarray, shape (a, m, 3)
             Amplitudes on the hemisphere.
         """
-        order = n + 2 * np.arange(MULTIPOLE_COUNT)
+        degree = multipole_degrees(n)
         stiffness, azimuthal, mass = self._forms
         r, z = quadrature_coordinates(self._hemisphere)
         shapes = associated_legendre(n, z / np.hypot(r, z))
-        waves = (
-            np.array(
-                [
-                    boundary_load_form.assemble(self._hemisphere, weight=w)
-                    for w in shapes
-                ]
-            )
-            / self.far**2
-        )
+        loads = [
+            boundary_load_form.assemble(self._hemisphere, weight=w) for w in shapes
+        ]
+        waves = np.array(loads) / self.far**2
         on = np.flatnonzero(waves.any(axis=0))
         free = np.setdiff1d(np.arange(waves.shape[1]), self._axis if n else [])
         at_rim = []
@@ -107,17 +90,17 @@ class ExteriorField:
             outgoing = (
                 k
                 * self.far**2
-                * outgoing_hankel(order, k * self.far, True)
-                / outgoing_hankel(order, k * self.far)
+                * outgoing_hankel(degree, k * self.far, True)
+                / outgoing_hankel(degree, k * self.far)
             )
             values = ((waves[:, on].T * outgoing) @ waves[:, on]).ravel()
             boundary = coo_matrix(
                 (values, (np.repeat(on, len(on)), np.tile(on, len(on)))), mass.shape
             )
-            matrix = (stiffness + n * n * azimuthal - k * k * mass - boundary).tocsc()[
-                free
-            ][:, free]
-            p = splu(matrix).solve(self.loads.T[free].astype(complex))
+            matrix = stiffness + n * n * azimuthal - k * k * mass - boundary
+            p = splu(matrix.tocsc()[free][:, free]).solve(
+                self.loads.T[free].astype(complex)
+            )
             at_rim.append(self.loads[2, free] @ p)
             multipoles.append(waves[:, free] @ p)
         return np.array(at_rim), np.array(multipoles)
@@ -126,16 +109,15 @@ class ExteriorField:
 def listener_pressure(
     n: int, wavenumbers, far: float, distance: float, elevation: float
 ) -> np.ndarray:
-    """Return the pressures (a, MULTIPOLE_COUNT) of unit multipoles of order n at a
-    listener.
+    """Return the pressures (a, m) of unit multipoles of order n at a listener.
 
     The wavenumbers are k (a,). The multipoles are normalised on the hemisphere of
     radius `far`. The listener is at azimuth 0; `distance` is in units of the disk
     radius, and `elevation` in radians. The propagation phase from the centre of the
     disk is removed."""
-    order = n + 2 * np.arange(MULTIPOLE_COUNT)
+    degree = multipole_degrees(n)
     k = np.asarray(wavenumbers)[:, None]
-    wave = outgoing_hankel(order, k * distance) / outgoing_hankel(order, k * far)
+    wave = outgoing_hankel(degree, k * distance) / outgoing_hankel(degree, k * far)
     return wave * np.exp(1j * k * distance) * associated_legendre(n, np.sin(elevation))
 
 
@@ -170,6 +152,12 @@ def quadrature_coordinates(basis):
     return np.asarray(basis.global_coordinates())
 
 
+def multipole_degrees(n):
+    """Return the degrees (m,) of the multipoles of azimuthal order n."""
+    multipole_count = 8
+    return n + 2 * np.arange(multipole_count)
+
+
 def outgoing_hankel(order, x, derivative=False):
     """Return the spherical Hankel function of the second kind, which is outgoing for
     exp(i w t)."""
@@ -177,11 +165,9 @@ def outgoing_hankel(order, x, derivative=False):
 
 
 def associated_legendre(n, cosine):
-    """Return associated Legendre functions of order n and degrees n, n + 2, ...,
-    normalised to unit mean square.
-
-    The shape is (MULTIPOLE_COUNT, ...)."""
-    degree = n + 2 * np.arange(MULTIPOLE_COUNT)
+    """Return associated Legendre functions (m, ...) of order n and degrees n, n + 2,
+    ..., normalised to unit mean square."""
+    degree = multipole_degrees(n)
     size = np.sqrt(
         (2 * degree + 1) * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1))
     )

@@ -32,12 +32,10 @@ TABULATED_WAVENUMBERS = np.concatenate(
 outside the range the nearest value applies."""
 RIM_ORDERS = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(1, MAX_RIM_ORDER + 1))
 """Azimuthal orders of the cosine waves, followed by those of the sine waves."""
-FACE_WAVE_INDICES = (0, 1, MAX_RIM_ORDER + 1)
-"""Indices of the waves excited by heave, tilt about y and tilt about x."""
-FACE_VELOCITY_COLUMNS = (0, 1, 2)
-"""Columns of the corresponding face velocities."""
-FACE_SOLUTION_COLUMNS = (0, 1, 1)
-"""Columns of the corresponding exterior solutions."""
+FACE_WAVES = [0, 1, MAX_RIM_ORDER + 1]
+"""Indices of the waves excited by the face velocities 1, x and y: heave, tilt about y
+and tilt about x. The exterior solution of a wave of order 0 is that of heave, and that
+of a wave of order 1 is that of tilt."""
 EXTERIOR_WAVENUMBERS = np.linspace(
     TABULATED_WAVENUMBERS[0], TABULATED_WAVENUMBERS[-1], 16
 )
@@ -51,10 +49,6 @@ where the resonance frequencies vary; outside the range the nearest value applie
 EXTERIOR_MEAN_GAPS = (0.02, 0.2)
 """Ratios of mean gap to radius at which the exterior field is solved. It is linear in
 the gap up to the larger ratio and constant above."""
-FILM_MESH_CELLS = 8
-"""Number of elements of the film's mesh along the radius."""
-FILM_MESH_GRADING = 5.0
-"""Grading of the film's mesh, the argument `nearest` of FilmMesh."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -106,40 +100,42 @@ class RadiatedMultipoles:
             listener, disk, TABULATED_WAVENUMBERS, MAX_RIM_ORDER + 1
         )
         pressure = self.rim_flow * np.hstack([rim, rim[:, 1:]])[:, :, None]
-        pressure[:, :, [*FACE_WAVE_INDICES], [*FACE_VELOCITY_COLUMNS]] += face[
-            :, [0, 1, 1]
+        pressure[:, :, FACE_WAVES, range(len(FACE_WAVES))] += face[
+            :, RIM_ORDERS[FACE_WAVES]
         ]
         return pressure
+
+
+def film_mesh():
+    """Return the mesh of the film."""
+    from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
+
+    radial_cells = 8
+    return FilmMesh(radial_cells, nearest=5.0)
 
 
 @lru_cache(8)
 def radiated_multipoles(disk, air) -> RadiatedMultipoles:
     """Return the multipoles radiated by a solid disk above an air film."""
-    from dynamics.film.reynolds import FilmMesh
-
     thickness = disk.thickness / disk.radius
-    mesh = FilmMesh(FILM_MESH_CELLS, nearest=FILM_MESH_GRADING)
-    far = 1.5 * np.hypot(1.0, thickness + EXTERIOR_MEAN_GAPS[-1])
+    mesh = film_mesh()
+    low_gap, high_gap = EXTERIOR_MEAN_GAPS
+    far = 1.5 * np.hypot(1.0, thickness + high_gap)
     low, high = (_exterior_at_gap(thickness, gap, far) for gap in EXTERIOR_MEAN_GAPS)
     multipoles = []
     flows = []
     for gap in TABULATED_MEAN_GAPS:
-        part = (min(gap, EXTERIOR_MEAN_GAPS[1]) - EXTERIOR_MEAN_GAPS[0]) / (
-            EXTERIOR_MEAN_GAPS[1] - EXTERIOR_MEAN_GAPS[0]
-        )
+        part = (min(gap, high_gap) - low_gap) / (high_gap - low_gap)
         rim, exterior = (a + part * (b - a) for a, b in zip(low, high, strict=True))
         films = [
             film_rim_matrices(mesh, gap, k, disk.radius, air)
             for k in TABULATED_WAVENUMBERS
         ]
-        multipoles.append(
-            [
-                couple_at_rim(gap, *fields)
-                for fields in zip(films, rim, exterior, strict=True)
-            ]
-        )
         flows.append(
             [flow_at_rim(gap, *fields) for fields in zip(films, rim, strict=True)]
+        )
+        multipoles.append(
+            [multipoles_of(*fields) for fields in zip(flows[-1], exterior, strict=True)]
         )
     return RadiatedMultipoles(
         far=far, multipoles=np.array(multipoles), rim_flow=np.array(flows)
@@ -174,9 +170,9 @@ def film_rim_matrices(mesh, gap: float, k: float, radius: float, air):
     )
 
 
-def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.ndarray:
-    """Return the multipoles (2 MAX_RIM_ORDER + 1, m, 3) of a film coupled to the
-    exterior field.
+def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
+    """Return the harmonics (2 MAX_RIM_ORDER + 1, 3) of the flow out of the rim of a
+    film that is coupled to the exterior field.
 
     Parameters
     ----------
@@ -187,29 +183,14 @@ def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.nda
     rim : ndarray, shape (MAX_RIM_ORDER + 1, 3)
         Exterior pressure at the rim due to heave, tilt and flow; the flow is that of a
         line source above a gap of 1.
-    exterior : ndarray, shape (MAX_RIM_ORDER + 1, m, 3)
-        Exterior multipoles due to heave, tilt and flow.
     wedge : bool
         False for a uniform gap.
     """
     order = RIM_ORDERS
-    out = np.zeros((len(order), exterior.shape[1], 3), complex)
-    out[FACE_WAVE_INDICES, :, FACE_VELOCITY_COLUMNS] = exterior[
-        order[[*FACE_WAVE_INDICES]], :, FACE_SOLUTION_COLUMNS
-    ]
-    flow = flow_at_rim(gap, film, rim, wedge)
-    return out + exterior[order, :, 2][:, :, None] * flow[:, None]
-
-
-def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
-    """Return the harmonics (2 MAX_RIM_ORDER + 1, 3) of the flow out of the rim, with
-    the arguments of `couple_at_rim`."""
-    order = RIM_ORDERS
     norm = pi * np.where(order == 0, 2.0, 1.0)
     blocked = np.zeros((len(order), 3), complex)
-    blocked[FACE_WAVE_INDICES, FACE_VELOCITY_COLUMNS] = rim[
-        order[[*FACE_WAVE_INDICES]], FACE_SOLUTION_COLUMNS
-    ]
+    face_order = order[FACE_WAVES]
+    blocked[FACE_WAVES, range(len(FACE_WAVES))] = rim[face_order, face_order]
     impedance = (
         np.diag(rim[order, 2] - 2 / pi * log(gap))
         - 2 / pi * wedge * WEDGE_COUPLING / norm[:, None]
@@ -219,23 +200,35 @@ def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
     )
 
 
+def multipoles_of(flow, exterior) -> np.ndarray:
+    """Return the multipoles (2 MAX_RIM_ORDER + 1, m, 3) of the face and of the flow out
+    of the rim.
+
+    `flow` is the result of `flow_at_rim`, and `exterior` (MAX_RIM_ORDER + 1, m, 3) are
+    the multipoles due to heave, tilt and flow."""
+    order = RIM_ORDERS
+    out = np.zeros((len(order), exterior.shape[1], 3), complex)
+    face_order = order[FACE_WAVES]
+    out[FACE_WAVES, :, range(len(FACE_WAVES))] = exterior[face_order, :, face_order]
+    return out + exterior[order, :, 2][:, :, None] * flow[:, None]
+
+
 def _wedge_coupling_integrals():
     """Return the integrals of ln(1 + cos t) W V for all pairs of waves W and V.
 
     The integral of ln(1 + cos t) cos j t is -2 pi ln 2 for j = 0, and 2 pi (-1)^(j +
     1)/j otherwise.
     """
-    n = np.append(
-        np.arange(MAX_RIM_ORDER + 1), -np.arange(1, MAX_RIM_ORDER + 1)
-    )  # negative orders denote sines
-    difference = np.abs(np.subtract.outer(np.abs(n), np.abs(n)))
-    total = np.add.outer(np.abs(n), np.abs(n))
+    order = RIM_ORDERS
+    is_sine = np.arange(len(order)) > MAX_RIM_ORDER
+    difference = np.abs(np.subtract.outer(order, order))
+    total = np.add.outer(order, order)
     by_difference, by_total = (
         np.where(j == 0, -2 * pi * log(2), -2 * pi * (-1.0) ** j / np.maximum(j, 1))
         for j in (difference, total)
     )
-    same_kind = (n[:, None] < 0) == (n < 0)
-    return same_kind * (by_difference + np.where(n < 0, -1, 1) * by_total) / 2
+    same_kind = is_sine[:, None] == is_sine
+    return same_kind * (by_difference + np.where(is_sine, -1, 1) * by_total) / 2
 
 
 WEDGE_COUPLING = _wedge_coupling_integrals()

@@ -64,9 +64,9 @@ def ear_pressure_ratio(
     while converged < 2:
         m += 1
         decay = decay * far_ratio / near_ratio
-        term = (2 * m + 1) * legendre[1] * decay / (1 / near_ratio - (m + 1) / near)
-        total = total + term
-        bound = (2 * m + 1) * np.abs(decay / (1 / near_ratio - (m + 1) / near))
+        slope = 1 / near_ratio - (m + 1) / near
+        total = total + (2 * m + 1) * legendre[1] * decay / slope
+        bound = (2 * m + 1) * np.abs(decay / slope)
         converged = converged + 1 if (bound < tolerance * np.abs(total)).all() else 0
         near_ratio = (2 * m + 1) / near - 1 / near_ratio
         far_ratio = (2 * m + 1) / far - 1 / far_ratio

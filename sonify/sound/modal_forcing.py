@@ -60,7 +60,7 @@ def heave_and_tilt_accelerations(
         in_patch_frame(force, attitude[:, 1])
         @ rigid_acceleration(np.eye(3), disk)[:, 3:]
     )
-    azimuth = listener_azimuth(attitude, turning_with_body=False)
+    azimuth = listener_azimuth(attitude)
     tilts = [
         turn[:, 0] * np.sin(azimuth + ear) - turn[:, 1] * np.cos(azimuth + ear)
         for ear in ears
@@ -69,7 +69,7 @@ def heave_and_tilt_accelerations(
     return np.stack([heave, *(disk.radius * tilt for tilt in tilts)], axis=1)
 
 
-def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
+def listener_azimuth(attitude, turning_with_body: bool = False) -> np.ndarray:
     """Return the azimuth (k,) [rad] of the table's x axis in the patch frame or the
     body frame.
 

@@ -6,12 +6,14 @@ finite-element solution by 1 to 4 dB. See tests/sound/test_head_and_near_field.p
 
 import numpy as np
 
-from sonify.sound.radiation import Listener, pulse_kernel
+from sonify.sound.radiation import Listener, listener_position, pulse_kernel
 
 
-def face_points(radius: float, hole: float = 0.0, rings: int = 200, spokes: int = 720):
+def face_points(disk, rings: int, spokes: int):
     """Return the points (p, 2) [m] and weights (p,) [m^2] of a circular or annular
     face."""
+    radius = disk.radius
+    hole = disk.inner_radius
     ring = hole + (radius - hole) * (np.arange(rings) + 0.5) / rings
     turn = 2 * np.pi * (np.arange(spokes) + 0.5) / spokes
     points = np.multiply.outer(ring, np.column_stack([np.cos(turn), np.sin(turn)]))
@@ -19,7 +21,7 @@ def face_points(radius: float, hole: float = 0.0, rings: int = 200, spokes: int 
     return points.reshape(-1, 2), np.repeat(weight, spokes)
 
 
-def rim_points(radius: float, spokes: int = 7200):
+def rim_points(radius: float, spokes: int):
     """Return the points (p, 2) [m] of the rim and their weights (p,) [m]."""
     turn = 2 * np.pi * (np.arange(spokes) + 0.5) / spokes
     points = radius * np.column_stack([np.cos(turn), np.sin(turn)])
@@ -29,15 +31,16 @@ def rim_points(radius: float, spokes: int = 7200):
 def path_lengths(listener: Listener, points, height: float) -> np.ndarray:
     """Return the distances (p,) [m] from points at a height above the centre of the
     disk to a listener on the x axis."""
-    across = listener.distance * np.cos(listener.elevation)
-    above = listener.distance * np.sin(listener.elevation) - height
-    return np.sqrt((points[:, 0] - across) ** 2 + points[:, 1] ** 2 + above**2)
+    across, _, above = listener_position(listener, 0.0)
+    return np.sqrt(
+        (points[:, 0] - across) ** 2 + points[:, 1] ** 2 + (above - height) ** 2
+    )
 
 
 def near_face_kernels(listener: Listener, disk, h: float) -> list:
     """Return step response and taps of heave and tilt, in the form of
     `radiation.heave_kernel`."""
-    points, weights = face_points(disk.radius, disk.inner_radius)
+    points, weights = face_points(disk, rings=200, spokes=720)
     return [
         _rayleigh_kernel(
             listener, disk, h, points, weights * shape, listener.face_height
@@ -52,7 +55,7 @@ def near_rim_kernels(listener: Listener, disk, h: float) -> list:
 
     The unit flows are the volume flow of unit heave, the dipole of unit tilt and, for
     the second harmonic, the flow amplitude of unit heave."""
-    points, weights = rim_points(disk.radius)
+    points, weights = rim_points(disk.radius, spokes=7200)
     x, y = points.T / disk.radius
     flows = (disk.radius / 2, disk.radius / 4 * x, disk.radius / 2 * (x * x - y * y))
     return [
@@ -107,8 +110,8 @@ def rayleigh_waves(
     rim : ndarray, shape (a, count)
         Pressures due to the rim flows cos n theta per unit length, for n < count.
     """
-    points, weights = face_points(disk.radius, disk.inner_radius, 50, 180)
-    around, lengths = rim_points(disk.radius, 180)
+    points, weights = face_points(disk, rings=50, spokes=180)
+    around, lengths = rim_points(disk.radius, spokes=180)
     turn = np.arctan2(around[:, 1], around[:, 0])
     face_shapes = [np.ones(len(points)), points[:, 0] / disk.radius]
     rim_shapes = [np.cos(n * turn) for n in range(count)]

@@ -19,8 +19,6 @@ MAX_UNBAFFLED_KA = 12.0
 """Wavenumber times radius above which the plate radiates as in a baffle."""
 KA_STEP = 0.4
 """Step of wavenumber times radius between solutions of the disk."""
-BASIS_SIZE = 12
-"""Number of radial functions for each azimuthal order."""
 
 
 class UnbaffledRatio:
@@ -87,7 +85,8 @@ def unbaffled_disk_ratios(sizes, cosine: float, rho, azimuth) -> np.ndarray:
         [rad].
     """
     along = np.asarray(sizes) * np.sqrt(max(1 - cosine**2, 0.0))
-    j = np.arange(BASIS_SIZE)
+    radial_functions = 12  # of each azimuthal order
+    j = np.arange(radial_functions)
     norm = np.exp(gammaln(j + 1) - gammaln(j + 1.5)) / np.sqrt(2)
     total = np.zeros((len(sizes), len(rho)), complex)
     for m in range(ceil(along.max()) + 5):
@@ -98,20 +97,22 @@ def unbaffled_disk_ratios(sizes, cosine: float, rho, azimuth) -> np.ndarray:
         radial = rho**m * np.sqrt(1 - rho**2) * norm[:, None] * polynomials
         around = (1 if m == 0 else 2) * radial * np.cos(m * azimuth)
         for i, size in enumerate(sizes):
-            wave = np.array(
-                [j_n_over_x(int(order), along[i]) for order in n]
-            ) * np.sqrt(2 / pi)
+            wave = j_n_over_x(n, along[i]) * np.sqrt(2 / pi)
             source = 1j ** (m + 1) * size * cosine * wave
-            total[i] += inverse_galerkin_matrix(float(size), m) @ source @ around
+            total[i] += (
+                inverse_galerkin_matrix(float(size), m, radial_functions)
+                @ source
+                @ around
+            )
     return total / np.exp(1j * np.multiply.outer(along, rho * np.cos(azimuth)))
 
 
 @lru_cache(4096)
-def inverse_galerkin_matrix(size: float, m: int) -> np.ndarray:
-    """Return the inverse (j, j) of the Galerkin matrix of azimuthal order m.
+def inverse_galerkin_matrix(size: float, m: int, count: int) -> np.ndarray:
+    """Return the inverse (count, count) of the Galerkin matrix of azimuthal order m.
 
     `size` is the wavenumber times the radius."""
-    n = m + 2 * np.arange(BASIS_SIZE) + 1
+    n = m + 2 * np.arange(count) + 1
     kappa, weight, extra = spectral_quadrature(size)
     rows = spherical_jn(n[:, None], kappa) * np.sqrt(2 / pi)
     return np.linalg.inv(
@@ -140,8 +141,8 @@ def spectral_quadrature(size: float) -> tuple[np.ndarray, np.ndarray, np.ndarray
     return kappa, np.concatenate([inner_weight, outer_weight]), gamma - kappa
 
 
-def j_n_over_x(n: int, x: float) -> float:
-    """Return j_n(x)/x for n >= 1, continuous at x = 0."""
+def j_n_over_x(n, x: float) -> np.ndarray:
+    """Return j_n(x)/x for orders n (j,) of at least 1, continuous at x = 0."""
     if x < 1e-8:
-        return 1 / 3 if n == 1 else 0.0
-    return float(spherical_jn(n, x) / x)
+        return np.where(n == 1, 1 / 3, 0.0)
+    return spherical_jn(n, x) / x

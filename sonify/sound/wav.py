@@ -48,12 +48,13 @@ def write_sound(
         if sound.outcome is Outcome.SETTLED
         else MISSING_END_TEXT.format(sound.outcome.sentence)
     )
-    files = [(folder / "pressure.wav", sound.pressure, "FLOAT", pascal)]
-    files += [
-        (folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal)
-        for name, stem in sound.stems.items()
-    ]
-    files += [
+    amplified = AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT
+    files = [
+        (folder / "pressure.wav", sound.pressure, "FLOAT", pascal),
+        *(
+            (folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal)
+            for name, stem in sound.stems.items()
+        ),
         (
             folder / "sound.wav",
             sound.playback_copy,
@@ -64,19 +65,13 @@ def write_sound(
             folder / "audible.wav",
             sound.audible,
             "PCM_24",
-            (
-                AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT
-            ).format(sound.audible.full_scale),
+            amplified.format(sound.audible.full_scale),
         ),
     ]
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
-            form = (
-                "RF64"
-                if source.frames * source.channels * BYTES_PER_SAMPLE[subtype]
-                > MAX_RIFF_BYTES
-                else "WAV"
-            )
+            size = source.frames * source.channels * BYTES_PER_SAMPLE[subtype]
+            form = "RF64" if size > MAX_RIFF_BYTES else "WAV"
             file = stack.enter_context(
                 open_wav(path, source.sample_rate, source.channels, subtype, form)
             )

@@ -27,13 +27,13 @@ from sonify.plan.contact import (
 from sonify.sound import exterior_field
 from sonify.sound.exterior_field import ExteriorField, listener_pressure
 from sonify.sound.film_radiation import (
-    FILM_MESH_CELLS,
-    FILM_MESH_GRADING,
     MAX_RIM_ORDER,
     TABULATED_MEAN_GAPS,
     TABULATED_WAVENUMBERS,
-    couple_at_rim,
+    film_mesh,
     film_rim_matrices,
+    flow_at_rim,
+    multipoles_of,
     radiated_multipoles,
 )
 from sonify.sound.force import ContactForce
@@ -91,7 +91,7 @@ class Floating(ExteriorField):
     rim law."""
 
     def __init__(self, gap):
-        super().__init__(THICKNESS, gap, FAR, face_cells=16, radial_cells=8)
+        super().__init__(THICKNESS, gap, FAR)
         old = self._basis.mesh
         z = np.unique(
             old.p[1][(np.abs(old.p[0] - 1) < 1e-9) & (old.p[1] <= gap + 1e-9)]
@@ -130,9 +130,12 @@ class Floating(ExteriorField):
         )
         self.loads = np.array([heave, tilt - lift, heave])
 
+    def _mesh(self, height, gap):
+        return exterior_field.exterior_mesh(height, gap, FAR, 16, 8)
+
 
 def rim_and_beyond(gap, k):
-    """Return the exterior solution for `couple_at_rim`: rim pressures and multipoles for a disk on
+    """Return the exterior solution for `flow_at_rim` and `multipoles_of`: rim pressures and multipoles for a disk on
     this gap."""
     parts = [
         ExteriorField(THICKNESS, gap, FAR).solve(n, [k])
@@ -156,7 +159,8 @@ def test_film_and_air_outside_sound_as_one_air(gap, k):
     film = mesh.rim_flow_matrices(
         gap * mesh.height, -k * k * gap * mesh.height, velocities, MAX_RIM_ORDER
     )
-    found = couple_at_rim(gap, film, *rim_and_beyond(gap, k), wedge=False)
+    rim, beyond = rim_and_beyond(gap, k)
+    found = multipoles_of(flow_at_rim(gap, film, rim, wedge=False), beyond)
     whole = Floating(gap)
     for n, bar in ((0, 0.5), (1, 1.0 if k < 1 else 0.5)):
         wave = listener_pressure(n, [k], FAR, DISTANCE, ELEVATION)[0]
@@ -181,14 +185,9 @@ def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share
     """
     k = 2 * np.pi * hertz * RADIUS / Air().sound_speed
     air = Air()
-    film = film_rim_matrices(
-        FilmMesh(FILM_MESH_CELLS, nearest=FILM_MESH_GRADING),
-        gap / RADIUS,
-        k,
-        RADIUS,
-        air,
-    )
-    found = couple_at_rim(gap / RADIUS, film, *rim_and_beyond(0.005, k))[0, :, 0]
+    film = film_rim_matrices(film_mesh(), gap / RADIUS, k, RADIUS, air)
+    rim, beyond = rim_and_beyond(0.005, k)
+    found = multipoles_of(flow_at_rim(gap / RADIUS, film, rim), beyond)[0, :, 0]
     assert listener_pressure(0, [k], FAR, DISTANCE, ELEVATION)[0] @ found / flush(
         0, k
     ) == pytest.approx(1 - share, abs=0.03)

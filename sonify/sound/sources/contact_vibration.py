@@ -21,8 +21,6 @@ from sonify.sound.radiation import Listener
 from sonify.sound.sources.film import log_mean_gap
 from sonify.sound.sources.protocol import Source
 
-RESPONSE_TIME = 0.01  # s
-"""Length of the impulse response of each filter."""
 COSINE_ORDERS = np.arange(MAX_RIM_ORDER + 1)
 SINE_ORDERS = np.arange(1, MAX_RIM_ORDER + 1)
 
@@ -37,7 +35,6 @@ class VibratingDisk(Source):
 
     names = ("vibration",)
     channel_ends = np.array([[0.0, 0.0]] * 3 + [[np.nan, 0.0]] * 3)
-    tail_duration = RESPONSE_TIME
 
     def __init__(self, scene, listener: Listener):
         disk = scene.disk
@@ -47,7 +44,8 @@ class VibratingDisk(Source):
         self._azimuth = listener.azimuth + pi  # azimuth 0 is where the gap is widest
         hop_time = 0.02  # s; interval between successive filters
         self._hop = round(hop_time * rate)
-        self._response_length = round(RESPONSE_TIME * rate)
+        self.tail_duration = 0.01  # s; length of the impulse response of each filter
+        self._response_length = round(self.tail_duration * rate)
         pre_arrival_time = (
             1.3e-3  # s; some sound arrives before that from the disk's centre
         )
@@ -91,7 +89,7 @@ class VibratingDisk(Source):
         accelerations of the rim due to tilting about two diameters [m/s^2], cosine and
         sine of the listener's azimuth relative to the widest gap, and the logarithm of
         the ratio of mean gap to radius."""
-        azimuth = self._azimuth + listener_azimuth(state, turning_with_body=False)
+        azimuth = self._azimuth + listener_azimuth(state)
         gap = log_mean_gap(state, self._disk) - np.log(self._disk.radius)
         return np.column_stack(
             [

@@ -7,8 +7,11 @@ import numpy as np
 from numpy.lib.stride_tricks import as_strided
 
 from modal.tabletop.record import SurfaceModes
-from sonify.hearing.loudness import a_weighting_db
-from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB
+from sonify.sound.audible_modes import (
+    MAX_RING_TIME,
+    RING_DOWN_DB,
+    loudness_and_energy,
+)
 from sonify.sound.oscillators import Knots, OscillatorBank
 from sonify.sound.radiation import Listener, listeners_of
 from sonify.sound.sources.protocol import (
@@ -94,9 +97,8 @@ class ElasticTable(Source):
         def advance(force):
             nonlocal moved
             count = len(force.t) - 1
-            if (
-                len(moved) < past + count
-            ):  # reuse memory: allocation would take longer than the steps
+            # Reuse memory, because allocation would take longer than the steps.
+            if len(moved) < past + count:
                 moved = np.vstack([moved[:past], np.empty((count, len(self._modes)))])
             knots = Knots(*force.knots, force.jump, force.bend)
             accelerations = bank.advance(
@@ -117,7 +119,7 @@ def table_latency(modes: SurfaceModes, listener: Listener, sample_rate: float) -
 
     It is the maximum lead of sound from the table over sound from the disk, plus
     ARRIVAL_MARGIN."""
-    path = np.linalg.norm(listener.position - _face_points(modes, listener), axis=1)
+    path = _path_lengths(modes, listener)
     return (
         ceil((listener.distance - path.min()) / listener.air.sound_speed * sample_rate)
         + ARRIVAL_MARGIN
@@ -138,10 +140,9 @@ def radiation_kernels(
     - i. The kernels are those of `table_radiation` delayed by `latency` samples, exact
     over most of the frequency range and tapered to zero below the Nyquist frequency."""
     passband = 0.84  # of the Nyquist frequency
-    points = _face_points(modes, listener)
-    longest = np.linalg.norm(listener.position - points, axis=1).max()
+    longest = _path_lengths(modes, listener).max()
     if not baffle:  # the edge scatters sound across the table
-        longest += 2 * np.ptp(points, axis=0).max()
+        longest += 2 * np.ptp(modes.points - modes.place, axis=0).max()
     last_arrival = (longest - listener.distance) / listener.air.sound_speed
     count = latency + ceil(last_arrival * sample_rate) + ARRIVAL_MARGIN
     size = 2 << (2 * count).bit_length()
@@ -167,14 +168,13 @@ def table_radiation(
     round table and a distant listener. Matrix products over blocks of frequencies
     reduce memory traffic."""
     block_size = 32  # frequencies
-    points = _face_points(modes, listener)
-    path = np.linalg.norm(listener.position - points, axis=1)
+    path = _path_lengths(modes, listener)
     delay = (path - listener.distance) / listener.air.sound_speed
     share = listener.air.density / (2 * np.pi) * modes.weights / path
     edge = None
     if not baffle and len(modes):
         edge = UnbaffledRatio(
-            points[:, :2],
+            modes.points - modes.place,
             modes.weights,
             listener.position / listener.distance,
             listener.air.sound_speed,
@@ -212,11 +212,12 @@ def convolve_kernels(accelerations, kernels) -> np.ndarray:
     return out
 
 
-def _face_points(modes, listener):
-    """Return the points (p, 3) [m] of the top face relative to the disk's centre at
-    release; for a near listener the centre is half a thickness above the table."""
+def _path_lengths(modes, listener):
+    """Return the distances (p,) [m] of the listener from the points of the top face;
+    for a near listener the disk's centre is half a thickness above the table."""
     below = np.full(len(modes.points), -listener.face_height)
-    return np.column_stack([modes.points - modes.place, below])
+    points = np.column_stack([modes.points - modes.place, below])
+    return np.linalg.norm(listener.position - points, axis=1)
 
 
 def response_to_unit_jump(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.ndarray]:
@@ -237,8 +238,4 @@ def response_to_unit_jump(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.nd
     for ear in listeners_of(scene):
         each = table_radiation(modes, ear, modes.frequency, scene.surface.baffle)
         pressure = np.maximum(pressure, np.abs(np.diag(each)))
-    weight = 10 ** (a_weighting_db(modes.frequency) / 10)
-    decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
-    return weight * g2 * pressure**2 / (4 * decay), g2 / (
-        2 * (2 * np.pi * modes.frequency) ** 2
-    )
+    return loudness_and_energy(modes, g2, pressure**2)
