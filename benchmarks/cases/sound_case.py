@@ -119,7 +119,7 @@ def sound_case(name: str, duration: float, with_jumps: bool) -> SoundCase:
         omega=2 * np.pi * modes.frequency,
         decay=modes.decay_rate,
         drive=-modes.participation[:, 2],
-        radiated=directivity_table(modes, listener)[0].real,
+        radiated=directivity_table(modes, listener, 512)[0].real,
         jumps=(swing + 0.37 + 0.1 * np.sin(swing)) / NUTATION_FREQUENCY
         if with_jumps
         else np.zeros(0),

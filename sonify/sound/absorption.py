@@ -4,14 +4,13 @@ import numpy as np
 from scipy.signal import oaconvolve
 
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
+from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.head import EAR_LATENCY, ear_taps
 from sonify.sound.radiation import Listener
 
 MIN_AUDIBLE_ABSORPTION_DB = 0.5
 """Absorption [dB] at MAX_AUDIBLE_FREQUENCY below which it is inaudible and the filter
 is omitted."""
-FILTER_HALF_LENGTH = 64  # samples
-"""Half-length of the absorption filter."""
 
 
 def absorbed_db(air, distance: float, frequency=MAX_AUDIBLE_FREQUENCY):
@@ -21,13 +20,11 @@ def absorbed_db(air, distance: float, frequency=MAX_AUDIBLE_FREQUENCY):
 
 
 def absorption_latency(air, distance: float) -> int:
-    """Return the latency of the absorption filter [samples], or 0 if no filter is
-    needed."""
-    return (
-        FILTER_HALF_LENGTH
-        if absorbed_db(air, distance) >= MIN_AUDIBLE_ABSORPTION_DB
-        else 0
-    )
+    """Return the latency of the absorption filter, half its length [samples], or 0 if
+    no filter is needed."""
+    half_length = 64
+    is_audible = absorbed_db(air, distance) >= MIN_AUDIBLE_ABSORPTION_DB
+    return half_length if is_audible else 0
 
 
 def absorption_taps(air, distance: float, sample_rate: float) -> np.ndarray:
@@ -37,9 +34,9 @@ def absorption_taps(air, distance: float, sample_rate: float) -> np.ndarray:
     of oxygen and nitrogen also causes dispersion. It is neglected because the phase
     shift in radians is smaller than the attenuation in nepers. See
     tests/sound/test_air_absorption.py."""
-    if not absorption_latency(air, distance):
+    half = absorption_latency(air, distance)
+    if not half:
         return np.ones(1)
-    half = FILTER_HALF_LENGTH
     gain = 10 ** (
         -absorbed_db(air, distance, np.fft.rfftfreq(2 * half, 1 / sample_rate)) / 20
     )
@@ -66,14 +63,5 @@ def propagation_filter(listener: Listener, sample_rate: float):
         taps = np.convolve(taps, head)
     if len(taps) == 1:
         return lambda stems: stems
-    past = None
-
-    def propagate(stems):
-        nonlocal past
-        earlier = np.repeat(stems[:1], len(taps) - 1, axis=0) if past is None else past
-        past = np.vstack([earlier, stems])
-        out = oaconvolve(past, taps[:, None], "valid", axes=0)
-        past = past[len(stems) :]
-        return out
-
-    return propagate
+    extend = overlapping_blocks(len(taps) - 1)
+    return lambda stems: oaconvolve(extend(stems), taps[:, None], "valid", axes=0)

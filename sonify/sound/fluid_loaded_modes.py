@@ -2,7 +2,8 @@
 the gap."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import lru_cache
+from itertools import pairwise
 from math import pi
 from typing import NamedTuple
 
@@ -16,13 +17,14 @@ from dynamics.air import PRANDTL_NUMBER
 from modal import Modes
 from sonify.sound.film_radiation import MAX_RIM_ORDER
 from sonify.sound.force import ContactForce
-from sonify.sound.oscillators import Knots, OscillatorBank
+from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import (
     directivity_table,
     listener_of,
     listener_position,
     rayleigh,
 )
+from sonify.sound.response import DrivenModes
 
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
 """Mean gaps at which the film equation is solved; outside the range the nearest value
@@ -33,8 +35,6 @@ MIN_FILM_MESH_CELLS = 8
 """Smallest number of elements of the film's mesh along the radius."""
 MAX_FILM_MESH_CELLS = 36
 """Largest number of elements of the film's mesh along the radius."""
-LOG_DECAY_OFFSET = 1e-3  # 1/s
-"""Offset that keeps the logarithm of the decay rate due to the film finite."""
 TUNING_LOG_GAP_STEP = 0.02
 """Step of the log gap between successive tunings of the oscillators."""
 
@@ -73,27 +73,30 @@ class FluidLoadedModes:
         return _apply_gain(ringing, np.clip(where, 0.0, intervals), self.gain)
 
     def tuning(self, gap) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequencies [Hz] and decay rates [1/s] (..., m) at log gaps (...)."""
-        frequency, log_added = self._tuning_interpolants
-        return frequency(gap), self.decay_rate + np.maximum(
-            np.exp(log_added(gap)) - LOG_DECAY_OFFSET, 0.0
+        """Return frequencies [Hz] and decay rates [1/s] (..., m) at log gaps (...).
+
+        Frequencies and logarithms of the decay rates are interpolated monotonically."""
+        offset = 1e-3  # 1/s; keeps the logarithm of the film's decay rate finite
+        frequency, log_added = (
+            PchipInterpolator(self.log_gap[::-1], column[::-1])(gap)
+            for column in (self.frequency, np.log(self.film_decay_rate + offset))
         )
+        return frequency, self.decay_rate + np.maximum(np.exp(log_added) - offset, 0.0)
 
     def nearest_tuning(self, gap: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the frequencies and decay rates (m,) that GapTunedOscillators uses at
         a log gap."""
-        return self.tuning(
-            self.log_gap[0] - TUNING_LOG_GAP_STEP * tuning_step_index(gap, self.log_gap)
-        )
+        return self.tuning_at_level(self.tuning_level(gap))
 
-    @cached_property
-    def _tuning_interpolants(self):
-        """Monotone interpolants of the frequencies and the logarithms of the decay
-        rates."""
-        values = (self.frequency, np.log(self.film_decay_rate + LOG_DECAY_OFFSET))
-        return [
-            PchipInterpolator(self.log_gap[::-1], column[::-1]) for column in values
-        ]
+    def tuning_level(self, gap) -> np.ndarray:
+        """Return the number of steps of TUNING_LOG_GAP_STEP from the widest tabulated
+        gap to a log gap."""
+        inside = np.clip(gap, self.log_gap[-1], self.log_gap[0])
+        return np.round((self.log_gap[0] - inside) / TUNING_LOG_GAP_STEP).astype(int)
+
+    def tuning_at_level(self, level) -> tuple[np.ndarray, np.ndarray]:
+        """Return the tuning after so many steps of TUNING_LOG_GAP_STEP."""
+        return self.tuning(self.log_gap[0] - TUNING_LOG_GAP_STEP * level)
 
 
 @lru_cache(maxsize=1)  # one solution for all listeners
@@ -330,12 +333,7 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     radius = scene.disk.radius
     angle = 2 * pi * np.arange(64) / 64
     turn = np.exp(1j * np.outer(signed_order, angle + pi))
-    waves = (
-        np.select([order == 0, order == 1], [b0, b1], b1)[:, None]
-        * turn
-        * radius
-        / (2 * pi)
-    )
+    waves = np.where(order == 0, b0, b1)[:, None] * turn * radius / (2 * pi)
     ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
     weight = np.full(64, radius * angle[1])
     k = 2 * pi * modes.frequency / listener.air.sound_speed
@@ -343,17 +341,11 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
         listener_position(listener, azimuth)
         for azimuth in 2 * pi * np.arange(azimuth_count) / azimuth_count
     ]
-    wave_of_mode = np.tile(waves, (len(k), 1))
-    k_of_wave = np.repeat(k, len(waves))
-    rim_pressure = np.array(
-        [
-            rayleigh(wave_of_mode, ring, weight, k_of_wave, place, listener.air.density)
-            for place in listeners
-        ]
-    )
-    rim = np.einsum(
-        "amn,vmn->avm", flows, rim_pressure.reshape(azimuth_count, len(k), len(waves))
-    )
+    rim_pressure = [
+        rayleigh(waves, ring, weight, k[:, None], place, listener.air.density)
+        for place in listeners
+    ]
+    rim = np.einsum("amn,vmn->avm", flows, np.array(rim_pressure))
     alone = np.mean(np.abs(closed) ** 2, axis=0)
     power = np.mean(np.abs(top + rim) ** 2, axis=1)
     level = np.divide(
@@ -362,7 +354,7 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     return np.where(k * radius > max_wavenumber, 1.0, np.sqrt(level))
 
 
-class GapTunedOscillators:
+class GapTunedOscillators(DrivenModes):
     """Oscillators of m modes that are retuned without clicks as the gap changes.
 
     The solution is exact while the tuning is constant. A change of tuning conserves the
@@ -385,69 +377,40 @@ class GapTunedOscillators:
     ):
         self._table = table
         self._rate = sample_rate
-        levels = np.arange(self._tuning_step_index(table.log_gap[-1]) + 1)
-        self._tuning = table.tuning(table.log_gap[0] - TUNING_LOG_GAP_STEP * levels)
-        self._bank = _bank_coefficients(OscillatorBank(*self._tuning, sample_rate))
-        self._level = self._tuning_step_index(gap)
-        smooth = self._bank_at(self._level)
-        smooth.set_steady_state(settled)
-        jumps = self._bank_at(self._level)
-        jumps.set_steady_state(0 * settled)
-        self._states = [smooth.state, jumps.state]
+        self._banks_of_levels: dict[int, list[OscillatorBank]] = {}
+        self._level = int(table.tuning_level(gap))
+        super().__init__(*table.nearest_tuning(gap), sample_rate, settled)
 
     def advance(self, force: ContactForce, gap) -> np.ndarray:
         """Return the accelerations (2, k, m) due to smooth force and jumps in one
         block.
 
         `gap` (k + 1,) is the logarithm of the mean gap."""
-        level = self._tuning_step_index(gap[:-1])
-        none = 0 * force.bend
-        bank = self._bank_at(level[force.knots[0]])
-        out = np.empty((2, len(level), force.smooth.shape[1]))
-        parts = (
-            (force.smooth, Knots(*force.knots, none, force.bend)),
-            (force.steps, Knots(*force.knots, force.jump, none)),
-        )
-        for (g, knots), state, ringing in zip(parts, self._states, out, strict=True):
-            g = np.ascontiguousarray(g, dtype=float)
-            impulses = np.ascontiguousarray(bank.knot_impulses(knots))
-            _step_oscillators(
-                level,
-                self._level,
-                self._bank,
-                g,
-                knots.interval,
-                impulses,
-                state,
-                ringing,
-            )
-        self._level = level[-1]
+        levels = self._table.tuning_level(gap[:-1])
+        changes = np.flatnonzero(np.diff(levels, prepend=self._level))
+        out = np.empty((2, len(levels), force.smooth.shape[1]))
+        parts = force.parts
+        for start, end in pairwise([0, *changes, len(levels)]):
+            if levels[start] != self._level:
+                self._retune(int(levels[start]), [g[start] for g, _ in parts])
+            for (g, knots), bank, ringing in zip(parts, self._banks, out, strict=True):
+                bank.advance(
+                    g[start : end + 1], knots.between(start, end), ringing[start:end]
+                )
         return out
 
-    def _tuning_step_index(self, gap):
-        return tuning_step_index(gap, self._table.log_gap)
-
-    def _bank_at(self, level):
-        return OscillatorBank(*(values[level] for values in self._tuning), self._rate)
-
-
-def tuning_step_index(gap, tabulated) -> np.ndarray:
-    """Return the number of steps of TUNING_LOG_GAP_STEP from the widest tabulated gap
-    to `gap`."""
-    inside = np.clip(gap, tabulated[-1], tabulated[0])
-    return np.round((tabulated[0] - inside) / TUNING_LOG_GAP_STEP).astype(int)
-
-
-def _bank_coefficients(bank: OscillatorBank) -> np.ndarray:
-    """Return the coefficients (l, 15, m) of a bank (l, m) for `_step_oscillators`.
-
-    Rows 0 to 4 contain the time step. Rows 5 to 8 convert (q - g/w^2, q') to the state,
-    rows 9 to 12 convert it back, and rows 13 and 14 contain the contribution of g to (q
-    - g/w^2, q')."""
-    late = bank.late - [bank.omega**-2.0, 0 * bank.omega]
-    return np.ascontiguousarray(
-        np.concatenate([bank.step, *bank.rows, *bank.back, late]).swapaxes(0, 1)
-    )
+    def _retune(self, level, forces):
+        """Change the tuning to a level at force samples (m,), one for each bank."""
+        if level not in self._banks_of_levels:
+            tuning = self._table.tuning_at_level(level)
+            self._banks_of_levels[level] = [
+                OscillatorBank(*tuning, self._rate) for _ in forces
+            ]
+        before = self._banks
+        self._banks = self._banks_of_levels[level]
+        self._level = level
+        for bank, other, g in zip(self._banks, before, forces, strict=True):
+            bank.take_over(other, g)
 
 
 @njit(cache=True)
@@ -461,41 +424,3 @@ def _apply_gain(ringing, where, gain):
             for s in range(len(ringing)):
                 ringing[s, n, m] *= factor
     return ringing
-
-
-@njit(cache=True)
-def _step_oscillators(levels, level_before, bank, g, interval, impulses, state, out):
-    """Step the oscillators through samples g (k + 1, m) and write accelerations `out`
-    (k, m).
-
-    `levels` (k,) are the tuning levels, and `level_before` is that of the preceding
-    sample. `impulses` (2, j, m) act at the ends of the intervals (j,)."""
-    knot = 0
-    level = level_before
-    for n in range(len(out)):
-        old = bank[level]
-        new = bank[levels[n]]
-        for m in range(out.shape[1]):
-            u = g[n, m]
-            first = state[0, m]
-            second = state[1, m]
-            if levels[n] != level:
-                q = (
-                    old[9, m] * first
-                    + old[10, m] * second
-                    + (old[13, m] - new[13, m]) * u
-                )
-                v = (
-                    old[11, m] * first
-                    + old[12, m] * second
-                    + (old[14, m] - new[14, m]) * u
-                )
-                first = new[5, m] * q + new[6, m] * v
-                second = new[7, m] * q + new[8, m] * v
-            out[n, m] = new[0, m] * u + first
-            state[0, m] = new[1, m] * u + (new[2, m] * first + second)
-            state[1, m] = new[3, m] * u + new[4, m] * first
-        while knot < len(interval) and interval[knot] == n:
-            state += impulses[:, knot]
-            knot += 1
-        level = levels[n]

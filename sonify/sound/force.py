@@ -8,6 +8,7 @@ from scipy import sparse
 
 from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
+from sonify.sound.oscillators import Knots
 
 LOW_PASS_HALF_WIDTH = 8  # samples
 """Half-width of the windowed-sinc filter applied where the force varies too fast for
@@ -48,6 +49,19 @@ class ContactForce:
     jump: np.ndarray
     bend: np.ndarray
 
+    @classmethod
+    def without_jumps(cls, t, smooth, steps) -> "ContactForce":
+        """Return a force without jumps within the block."""
+        none = np.zeros((0, smooth.shape[1]))
+        return cls(
+            t=t,
+            smooth=smooth,
+            steps=steps,
+            jump_time=np.zeros(0),
+            jump=none,
+            bend=none,
+        )
+
     @property
     def samples(self) -> np.ndarray:
         """Sum (k, c) of both parts at the samples; at a jump, the value after it."""
@@ -71,6 +85,15 @@ class ContactForce:
         since = self.jump_time - _previous_knot(self.jump_time, self.t[interval])
         until = self.t[interval + 1] - self.jump_time
         return interval, since, until
+
+    @property
+    def parts(self) -> tuple[tuple[np.ndarray, Knots], tuple[np.ndarray, Knots]]:
+        """Samples and knots of the continuous part, and those of the steps."""
+        none = 0 * self.bend
+        return (
+            (self.smooth, Knots(*self.knots, none, self.bend)),
+            (self.steps, Knots(*self.knots, self.jump, none)),
+        )
 
 
 def force_in_newton(force, state):
@@ -214,31 +237,18 @@ class ForceSampler:
         )
         nodes = sliding_window_view(values, INTERPOLATION_NODES, axis=0).swapaxes(1, 2)
         within_cell = np.arange(INTERPOLATION_STRIDE) / INTERPOLATION_STRIDE
-        smooth = (
-            lagrange_weights(
-                np.arange(INTERPOLATION_NODES) - nodes_before, within_cell
-            ).T
-            @ nodes
+        weights = lagrange_weights(
+            np.arange(INTERPOLATION_NODES) - nodes_before, within_cell
         )
-        wanted = slice(
-            n[0] - first * INTERPOLATION_STRIDE,
-            n[0] - first * INTERPOLATION_STRIDE + len(n),
-        )
-        return smooth.reshape(-1, len(self.rest))[wanted], np.repeat(
-            is_slow, INTERPOLATION_STRIDE
-        )[wanted]
+        smooth = weights.T @ nodes
+        start = n[0] % INTERPOLATION_STRIDE
+        wanted = slice(start, start + len(n))
+        is_valid = np.repeat(is_slow, INTERPOLATION_STRIDE)[wanted]
+        return smooth.reshape(-1, len(self.rest))[wanted], is_valid
 
     def _block_at_rest(self, t):
         steps = np.broadcast_to(self._levels[-1], (len(t), len(self.rest)))
-        none = np.zeros((0, len(self.rest)))
-        return ContactForce(
-            t=t,
-            smooth=self.rest - steps,
-            steps=steps,
-            jump_time=np.zeros(0),
-            jump=none,
-            bend=none,
-        )
+        return ContactForce.without_jumps(t, self.rest - steps, steps)
 
     def _prepare_jumps(self, jumps):
         self.jump_time = np.asarray(jumps.t)

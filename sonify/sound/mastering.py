@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 from scipy.ndimage import minimum_filter1d, uniform_filter1d
-from scipy.signal import resample_poly
 
 from sonify.hearing.audio_source import BLOCK_SIZE, Excerpt, overlapping_pieces
 from sonify.hearing.loudness import loudness_lufs
@@ -16,11 +15,12 @@ from sonify.sound.playback import (
     AUDIBLE_COPY_LOUDNESS_LUFS,
     AUDIBLE_COPY_PEAK_DBTP,
     MAX_TRUE_PEAK_RATIO,
-    TRUE_PEAK_OVERSAMPLING,
     CachedTrack,
+    DerivedTrack,
     ScaledTrack,
     WeightedTrack,
     true_peak,
+    true_peaks,
 )
 
 
@@ -52,17 +52,12 @@ class Mastering:
     """Maximum excess loudness [LU] that the trim may remove."""
 
 
-@dataclass(frozen=True)
-class TrackWithLeadIn:
+@dataclass(frozen=True, kw_only=True)
+class TrackWithLeadIn(DerivedTrack):
     """A track preceded by a number of zero samples."""
 
     track: Any
     zeros: int
-
-    @property
-    def sample_rate(self) -> int:
-        """Sample rate [Hz]."""
-        return self.track.sample_rate
 
     @property
     def frames(self) -> int:
@@ -71,8 +66,15 @@ class TrackWithLeadIn:
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Yield the zeros, then the blocks of the track; `start` must be 0."""
-        yield np.zeros((self.zeros, self.track.channels))
+        yield np.zeros((self.zeros, self.channels))
         yield from self.track.blocks(start)
+
+
+def padded_pieces(track, reach: int) -> Iterator[np.ndarray]:
+    """Return successive pieces of a track, each with `reach` samples before and after
+    it; zeros precede the track."""
+    padded = TrackWithLeadIn(track=track, zeros=reach)
+    return overlapping_pieces(padded, BLOCK_SIZE, 2 * reach)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,11 +99,9 @@ class ProcessedTrack(CachedTrack):
     def computed_blocks(self) -> Iterator[np.ndarray]:
         """Yield the processed pieces (k, channels)."""
         reach = self.context_samples  # shorter than a piece
-        padded = overlapping_pieces(
-            TrackWithLeadIn(self.track, reach), BLOCK_SIZE, 2 * reach
-        )
+        pieces = padded_pieces(self.track, reach)
         for first, samples in zip(
-            range(0, self.frames, BLOCK_SIZE), padded, strict=False
+            range(0, self.frames, BLOCK_SIZE), pieces, strict=False
         ):
             yield self.processed(samples)[
                 reach : reach + min(BLOCK_SIZE, self.frames - first)
@@ -166,9 +166,7 @@ class MasteredTrack(ProcessedTrack):
         limit = 10 ** (self.settings.limit_dbtp / 20)
         if np.abs(loud).max() * MAX_TRUE_PEAK_RATIO <= limit:
             return loud * self.trim
-        between = np.abs(resample_poly(loud, TRUE_PEAK_OVERSAMPLING, 1, axis=0))
-        peak = between.reshape(len(loud), -1).max(axis=1)
-        allowed = limit / np.maximum(peak, limit)
+        allowed = limit / np.maximum(true_peaks(loud), limit)
         lowest = minimum_filter1d(allowed, 2 * around + 1)
         smooth = uniform_filter1d(uniform_filter1d(lowest, around), around)
         return loud * (np.minimum(smooth, allowed) * self.trim)[:, None]
@@ -214,9 +212,9 @@ def windowed_power(samples: np.ndarray, reach: int) -> np.ndarray:
 def loudest_window(track, settings: Mastering) -> float:
     """Return the largest mean square [Pa^2] of the windows of a track."""
     reach = window_reach(track.sample_rate, settings)
-    padded = overlapping_pieces(TrackWithLeadIn(track, reach), BLOCK_SIZE, 2 * reach)
     return max(
-        float(windowed_power(piece, reach)[reach:-reach].max()) for piece in padded
+        float(windowed_power(piece, reach)[reach:-reach].max())
+        for piece in padded_pieces(track, reach)
     )
 
 
@@ -238,20 +236,21 @@ def master_copy(
     gain_to_limit = 10 ** (settings.limit_dbtp / 20) / true_peak(compressed)
     at_limit = MasteredTrack(track=compressed, gain=gain_to_limit, settings=settings)
     try:
-        found = at_stated_loudness(at_limit, settings)
+        found = at_stated_loudness(at_limit)
     except ValueError:  # too short for a loudness
         found = at_limit
     return trimmed_below_limit(found)
 
 
-def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
+def at_stated_loudness(at_limit: MasteredTrack) -> MasteredTrack:
     """Return the track at the specified loudness, or a quieter one if it cannot be
     reached.
 
     The gain before the limiter is increased until the loudness is reached; the trim
     then removes the excess. Raises ValueError if the track is too short.
     """
-    raised_db = initial_gain_step(at_limit, settings)
+    settings = at_limit.settings
+    raised_db = initial_gain_step(at_limit)
     low: float | None = None
     found: MasteredTrack | None = None
     found_db = 0.0
@@ -279,11 +278,11 @@ def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> Mastered
     return found if excess <= 1e-6 else replace(found, trim=10 ** (-excess / 20))
 
 
-def initial_gain_step(at_limit, settings):
+def initial_gain_step(at_limit):
     """Return the additional gain [dB] that reaches the specified loudness without
     limiting."""
     unlimited = ScaledTrack(track=at_limit.track, full_scale=1 / at_limit.gain)
-    missing = settings.loudness_lufs - unlimited.loudness
+    missing = at_limit.settings.loudness_lufs - unlimited.loudness
     return missing if np.isfinite(missing) else 0.0
 
 
@@ -301,20 +300,20 @@ def mastering_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
     """Return settings and gains of a copy for small loudspeakers, as written to
     run.json."""
     if isinstance(track, MasteredTrack):
-        gain_db = float(20 * np.log10(track.gain))
-        trim_db = float(20 * np.log10(track.trim))
-        gains = {"gain_db": gain_db, "trim_db": trim_db}
-        return (
-            {"dynamics": "compressed", "weighting": "A"}
-            | asdict(track.settings)
-            | gains
-        )
-    gain_db = float(-20 * np.log10(track.full_scale))
-    targets = {
+        return {
+            "dynamics": "compressed",
+            "weighting": "A",
+            **asdict(track.settings),
+            "gain_db": float(20 * np.log10(track.gain)),
+            "trim_db": float(20 * np.log10(track.trim)),
+        }
+    return {
+        "dynamics": "natural",
+        "weighting": "A",
         "loudness_lufs": AUDIBLE_COPY_LOUDNESS_LUFS,
         "limit_dbtp": AUDIBLE_COPY_PEAK_DBTP,
+        "gain_db": float(-20 * np.log10(track.full_scale)),
     }
-    return {"dynamics": "natural", "weighting": "A"} | targets | {"gain_db": gain_db}
 
 
 def trimmed_below_limit(track: MasteredTrack) -> MasteredTrack:

@@ -31,6 +31,13 @@ class Knots(NamedTuple):
     jump: np.ndarray
     bend: np.ndarray
 
+    def between(self, start: int, end: int) -> "Knots":
+        """Return the knots in the intervals from `start` to `end`, counted from
+        `start`."""
+        inside = (self.interval >= start) & (self.interval < end)
+        interval, *others = (values[inside] for values in self)
+        return Knots(interval - start, *others)
+
 
 def empty_knots(m: int) -> Knots:
     """Return an empty set of knots for a force of m components."""
@@ -115,6 +122,13 @@ class OscillatorBank:
         self._compute_step()
         self.set_steady_state(0.0)
 
+    def take_over(self, other: "OscillatorBank", g):
+        """Continue the oscillation of a bank with another tuning at a force sample g
+        (m,), with its velocity and its displacement from static equilibrium."""
+        moved = (other.back * other.state).sum(axis=1)
+        moved += (other.late_from_equilibrium - self.late_from_equilibrium) * g
+        self.state = (self.rows * moved).sum(axis=1)
+
     def set_steady_state(self, g):
         """Set the state to the static response to a constant force g (m,).
 
@@ -181,6 +195,7 @@ class OscillatorBank:
         )
         early = np.array([step - ramp / self.h, s - step / self.h])
         self.late = np.array([ramp, step]) / self.h
+        self.late_from_equilibrium = self.late - [self.omega**-2.0, 0 * self.omega]
         C = np.array([-(self.omega**2), -2 * self.decay])
         trace = 2 * c
         det = np.exp(-2 * self.decay * self.h)

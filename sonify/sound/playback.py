@@ -18,8 +18,6 @@ AUDIBLE_COPY_LOUDNESS_LUFS = -23.0
 AUDIBLE_COPY_PEAK_DBTP = -1.0
 """Highest true peak [dBTP] of audible.wav with natural dynamics; it takes precedence
 over the loudness."""
-TRUE_PEAK_OVERSAMPLING = 4
-"""Oversampling in the search for the true peak, BS.1770-4, annex 2."""
 MAX_TRUE_PEAK_RATIO = 2.5
 """Upper bound for the ratio of true peak to sample peak; it exceeds the sum of the
 absolute weights of the resampling filter."""
@@ -150,11 +148,16 @@ def true_peak(source) -> float:
     peak = 0.0
     for part, top in zip(_overlapping_parts(source), tops, strict=True):
         if top * MAX_TRUE_PEAK_RATIO >= loudest:
-            peak = max(
-                peak,
-                np.abs(resample_poly(part, TRUE_PEAK_OVERSAMPLING, 1, axis=0)).max(),
-            )
+            peak = max(peak, true_peaks(part).max())
     return float(peak)
+
+
+def true_peaks(samples) -> np.ndarray:
+    """Return the largest magnitude (k,) at and after each of samples (k, channels),
+    including values between the samples."""
+    oversampling = 4  # BS.1770-4, annex 2
+    between = np.abs(resample_poly(samples, oversampling, 1, axis=0))
+    return between.reshape(len(samples), -1).max(axis=1)
 
 
 def _overlapping_parts(source):

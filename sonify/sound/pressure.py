@@ -94,8 +94,6 @@ class Sound:
         [Hz]
     columns : ndarray or ScratchFile, shape (n, 1 + s)
         Pressure and its stems [Pa], float32, read by slices of rows.
-    rendered_mode_count : int
-        Number of modes rendered.
     source_end : float
         Time [s] at which the sound of the end of the motion reaches the listener; only
         the ring-down of the modes follows.
@@ -123,7 +121,6 @@ class Sound:
     name: str
     sample_rate: int
     columns: "np.ndarray | ScratchFile"
-    rendered_mode_count: int
     source_end: float
     outcome: Outcome
     ringing: RingDown
@@ -251,12 +248,10 @@ class Sound:
 
     @property
     def _audible_source(self):
-        second_ear = (
-            (self._track("second_ear", 1 + len(self.names)),)
-            if self.has_second_ear
-            else ()
-        )
-        return replace(self.pressure, others=second_ear or self.pressure.others)
+        if not self.has_second_ear:
+            return self.pressure
+        second_ear = self._track("second_ear", 1 + len(self.names))
+        return replace(self.pressure, others=(second_ear,))
 
     @cached_property
     def loudness(self) -> tuple[float | str, float | str]:
@@ -272,7 +267,7 @@ class Sound:
 
     def __repr__(self):
         recorded = f"{self.duration:.3f} s at {self.sample_rate} Hz"
-        return f"Sound({recorded}, peak {self.peak:.3g} Pa, {self.rendered_mode_count} modes)"
+        return f"Sound({recorded}, peak {self.peak:.3g} Pa, {len(self.ringing.frequency)} modes)"
 
 
 class ScratchFile:

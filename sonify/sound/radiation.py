@@ -17,10 +17,6 @@ from modal.radiation import SOUND_SPEED as SOUND_SPEED
 from sonify.scene import ListenerPosition
 from sonify.sound.head import Ear
 
-AZIMUTH_COUNT = 512
-"""Number of azimuths at which the radiation of a mode is tabulated for linear
-interpolation."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Listener:
@@ -119,12 +115,12 @@ def rayleigh(
 
     Parameters
     ----------
-    face : ndarray, shape (m, p)
-        Normal shape of each mode at the quadrature points.
+    face : ndarray, shape (..., p)
+        Normal shapes at the quadrature points.
     points, weights : ndarray, shapes (p, 2) and (p,)
         Quadrature points [m] and weights [m^2].
-    wavenumber : ndarray, shape (m,)
-        Wavenumber of each mode [1/m].
+    wavenumber : ndarray, shape (...)
+        Wavenumber of each shape [1/m]; it broadcasts with the shapes.
     listener_at : ndarray, shape (3,)
         Position of the listener [m].
     density : float
@@ -132,22 +128,20 @@ def rayleigh(
 
     Returns
     -------
-    ndarray, shape (m,), complex
-        Pressure [Pa] per unit modal acceleration, without the factor exp(-i k
+    ndarray, shape (...), complex
+        Pressure [Pa] per unit acceleration of each shape, without the factor exp(-i k
         distance).
     """
     path = np.linalg.norm(
         listener_at - np.column_stack([points, np.zeros(len(points))]), axis=1
     )
-    wave = np.exp(-1j * np.outer(wavenumber, path - np.linalg.norm(listener_at))) / path
-    return density / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
+    phase = np.multiply.outer(wavenumber, path - np.linalg.norm(listener_at))
+    wave = np.exp(-1j * phase) / path
+    return density / (2 * np.pi) * np.sum(face * wave * weights, axis=-1)
 
 
 def directivity_table(
-    modes: Modes,
-    listener: Listener,
-    at_zero_frequency: bool = False,
-    count: int = AZIMUTH_COUNT,
+    modes: Modes, listener: Listener, count: int, at_zero_frequency: bool = False
 ) -> np.ndarray:
     """Return Rayleigh's integral (count, m) over the top face of each mode.
 
@@ -179,18 +173,21 @@ def directivity_table(
 
 
 def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarray:
-    """Return three-tap filters (AZIMUTH_COUNT, m, 3) from modal accelerations to
-    pressure.
+    """Return three-tap filters (a, m, 3) from modal accelerations to pressure.
 
+    They are tabulated at a equally spaced azimuths for linear interpolation.
     The taps apply to samples n + 1, n, n - 1. The response equals Rayleigh's integral
     at the frequency of the mode and at 0. The phase is only approximate less than 2 %
     below the Nyquist frequency."""
+    azimuth_count = 512
     min_sine = (
         0.06  # sine at 2 % below the Nyquist frequency, where the taps would diverge
     )
     turn = 2 * np.pi * modes.frequency / sample_rate
-    at_mode = directivity_table(modes, listener)
-    at_rest = directivity_table(modes, listener, at_zero_frequency=True).real
+    at_mode = directivity_table(modes, listener, azimuth_count)
+    at_rest = directivity_table(
+        modes, listener, azimuth_count, at_zero_frequency=True
+    ).real
     even = (at_rest - at_mode.real) / (1 - np.cos(turn))
     square = np.sin(turn) ** 2
     bounded_square = np.where(turn > np.pi / 2, np.maximum(square, min_sine**2), square)

@@ -5,8 +5,8 @@ from functools import cached_property
 import numpy as np
 from numba import njit
 
+from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.radiation import (
-    AZIMUTH_COUNT,
     Listener,
     heave_kernel,
     mode_taps,
@@ -48,16 +48,14 @@ class RigidFace:
         The function is advance(accelerations (k + 1, c), knots, jump (j, c)) ->
         pressure (k, c) [Pa]. The first column is the heave, the others are tilts;
         before the first block their values are `first` (c,)."""
-        past = np.tile(first, (2 * self.reach, 1))
+        extend = overlapping_blocks(2 * self.reach, first)
         in_flight = np.zeros((0, len(first)))
 
         def advance(samples, knots, jump):
-            nonlocal past, in_flight
+            nonlocal in_flight
             count = len(samples) - 1
-            source = np.vstack([past, samples[:-1]])
-            out = self._convolved(source, knots, jump)
+            out = self._convolved(extend(samples[:-1]), knots, jump)
             out[: len(in_flight)] += in_flight
-            past = source[count:]
             in_flight = out[count:]
             return self._strength * out[:count]
 
@@ -121,20 +119,18 @@ class ElasticFace:
         contains the sum of the stems at an ear rotated by this angle from the
         listener."""
         past = None
-        past_direction = np.tile(direction, (self._latency, 1))
+        extend = overlapping_blocks(self._latency, direction)
 
         def advance(acceleration, direction):
-            nonlocal past, past_direction
+            nonlocal past
             count = len(direction)
             if past is None:
                 past = np.zeros(
                     (len(acceleration), self._latency + 1, acceleration.shape[2])
                 )
             acceleration = np.concatenate([past, acceleration], axis=1)
-            direction = np.concatenate([past_direction, direction])
             past = acceleration[:, count:]
-            past_direction = direction[count:]
-            cosine, sine = direction[:count].T
+            cosine, sine = extend(direction)[:count].T
             turns = np.arctan2(sine, cosine) / (2 * np.pi)
             sharpness = np.minimum(np.hypot(cosine, sine), 1.0)
             stems = _radiate_modes(acceleration, turns, sharpness, self._taps)
@@ -154,16 +150,16 @@ def _radiate_modes(ringing, turns, sharpness, taps):
 
     The taps apply to samples n + 2, n + 1, n.
 
-    `taps` (AZIMUTHS, m, 3) are interpolated linearly at azimuths `turns` (k,) [turns].
+    `taps` (a, m, 3) are interpolated linearly at azimuths `turns` (k,) [turns].
     `sharpness` (k,) is 1 where the azimuth is well defined and falls to 0 where it
     rotates too fast; the taps are then averaged over all azimuths."""
     rows = (
-        taps[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTH_COUNT, -1)
+        taps[:, :, ::-1].swapaxes(1, 2).reshape(len(taps), -1)
     )  # (a, 3 m), ordered n, n + 1, n + 2 as in memory
     mean = rows.mean(axis=0)
     out = np.empty((len(turns), len(ringing)))
     slopes = np.roll(rows, -1, axis=0) - rows
-    where = (turns - np.floor(turns)) * AZIMUTH_COUNT
+    where = (turns - np.floor(turns)) * len(taps)
     samples = ringing.reshape(len(ringing), -1)
     _apply_taps(
         samples, ringing.shape[2], where, sharpness, mean, rows - mean, slopes, out
@@ -173,9 +169,7 @@ def _radiate_modes(ringing, turns, sharpness, taps):
 
 def compile_radiators() -> None:
     """Compile the kernels of ElasticFace; intended for a background thread."""
-    _radiate_modes(
-        np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTH_COUNT, 1, 3))
-    )
+    _radiate_modes(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((1, 1, 3)))
 
 
 @njit(cache=True, nogil=True)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
-from itertools import islice, pairwise
+from itertools import islice
 from math import ceil
 
 import numpy as np
@@ -28,7 +28,7 @@ from sonify.sound.sources.protocol import (
     FADE_OUT,
     ElasticDisk,
     Source,
-    delay_output,
+    SourceGroup,
 )
 
 
@@ -101,30 +101,28 @@ class Renderer:
             self.sources = [
                 source.with_second_ear(other, turn) for source, other in pairs
             ]
-        self.latency = max(source.latency for source in self.sources)
         self.names = tuple(name for source in self.sources for name in source.names)
-        bounds = np.cumsum([0, *(len(source.channel_ends) for source in self.sources)])
-        self._parts = [slice(*pair) for pair in pairwise(bounds)]
-        latency = self.latency + propagation_latency(self.listener)
+        self._group = SourceGroup(self.sources)
+        latency = self._group.latency + propagation_latency(self.listener)
         start = latency / self.sample_rate - self.listener.delay
         self._lead = max(
             ceil(start * self.sample_rate), 0
         )  # samples rendered before time 0 of the listener
         start -= self._lead / self.sample_rate
-        rest, fade = np.vstack([source.channel_ends for source in self.sources]).T
+        rest, fade = self._group.channel_ends.T
         self.sampler = ForceSampler(
             motion,
             self.sample_rate,
             start,
-            self._channels,
+            self._group.input_channels,
             rest,
             max_contact_turn,
             fade,
         )
         self.ringing = elastic.ringing
         self.source_end = self.sampler.end + self.listener.delay
-        tail = max(source.tail_duration for source in self.sources)
-        self.samples = ceil((self.source_end + tail) * self.sample_rate)
+        duration = self.source_end + self._group.tail_duration
+        self.samples = ceil(duration * self.sample_rate)
 
     def _sources_at(self, listener) -> tuple[ElasticDisk, list[Source]]:
         """Return the elastic disk and the list of all sources for one listener."""
@@ -143,18 +141,8 @@ class Renderer:
         `note(name, t (e,) [s], energy (e,) [J])` receives the modal energy of each
         source at times of the motion; `name` is that of its first stem."""
         first = self.sampler.block(0, 1).samples[0]
-        rendering = [
-            (
-                delay_output(
-                    source.make_block_renderer(
-                        first[part], partial(note, source.names[0])
-                    ),
-                    self.latency - source.latency,
-                ),
-                part,
-            )
-            for source, part in zip(self.sources, self._parts, strict=True)
-        ]
+        notes = [partial(note, source.names[0]) for source in self.sources]
+        renderers = self._group.simultaneous_renderers(first, notes)
         propagate = propagation_filter(self.listener, self.sample_rate)
         lead = self._lead
         total = self.samples + lead
@@ -170,9 +158,7 @@ class Renderer:
                 force = pending.popleft().result()
                 pending.extend(islice(requests, 1))
                 stems = propagate(
-                    self._join_stems(
-                        [advance(force.channels(part)) for advance, part in rendering]
-                    )
+                    self._join_stems([advance(force) for advance in renderers])
                 )
                 yield self._apply_end_fades(stems[max(lead - n, 0) :], max(n - lead, 0))
 
@@ -208,18 +194,12 @@ class Renderer:
             columns=columns,
             names=self.names,
             has_second_ear=self._has_second_ear,
-            rendered_mode_count=len(self.modes),
             source_end=self.source_end,
             outcome=self.motion.outcome,
             ringing=self.ringing,
             energy_time=time,
             energy=energy,
             table_energy=table_energy,
-        )
-
-    def _channels(self, force, state):
-        return np.column_stack(
-            [source.input_channels(force, state) for source in self.sources]
         )
 
     def _join_stems(self, parts):

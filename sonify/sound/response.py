@@ -6,7 +6,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 
 from sonify.sound.audible_modes import RingDown
-from sonify.sound.oscillators import Knots, OscillatorBank, free_response
+from sonify.sound.oscillators import OscillatorBank, free_response
 
 
 @runtime_checkable
@@ -26,20 +26,18 @@ class DrivenModes:
     `settled` (m,) is the constant force on each mode before the first block.
     """
 
-    def __init__(self, modes, sample_rate: float, settled):
-        self._smooth = OscillatorBank(modes.frequency, modes.decay_rate, sample_rate)
-        self._jumps = OscillatorBank(modes.frequency, modes.decay_rate, sample_rate)
-        self._smooth.set_steady_state(settled)
+    def __init__(self, frequency, decay_rate, sample_rate: float, settled):
+        self._banks = [
+            OscillatorBank(frequency, decay_rate, sample_rate) for _ in range(2)
+        ]
+        self._banks[0].set_steady_state(settled)
 
     def advance(self, force) -> np.ndarray:
         """Return the accelerations (2, k, m) due to smooth force and jumps in one block
         of modal forces."""
-        none = 0 * force.bend
         out = np.empty((2, len(force.t) - 1, force.smooth.shape[1]))
-        self._smooth.advance(
-            force.smooth, Knots(*force.knots, none, force.bend), out[0]
-        )
-        self._jumps.advance(force.steps, Knots(*force.knots, force.jump, none), out[1])
+        for bank, part, ringing in zip(self._banks, force.parts, out, strict=True):
+            bank.advance(*part, ringing)
         return out
 
 

@@ -479,7 +479,8 @@ def test_a_mode_follows_the_gap_without_a_click():
     tuned = GapTunedOscillators(
         table_of((900, 1100), (20, 60)), RATE, np.array([load]), 0.0
     )
-    tuned._states[0] = tuned._bank_at(0).observable_state(
+    smooth, _ = tuned._banks
+    smooth.state = smooth.observable_state(
         np.array([[load / (2 * np.pi * 900) ** 2], [1.0]]), np.array([load])
     )
     out = tuned.advance(block(np.full(n + 1, load)), gap)[0, :, 0]

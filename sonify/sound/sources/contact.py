@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, pairwise, repeat
+from functools import partial
+from itertools import chain, repeat
 from math import ceil, pi
 
 import numpy as np
@@ -23,13 +24,10 @@ from dynamics.compliant.model_inputs import law_table
 from dynamics.film.activation import decide_film
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.rigid_motion import RigidMotion
+from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
-from sonify.sound.sources.protocol import Source, delay_output
-
-MIN_PROFILE_RATE = 96e3  # 1/s
-"""Minimum sample rate of the height profiles; the contact ellipse averages out faster
-variations."""
+from sonify.sound.sources.protocol import Source, SourceGroup, ignore_energy
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,13 +58,15 @@ class ContactFilter:
 
     @property
     def oversampling(self) -> int:
-        """Number of steps per sample required by the stiffest contact and by
-        MIN_PROFILE_RATE."""
+        """Number of steps per sample required by the stiffest contact and by the height
+        profiles."""
+        # The contact ellipse averages out faster variations.
+        min_profile_rate = 96e3  # 1/s
         needed = (
             required_step_rate(self.table.law, np.array([MIN_CONTACT_INCLINATION]))[0]
             / MAX_STEP_TURN
         )
-        return ceil(max(needed, MIN_PROFILE_RATE) / self.sample_rate)
+        return ceil(max(needed, min_profile_rate) / self.sample_rate)
 
     @property
     def first(self) -> int:
@@ -82,12 +82,12 @@ class ContactFilter:
             ]
         )
 
-    def blocks(self, fade=0.002) -> Iterator[np.ndarray]:
+    def blocks(self) -> Iterator[np.ndarray]:
         """Yield blocks of the force (k, 2) [N] along a_2 and the normal, beginning at
         sample `first`.
 
-        The force fades out over the last `fade` [s], a few periods of the contact
-        resonance."""
+        The force fades out at the end."""
+        fade = 0.002  # s, a few periods of the contact resonance
         oversampling = self.oversampling
         rate = oversampling * self.sample_rate
         begin = self.start + self.first / self.sample_rate
@@ -140,12 +140,17 @@ class ContactVibration(Source):
     tail_duration = 0.0
 
     def __init__(self, scene, motion, *moved: Source):
-        self._table = law_table(scene)
-        self._profiles = profiles(scene.roughness, scene.disk.radius)
         self._motion = motion
-        self._rate = scene.audio.sample_rate
-        self._moved = moved
-        self.latency = max(source.latency for source in moved)
+        self._filter_from = partial(
+            ContactFilter,
+            motion,
+            law_table(scene),
+            profiles(scene.roughness, scene.disk.radius),
+            scene.audio.sample_rate,
+        )
+        self._group = SourceGroup(moved)
+        self._vibrating = moved[0]
+        self.latency = self._group.latency
 
     def input_channels(self, force, state):
         """Return an empty array (k, 0), because the filter provides the force."""
@@ -160,13 +165,7 @@ class ContactVibration(Source):
         def advance(force):
             nonlocal pressure, held
             if pressure is None:
-                added = ContactFilter(
-                    self._motion,
-                    self._table,
-                    self._profiles,
-                    self._rate,
-                    float(force.t[0]),
-                )
+                added = self._filter_from(float(force.t[0]))
                 pressure = self._pressure(added)
                 held = np.zeros((added.first, 1))
             while len(held) < len(force.t) - 1:
@@ -178,24 +177,18 @@ class ContactVibration(Source):
 
     def _pressure(self, added):
         """Yield the pressure (k, 1) [Pa] in the blocks of a ContactFilter."""
-        renderers = [
-            delay_output(
-                source.make_block_renderer(
-                    np.zeros(len(source.channel_ends)), lambda t, energy: None
-                ),
-                self.latency - source.latency,
-            )
-            for source in self._moved
-        ]
+        renderers = self._group.simultaneous_renderers(
+            np.zeros(len(self._group.channel_ends)),
+            [ignore_energy] * len(self._group.parts),
+        )
         for t, force in _added_force_blocks(added):
             state = self._states(t)
-            driven = [source.input_channels(force, state) for source in self._moved]
+            channels = self._group.input_channels(force, state)
             # The channels are affine in the force: subtract their values at zero force.
-            driven[0][:, :3] -= self._moved[0].input_channels(0 * force, state)[:, :3]
-            stems = [
-                render(_contact_force_without_jumps(t, channels))
-                for render, channels in zip(renderers, driven, strict=True)
-            ]
+            unforced = self._vibrating.input_channels(0 * force, state)[:, :3]
+            channels[:, : unforced.shape[1]] -= unforced
+            driven = ContactForce.without_jumps(t, channels, np.zeros_like(channels))
+            stems = [render(driven) for render in renderers]
             yield np.hstack(stems).sum(axis=1, keepdims=True)
 
     def _states(self, t):
@@ -224,19 +217,6 @@ def _added_force_blocks(added):
         last = force[-1:]
 
 
-def _contact_force_without_jumps(t, channels):
-    """Return a ContactForce without jumps."""
-    none = np.zeros((0, channels.shape[1]))
-    return ContactForce(
-        t=t,
-        smooth=channels,
-        steps=np.zeros_like(channels),
-        jump_time=np.zeros(0),
-        jump=none,
-        bend=none,
-    )
-
-
 class SolvedContactVibration(Source):
     """Sound of a disk whose motion already includes the contact vibration.
 
@@ -251,52 +231,35 @@ class SolvedContactVibration(Source):
         crossover: float,
         sample_rate: int,
     ):
-        self._disk = [rigid, elastic]
-        if vibrating is not rigid:
-            self._disk.append(vibrating)
+        self._is_replaced = vibrating is not rigid
+        sources = [rigid, elastic, vibrating] if self._is_replaced else [rigid, elastic]
+        self._group = SourceGroup(sources)
         self._rigid_stems = len(rigid.names)
-        bounds = np.cumsum([0, *(len(source.channel_ends) for source in self._disk)])
-        self._parts = [slice(*pair) for pair in pairwise(bounds)]
         self.names = (*rigid.names, *elastic.names, "contact")
-        self.channel_ends = np.vstack([source.channel_ends for source in self._disk])
+        self.channel_ends = self._group.channel_ends
         self._weight = windowed_sinc_taps(max(round(sample_rate / (2 * crossover)), 1))
         self.tail_duration = max(rigid.tail_duration, elastic.tail_duration)
-        self._disk_latency = max(source.latency for source in self._disk)
-        self.latency = self._disk_latency + len(self._weight) // 2
+        self.latency = self._group.latency + len(self._weight) // 2
 
     def input_channels(self, force, state):
         """Return the input channels (k, c) of the disk."""
-        return np.hstack([source.input_channels(force, state) for source in self._disk])
+        return self._group.input_channels(force, state)
 
     def make_block_renderer(self, first, note):
         """Return a function that computes the stems (k, 5) [Pa] of successive blocks.
 
         Before the first block the channels have the values `first` (c,)."""
-        renderers = [
-            delay_output(
-                source.make_block_renderer(first[part], note),
-                self._disk_latency - source.latency,
-            )
-            for source, part in zip(self._disk, self._parts, strict=True)
-        ]
+        renderers = self._group.simultaneous_renderers(
+            first, [note] * len(self._group.parts)
+        )
         half = len(self._weight) // 2
-        past = None
+        extend = overlapping_blocks(2 * half)
 
         def advance(force):
-            nonlocal past
-            new = np.hstack(
-                [
-                    render(force.channels(part))
-                    for render, part in zip(renderers, self._parts, strict=True)
-                ]
-            )
-            past = np.vstack(
-                [np.repeat(new[:1], 2 * half, axis=0) if past is None else past, new]
-            )
-            slow = oaconvolve(past, self._weight[:, None], "valid", axes=0)
-            fast = past[half : len(past) - half] - slow
-            past = past[len(new) :]
-            if len(self._disk) > 2:
+            stems = extend(np.hstack([render(force) for render in renderers]))
+            slow = oaconvolve(stems, self._weight[:, None], "valid", axes=0)
+            fast = stems[half : len(stems) - half] - slow
+            if self._is_replaced:
                 slow = slow[:, :-1]
                 fast = fast[:, self._rigid_stems :]
             return np.column_stack([slow, fast.sum(axis=1)])
@@ -313,27 +276,19 @@ def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Sou
     if scene.contact.law == "rigid":
         return [rigid, elastic]
     if isinstance(motion, RattlingMotion):
-        rate = scene.audio.sample_rate
-        open_disk = VibratingDisk(scene, listener) if scene.air.pressure else rigid
-        rattle_crossover = 200.0  # Hz; the precession is slower
-        return [
-            SolvedContactVibration(rigid, elastic, open_disk, rattle_crossover, rate)
-        ]
-    vibrating = VibratingDisk(scene, listener) if decide_film(scene).film else rigid
-    if isinstance(motion, RigidMotion):
-        return [
-            rigid,
-            elastic,
-            ContactVibration(scene, motion, vibrating, elastic, *below),
-        ]
-    resonance = (
-        law_table(scene)
-        .contact_resonance(motion.state[:1, 1], scene.disk.weight, 0.0)
-        .frequency
-    )
-    lowest = float(resonance[0])
+        vibrating = VibratingDisk(scene, listener) if scene.air.pressure else rigid
+        crossover = 200.0  # Hz; the precession is slower
+    else:
+        vibrating = VibratingDisk(scene, listener) if decide_film(scene).film else rigid
+        if isinstance(motion, RigidMotion):
+            superposed = ContactVibration(scene, motion, vibrating, elastic, *below)
+            return [rigid, elastic, superposed]
+        resonance = law_table(scene).contact_resonance(
+            motion.state[:1, 1], scene.disk.weight, 0.0
+        )
+        crossover = float(resonance.frequency[0]) / 2
     return [
         SolvedContactVibration(
-            rigid, elastic, vibrating, lowest / 2, scene.audio.sample_rate
+            rigid, elastic, vibrating, crossover, scene.audio.sample_rate
         )
     ]

@@ -39,7 +39,6 @@ from sonify.sound.sources.protocol import (
     ElasticDisk,
     RigidDisk,
     SourcePair,
-    windowed_energy_peaks,
 )
 from sonify.sound.sources.rattling import RattlingModes
 
@@ -83,17 +82,18 @@ def disk_sources(
 ) -> tuple[RigidDisk, ElasticDisk]:
     """Return the sources of the rigid disk and of its modes, which include the film if
     it is active."""
+    elastic: type[ElasticDisk]
     if isinstance(motion, RattlingMotion):
         rigid = RigidDisk(scene, face, listener.azimuth)
-        return rigid, RattlingModes(scene, motion, modes, chosen, listener, face.reach)
-    if decide_film(scene).film is None:
+        elastic = RattlingModes
+    elif decide_film(scene).film is None:
         rigid = RigidDisk(scene, face, listener.azimuth)
-        return rigid, ElasticDisk(scene, motion, modes, chosen, listener, face.reach)
-    over_film = NearDiskOverFilm if listener.is_in_near_field else RigidDiskOverFilm
-    rigid = over_film(scene, motion, face, listener)
-    return rigid, ElasticDiskOverFilm(
-        scene, motion, modes, chosen, listener, face.reach
-    )
+        elastic = ElasticDisk
+    else:
+        over_film = NearDiskOverFilm if listener.is_in_near_field else RigidDiskOverFilm
+        rigid = over_film(scene, motion, face, listener)
+        elastic = ElasticDiskOverFilm
+    return rigid, elastic(scene, motion, modes, chosen, listener, face.reach)
 
 
 def rim_flow_shares(Lam) -> np.ndarray:
@@ -118,16 +118,8 @@ class RigidDiskOverFilm(RigidDisk):
     If the film is part of the motion, its pressure also accelerates the disk.
     """
 
-    def __init__(
-        self,
-        scene,
-        motion,
-        face: RigidFace,
-        listener: Listener,
-        second_ear: float | None = None,
-    ):
-        super().__init__(scene, face, listener.azimuth, second_ear)
-        self._motion = motion
+    def __init__(self, scene, motion, face: RigidFace, listener: Listener):
+        super().__init__(scene, face, listener.azimuth)
         self._listener = listener
         self._air = scene.air
         self._film = motion.film
@@ -144,13 +136,6 @@ class RigidDiskOverFilm(RigidDisk):
         )
         self._transitions = self._heave_transitions(tabulated)
 
-    def with_second_ear(self, other, turn):
-        """Return the source with an additional column for a second ear, rotated by
-        `turn` [rad]."""
-        return RigidDiskOverFilm(
-            self._scene, self._motion, self._face, self._listener, turn
-        )
-
     @property
     def channel_ends(self):
         """Rest values and fade times: accelerations fade to zero, the gap and the
@@ -166,24 +151,21 @@ class RigidDiskOverFilm(RigidDisk):
         The columns are heave, tilt and second harmonic of the rim flow as radiated
         towards the listener [m/s^2], the logarithm of the mean gap [m], and the cosine
         of the azimuth. A second ear adds its own tilt, second harmonic and cosine."""
-        disk = self._disk
         heave, tilt, rate, first, second = self._accelerations(force, state)
         tilt = (self._a1 - self._b1 * first) * tilt
         second = (
             self._b1 * second * self._second_harmonic_acceleration(state[:, 1], rate)
         )
-        azimuth = self._azimuth + listener_azimuth(state, turning_with_body=False)
-        wave = _conjugate_phasor(azimuth)
-        columns = [
-            heave,
-            (tilt * wave).real,
-            (second * wave**2).real,
-            log_mean_gap(state, disk),
-            wave.real,
-        ]
+
+        def towards(azimuth):
+            wave = _conjugate_phasor(azimuth)
+            return [(tilt * wave).real, (second * wave**2).real, wave.real]
+
+        azimuth = self._azimuth + listener_azimuth(state)
+        *flows, cosine = towards(azimuth)
+        columns = [heave, *flows, log_mean_gap(state, self._disk), cosine]
         if self._second_ear is not None:
-            wave = _conjugate_phasor(azimuth + self._second_ear)
-            columns += [(tilt * wave).real, (second * wave**2).real, wave.real]
+            columns += towards(azimuth + self._second_ear)
         return np.column_stack(columns)
 
     def _accelerations(self, force, state):
@@ -236,8 +218,7 @@ class RigidDiskOverFilm(RigidDisk):
             heave, tilt, second, gap, cosine, *second_ear = force.samples.T
             knots = force.knots
             jump = force.jump[:, :2].copy()
-            out = relaxed_heave(heave, gap, self._lowest, self._transitions, relaxed)
-            at_once = self._relaxed_at_once(gap[knots[0]])
+            out, at_once = self._relax(heave, gap, knots, relaxed)
             upwards = self._a0 * heave - self._b0 * out
             dipole = DIPOLE_PER_HEAVE * self._b1 * out
             jump[:, 0] *= self._a0 - self._b0 * at_once
@@ -256,10 +237,12 @@ class RigidDiskOverFilm(RigidDisk):
 
         return advance
 
-    def _relaxed_at_once(self, gap):
-        """Return the share (k,) of a jump that leaves at the rim within one sample."""
-        left = self._heave_transitions(gap)[:, :, 0, 0]
-        return (1 - left) @ HEAVE_RELAXATION_WEIGHTS
+    def _relax(self, heave, gap, knots, state):
+        """Return the part (k + 1,) of the heave (k + 1,) that leaves at the rim, and
+        the share (j,) of each jump that leaves within one sample."""
+        out = relaxed_heave(heave, gap, self._lowest, self._transitions, state)
+        left = self._heave_transitions(gap[knots[0]])[:, :, 0, 0]
+        return out, (1 - left) @ HEAVE_RELAXATION_WEIGHTS
 
     def _heave_transitions(self, gap):
         """Return the transitions (k, r, 2, 2) over one sample at log gaps (k,).
@@ -321,9 +304,7 @@ class NearDiskOverFilm(RigidDiskOverFilm):
         flow towards the listener [m/s^2], the logarithm of the mean gap [m], and the
         cosine of the azimuth."""
         heave, tilt, rate, first, second = self._accelerations(force, state)
-        wave = _conjugate_phasor(
-            self._azimuth + listener_azimuth(state, turning_with_body=False)
-        )
+        wave = _conjugate_phasor(self._azimuth + listener_azimuth(state))
         flow = self._disk.radius * np.sin(state[:, 1]) * rate**2
         return np.column_stack(
             [
@@ -351,8 +332,7 @@ class NearDiskOverFilm(RigidDiskOverFilm):
             heave, tilt, outflow, second, gap, cosine = force.samples.T
             knots = force.knots
             jump = force.jump[:, [0, 0, 2, 3]] * [-1.0, 0.0, -1.0, 0.0]
-            out = relaxed_heave(heave, gap, self._lowest, self._transitions, relaxed)
-            at_once = self._relaxed_at_once(gap[knots[0]])
+            out, at_once = self._relax(heave, gap, knots, relaxed)
             jump[:, 0] *= at_once
             dipole = DIPOLE_PER_HEAVE * out * cosine
             flows = np.column_stack([-out, dipole, -outflow, second])
@@ -369,17 +349,8 @@ class ElasticDiskOverFilm(ElasticDisk):
     """Elastic modes with damping, detuning and radiation that depend on the gap of the
     film."""
 
-    def __init__(
-        self,
-        scene,
-        motion,
-        modes,
-        chosen,
-        listener: Listener,
-        latency: int,
-        second_ear: float | None = None,
-    ):
-        super().__init__(scene, motion, modes, chosen, listener, latency, second_ear)
+    def __init__(self, scene, motion, modes, chosen, listener: Listener, latency: int):
+        super().__init__(scene, motion, modes, chosen, listener, latency)
         azimuth_ends, mode_ends = np.split(self.channel_ends, [2])
         self.channel_ends = np.vstack([azimuth_ends, [[np.nan, 0.0]], mode_ends])
         self._smallest_gap = scene.disk.radius * np.sin(motion.state[:, 1].min())
@@ -409,37 +380,24 @@ class ElasticDiskOverFilm(ElasticDisk):
             [own[:, :2], log_mean_gap(state, self._scene.disk)[:, None], own[:, 2:]]
         )
 
-    def make_block_renderer(self, first, note):
-        """Return a function that computes the stems (k, s) [Pa] of successive blocks.
-
-        Before the first block the channels have the values `first` (3 + m,). The
-        function reports the modal energy."""
-        rate = self._scene.audio.sample_rate
-        radiate = self._face.make_block_radiator(first[:2], self._second_ear)
-        solved = (
-            self._response(first[3:])
-            if isinstance(self._motion, VibrationPart)
-            else None
+    def _response(self, first):
+        if isinstance(self._motion, VibrationPart):
+            return super()._response(first)
+        oscillators = GapTunedOscillators(
+            self._loaded_modes, self._scene.audio.sample_rate, first[3:], first[2]
         )
-        oscillators = GapTunedOscillators(self._loaded_modes, rate, first[3:], first[2])
+        return lambda force: oscillators.advance(
+            force.channels(slice(3, None)), _log_gap_channel(force)
+        )
 
-        def advance(force):
-            geometry = force.channels(slice(3)).samples
-            modal_force = force.channels(slice(3, None))
-            gap = geometry[:, 2]
-            ringing = (
-                solved.advance(modal_force)
-                if solved
-                else oscillators.advance(modal_force, gap)
-            )
-            note(
-                *windowed_energy_peaks(force.t, ringing.sum(axis=0), self._modes, rate)
-            )
-            return radiate(
-                self._loaded_modes.apply_gain(ringing, gap[:-1]), geometry[:-1, :2]
-            )
+    def _radiating(self, ringing, force):
+        return self._loaded_modes.apply_gain(ringing, _log_gap_channel(force)[:-1])
 
-        return advance
+
+def _log_gap_channel(force):
+    """Return the logarithm of the mean gap (k + 1,) from the channels of
+    ElasticDiskOverFilm."""
+    return force.channels(slice(2, 3)).samples[:, 0]
 
 
 def _conjugate_phasor(angle):

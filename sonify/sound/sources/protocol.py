@@ -2,14 +2,17 @@
 block by block."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
-from functools import cached_property
+from collections.abc import Callable, Sequence
+from copy import copy
+from functools import cached_property, partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from dynamics import Outcome
 from sonify.sound.audible_modes import RingDown, ring_down_time
+from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.modal_forcing import (
     heave_and_tilt_accelerations,
     listener_azimuth,
@@ -80,30 +83,32 @@ class Source(ABC):
         return SourcePair(self, other)
 
 
-class RigidDisk(Source):
+class TwoEarSource(Source):
+    """Source that computes its sound at a second ear together with that at the
+    first."""
+
+    _second_ear: float | None = None
+    """Azimuth [rad] from the first ear to the second, if there is one."""
+
+    def with_second_ear(self, other, turn):
+        """Return the source with an additional column for a second ear, rotated by
+        `turn` [rad]."""
+        source = copy(self)
+        source._second_ear = turn
+        return source
+
+
+class RigidDisk(TwoEarSource):
     """Heave and tilt of the disk as a rigid body."""
 
     names = ("heave", "tilt")
     tail_duration = 2 * FADE_OUT
 
-    def __init__(
-        self,
-        scene,
-        face: RigidFace,
-        azimuth: float = 0.0,
-        second_ear: float | None = None,
-    ):
-        self._scene = scene
+    def __init__(self, scene, face: RigidFace, azimuth: float):
         self._disk = scene.disk
         self._face = face
         self._azimuth = azimuth
-        self._second_ear = second_ear
         self.latency = face.reach
-
-    def with_second_ear(self, other, turn):
-        """Return the source with an additional column for a second ear, rotated by
-        `turn` [rad]."""
-        return RigidDisk(self._scene, self._face, self._azimuth, turn)
 
     @property
     def channel_ends(self):
@@ -133,28 +138,18 @@ class RigidDisk(Source):
         return advance
 
 
-class ElasticDisk(Source):
+class ElasticDisk(TwoEarSource):
     """Elastic modes of the disk, driven by the contact force or solved together with
     the motion."""
 
     names = ("ringing_smooth", "ringing_jumps")
 
-    def __init__(
-        self,
-        scene,
-        motion,
-        modes,
-        chosen,
-        listener: Listener,
-        latency: int,
-        second_ear: float | None = None,
-    ):
+    def __init__(self, scene, motion, modes, chosen, listener: Listener, latency: int):
         self._scene = scene
         self._motion = motion
         self._modes = modes
         self._chosen = chosen
         self._listener = listener
-        self._second_ear = second_ear
         self._face = ElasticFace(modes, listener, scene.audio.sample_rate, latency)
         self._forcing = modal_forcing_function(modes, scene)
         # If the contact is lost, the force is already zero at the end and remains zero.
@@ -162,19 +157,6 @@ class ElasticDisk(Source):
         forcing_end = [0.0, 0.0] if contact_lost else [np.nan, MODAL_FORCE_FADE]
         self.channel_ends = np.array([[np.nan, 0.0]] * 2 + [forcing_end] * len(modes))
         self.latency = latency
-
-    def with_second_ear(self, other, turn):
-        """Return the source with an additional column for a second ear, rotated by
-        `turn` [rad]."""
-        return type(self)(
-            self._scene,
-            self._motion,
-            self._modes,
-            self._chosen,
-            self._listener,
-            self.latency,
-            second_ear=turn,
-        )
 
     @cached_property
     def ringing(self) -> RingDown:
@@ -198,9 +180,7 @@ class ElasticDisk(Source):
         """Return (k, 2 + m): cosine and sine of the listener's azimuth, and modal
         forces."""
         turning_with_body = self._scene.support.kind == "free"
-        azimuth = self._listener.azimuth + listener_azimuth(
-            state, turning_with_body=turning_with_body
-        )
+        azimuth = self._listener.azimuth + listener_azimuth(state, turning_with_body)
         return np.column_stack(
             [np.cos(azimuth), np.sin(azimuth), self._forcing(force, state)]
         )
@@ -210,27 +190,90 @@ class ElasticDisk(Source):
 
         Before the first block the channels have the values `first` (2 + m,). The
         function reports the modal energy."""
+        rate = self._scene.audio.sample_rate
         radiate = self._face.make_block_radiator(first[:2], self._second_ear)
-        response = self._response(first[2:])
+        respond = self._response(first)
 
         def advance(force):
-            ringing = response.advance(force.channels(slice(2, None)))
+            ringing = respond(force)
             note(
-                *windowed_energy_peaks(
-                    force.t,
-                    ringing.sum(axis=0),
-                    self._modes,
-                    self._scene.audio.sample_rate,
-                )
+                *windowed_energy_peaks(force.t, ringing.sum(axis=0), self._modes, rate)
             )
-            return radiate(ringing, force.channels(slice(2)).samples[:-1])
+            direction = force.channels(slice(2)).samples[:-1]
+            return radiate(self._radiating(ringing, force), direction)
 
         return advance
 
-    def _response(self, settled):
+    def _response(self, first):
+        """Return a function that computes the modal accelerations (s, k, m) due to
+        successive blocks of the channels."""
         if isinstance(self._motion, VibrationPart):
-            return SolvedModes(self._motion, self._chosen, self.ringing)
-        return DrivenModes(self._modes, self._scene.audio.sample_rate, settled)
+            return SolvedModes(self._motion, self._chosen, self.ringing).advance
+        driven = DrivenModes(
+            self._modes.frequency,
+            self._modes.decay_rate,
+            self._scene.audio.sample_rate,
+            first[2:],
+        )
+        return lambda force: driven.advance(force.channels(slice(2, None)))
+
+    def _radiating(self, ringing, force):
+        """Return the accelerations (s, k, m) that radiate as above a closed film."""
+        return ringing
+
+
+class SourceGroup:
+    """Several sources with their channels side by side.
+
+    Attributes
+    ----------
+    channel_ends : ndarray, shape (c, 2)
+        Ends of all channels, in the form required by ForceSampler.
+    parts : list of slice
+        Channels of each source.
+    latency, tail_duration : int, float
+        Largest latency [samples] and longest tail [s].
+    """
+
+    def __init__(self, sources: Sequence[Source]):
+        self._sources = sources
+        self.channel_ends = np.vstack([source.channel_ends for source in sources])
+        bounds = np.cumsum([0, *(len(source.channel_ends) for source in sources)])
+        self.parts = [slice(*pair) for pair in pairwise(bounds)]
+        self.latency = max(source.latency for source in sources)
+        self.tail_duration = max(source.tail_duration for source in sources)
+
+    def input_channels(self, force, state):
+        """Return the input channels (k, c) of all sources."""
+        return np.hstack(
+            [source.input_channels(force, state) for source in self._sources]
+        )
+
+    def block_renderers(self, first, notes) -> list[Advance]:
+        """Return for each source a function that computes its stems from the force of
+        all channels; `first` (c,) and `notes` are those of `make_block_renderer`."""
+
+        def render_part(part, advance, force):
+            return advance(force.channels(part))
+
+        return [
+            partial(render_part, part, source.make_block_renderer(first[part], note))
+            for source, part, note in zip(self._sources, self.parts, notes, strict=True)
+        ]
+
+    def simultaneous_renderers(self, first, notes) -> list[Advance]:
+        """Return the functions of `block_renderers`, with all stems delayed by
+        `latency`."""
+        return [
+            delay_output(advance, self.latency - source.latency)
+            for source, advance in zip(
+                self._sources, self.block_renderers(first, notes), strict=True
+            )
+        ]
+
+
+def ignore_energy(t, energy):
+    """Do not report the modal energy."""
 
 
 class SourcePair(Source):
@@ -238,17 +281,15 @@ class SourcePair(Source):
     column."""
 
     def __init__(self, source: Source, other: Source):
-        self._pair = (source, other)
-        count = len(source.channel_ends)
-        self._parts = (slice(count), slice(count, None))
+        self._group = SourceGroup([source, other])
+        self.channel_ends = self._group.channel_ends
         self.names = source.names
         self.tail_duration = source.tail_duration
         self.latency = source.latency
-        self.channel_ends = np.vstack([source.channel_ends, other.channel_ends])
 
     def input_channels(self, force, state):
         """Return the input channels of the first ear, then those of the second."""
-        return np.hstack([source.input_channels(force, state) for source in self._pair])
+        return self._group.input_channels(force, state)
 
     def make_block_renderer(self, first, note):
         """Return a function that computes the stems (k, s + 1) [Pa] of successive
@@ -256,15 +297,11 @@ class SourcePair(Source):
 
         Before the first block the channels have the values `first` (c,). Only the first
         source reports its energy."""
-        notes = (note, lambda t, energy: None)
-        own, other = (
-            source.make_block_renderer(first[part], report)
-            for source, part, report in zip(self._pair, self._parts, notes, strict=True)
-        )
+        own, other = self._group.block_renderers(first, [note, ignore_energy])
 
         def advance(force):
-            second = other(force.channels(self._parts[1])).sum(axis=1, keepdims=True)
-            return np.hstack([own(force.channels(self._parts[0])), second])
+            second = other(force).sum(axis=1, keepdims=True)
+            return np.hstack([own(force), second])
 
         return advance
 
@@ -272,18 +309,13 @@ class SourcePair(Source):
 def delay_output(advance: Advance, samples: int) -> Advance:
     """Return `advance` with its output delayed by `samples` samples, initially
     silent."""
-    held = None
+    extend = overlapping_blocks(samples, first=0.0)
 
     def delayed(force):
-        nonlocal held
         out = advance(force)
-        out = np.vstack(
-            [np.zeros((samples, out.shape[1])) if held is None else held, out]
-        )
-        out, held = np.split(out, [len(out) - samples])
-        return out
+        return extend(out)[: len(out)]
 
-    return delayed if samples else advance
+    return delayed
 
 
 def windowed_energy_peaks(t, acceleration, modes, sample_rate):

@@ -31,9 +31,10 @@ class RattlingModes(ElasticDisk):
             gap=float(gap),
         )
 
-    def _response(self, settled) -> SolvedModes:
+    def _response(self, first):
         vibration = RimVibration(self._motion, self._modes)
-        return SolvedModes(vibration, np.arange(len(self._modes)), self.ringing)
+        chosen = np.arange(len(self._modes))
+        return SolvedModes(vibration, chosen, self.ringing).advance
 
 
 class RimVibration:
