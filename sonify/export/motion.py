@@ -89,7 +89,7 @@ def export_motion(
 
 def solved_motion(
     scene: Scene,
-    watch: Callable[..., None] = lambda share, note="": None,
+    watch: Callable[..., None],
     table: SurfaceModes | None = None,
 ) -> Motion:
     """Return the motion of a scene; `watch(fraction, note)` is called with the

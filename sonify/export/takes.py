@@ -121,7 +121,7 @@ def varied_scene(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]
 def sound_of_take(
     scene: Scene,
     table: SurfaceModes | None,
-    watch: Callable[..., None] = lambda share, note="": None,
+    watch: Callable[..., None],
 ) -> Sound:
     """Return the sound of a take; `watch(fraction, note)` is called with the completed
     fraction."""

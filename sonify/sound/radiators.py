@@ -1,6 +1,6 @@
 """Convert accelerations to radiated pressure block by block."""
 
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numba import njit
@@ -100,14 +100,12 @@ class ElasticFace:
     The output is delayed by `latency` samples."""
 
     def __init__(self, modes, listener: Listener, sample_rate: float, latency: int):
-        self._modes = modes
-        self._listener = listener
-        self._rate = sample_rate
+        self._tabulate = partial(mode_taps, modes, listener, sample_rate)
         self._latency = latency
 
     @cached_property
     def _taps(self):
-        return mode_taps(self._modes, self._listener, self._rate)
+        return self._tabulate()
 
     def make_block_radiator(self, direction, second_ear: float | None = None):
         """Return a function that converts successive blocks of modal accelerations to

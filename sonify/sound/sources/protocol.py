@@ -84,8 +84,8 @@ class Source(ABC):
 
 
 class TwoEarSource(Source):
-    """Source that computes its sound at a second ear together with that at the
-    first."""
+    """Source that computes the sound at a second ear together with that at the first,
+    which is faster than a SourcePair."""
 
     _second_ear: float | None = None
     """Azimuth [rad] from the first ear to the second, if there is one."""
@@ -218,7 +218,8 @@ class ElasticDisk(TwoEarSource):
         return lambda force: driven.advance(force.channels(slice(2, None)))
 
     def _radiating(self, ringing, force):
-        """Return the accelerations (s, k, m) that radiate as above a closed film."""
+        """Return the accelerations (s, k, m) that radiate the same pressure above a
+        closed film."""
         return ringing
 
 
