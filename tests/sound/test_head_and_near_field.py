@@ -17,8 +17,10 @@ from scipy.special import eval_legendre, spherical_jn
 from modal.radiation import SOUND_SPEED
 from sonify import SceneError, load_scene, solve, write
 from sonify.sound import exterior_field
+from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.exterior_field import ExteriorField, outgoing_hankel
 from sonify.sound.film_radiation import EXTERIOR_MEAN_GAPS
+from sonify.sound.force import ContactForce
 from sonify.sound.head import EAR_LATENCY, Ear, ear_pressure_ratio, ear_taps
 from sonify.sound.near_field import (
     near_face_kernels,
@@ -31,6 +33,7 @@ from sonify.sound.radiation import (
     listeners_of,
     tilt_kernel,
 )
+from sonify.sound.sources.protocol import Source
 
 HEAD = 0.0875  # m
 RATE = 48000
@@ -244,3 +247,39 @@ def test_a_head_has_two_ears_and_a_near_microphone_is_loud(tmp_path):
 def test_impossible_listeners_are_named(listener, message):
     with pytest.raises(SceneError, match=f"audio.listeners.0.*{message}"):
         load_scene("published").replace(f"audio.listeners=[{listener}]")
+
+
+class LateSource(Source):
+    """The force itself, late by some samples, as filters of different lengths at two ears."""
+
+    names = ("late",)
+    channel_ends = np.array([[0.0, 0.0]])
+    tail_duration = 0.0
+
+    def __init__(self, latency):
+        self.latency = latency
+
+    def input_channels(self, force, state):
+        return force[:, 2:]
+
+    def make_block_renderer(self, first, note):
+        extend = overlapping_blocks(self.latency, first=0.0)
+        return lambda force: extend(force.samples[1:])[: len(force.t) - 1]
+
+
+@pytest.mark.parametrize("latencies", [(3, 8), (8, 3), (5, 5)])
+def test_both_ears_hear_at_once_whatever_the_length_of_their_filters(latencies):
+    first, second = map(LateSource, latencies)
+    pair = first.with_second_ear(second, 0.1)
+    render = pair.make_block_renderer(np.zeros(2), lambda t, energy: None)
+    pulse = np.zeros((41, 2))
+    pulse[10] = 1.0
+    heard = []
+    for start in (0, 20):
+        block = pulse[start : start + 21]
+        force = ContactForce.without_jumps(np.arange(21.0), block, np.zeros_like(block))
+        heard.append(render(force))
+    heard = np.concatenate(heard)
+    assert pair.latency == max(latencies)
+    assert np.array_equal(heard[:, 0], heard[:, 1])
+    assert np.flatnonzero(heard[:, 0]).tolist() == [9 + pair.latency]

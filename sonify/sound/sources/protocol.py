@@ -286,7 +286,7 @@ class SourcePair(Source):
         self.channel_ends = self._group.channel_ends
         self.names = source.names
         self.tail_duration = source.tail_duration
-        self.latency = source.latency
+        self.latency = self._group.latency
 
     def input_channels(self, force, state):
         """Return the input channels of the first ear, then those of the second."""
@@ -298,7 +298,7 @@ class SourcePair(Source):
 
         Before the first block the channels have the values `first` (c,). Only the first
         source reports its energy."""
-        own, other = self._group.block_renderers(first, [note, ignore_energy])
+        own, other = self._group.simultaneous_renderers(first, [note, ignore_energy])
 
         def advance(force):
             second = other(force).sum(axis=1, keepdims=True)
