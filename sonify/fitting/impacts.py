@@ -15,7 +15,7 @@ from sonify.fitting.least_squares import Fit, LineRates
 from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
 from sonify.fitting.settings import FIT
 from sonify.hearing.recording import RecordingError
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 
 
 def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
@@ -71,7 +71,7 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     best = loss_coefficient(region.best_rate, region.best_exponent)
     shares = np.array([0.0, 0.0, best])
     cells = loss_coefficient(region.rates, region.exponents)
-    least_error = SettlingSettings().resolution.exponent / region.best_exponent
+    least_error = SETTLING.exponent_resolution / region.best_exponent
     low = cells.min() - least_error * best
     high = cells.max() + least_error * best
     draws = np.zeros((FIT.bootstrap_draws, 4))
@@ -130,7 +130,7 @@ def _verdict(decay, exponent):
         for n in (exponent.low, exponent.high)
     ]
     found = f"n is between {exponent.low:.2f} and {exponent.high:.2f}"
-    if exponent.high - exponent.low > SettlingSettings().max_exponent_interval or (
+    if exponent.high - exponent.low > SETTLING.max_exponent_interval or (
         exponent.low <= FIT.contour_exponent <= exponent.high
     ):
         return (

@@ -21,12 +21,8 @@ LENGTH_MISMATCH_NOTE = re.compile(
 )
 """Note of libsndfile on WAV, AIFF and AU files whose length differs from that in their
 header [bytes]."""
-UNKNOWN_LENGTH = 0x7FFF0000
-"""Length [bytes] in the header of a file that was written with an unknown length."""
 BLOCK_SIZE = 1 << 16
 """Number of samples read from a file at a time."""
-SEARCH_BLOCK_SIZE = 1 << 10
-"""Number of samples read at a time in the search for the last decodable sample."""
 
 
 class Source(Protocol):
@@ -97,38 +93,33 @@ class SoundFile:
     @cached_property
     def frames(self) -> int:
         """Number of decodable samples in each channel."""
+        search_block_size = 1 << 10  # samples
         announced = self._header[1]
-        if not announced or self._decodes(announced - 1):
-            return announced
+        with suppress(soundfile.LibsndfileError), self.open() as file:
+            file.seek(max(announced - 1, 0))
+            if not announced or len(file.read(1)):
+                return announced
         with self.open() as file:
             held = 0
             with suppress(soundfile.LibsndfileError):  # end of the decodable samples
-                while part := len(file.read(SEARCH_BLOCK_SIZE)):
+                while part := len(file.read(search_block_size)):
                     held += part
         return held
-
-    def _decodes(self, last):
-        """Return True if the sample with number `last` can be decoded."""
-        with self.open() as file:
-            try:
-                file.seek(last)
-                return len(file.read(1)) == 1
-            except soundfile.LibsndfileError:
-                return False
 
     @cached_property
     def truncation(self) -> Truncation | None:
         """Truncation of the file; None if its format does not show that it is
         truncated."""
+        unknown_length = 0x7FFF0000  # bytes, in the header of a stream
         rate, announced, kind, notes = self._header
         held = self.frames / rate
         if self._mp3 is not None:
+            if not self._mp3.is_truncated:
+                return None
             missing = (
                 (self._mp3.announced - self._mp3.frames) * self._mp3.samples / rate
-                if self._mp3.is_truncated
-                else 0.0
             )
-            return Truncation(held, held + missing) if missing else None
+            return Truncation(held, held + missing)
         if kind == "OGG":
             return None if ends_with_its_stream(self.path) else Truncation(held, None)
         if self.frames < announced:
@@ -137,7 +128,7 @@ class SoundFile:
         announced_bytes, actual_bytes = map(int, noted.groups()) if noted else (0, 0)
         return (
             Truncation(held, held * announced_bytes / actual_bytes)
-            if 0 < actual_bytes < announced_bytes < UNKNOWN_LENGTH
+            if 0 < actual_bytes < announced_bytes < unknown_length
             else None
         )
 
@@ -156,12 +147,13 @@ class SoundFile:
                     break
 
 
-def ends_with_its_stream(path: str | Path, longest_page: int = 65_307) -> bool:
+def ends_with_its_stream(path: str | Path) -> bool:
     """Return True if the last page of an Ogg file is complete and marked as the end
     (RFC 3533)."""
+    max_page_length = 65_307  # bytes
     with Path(path).open("rb") as file:
         size = file.seek(0, SEEK_END)
-        file.seek(max(size - 2 * longest_page, 0))
+        file.seek(max(size - 2 * max_page_length, 0))
         tail = file.read()
     at = tail.rfind(b"OggS")
     if at < 0 or at + 27 > len(tail):
@@ -198,11 +190,13 @@ class Excerpt:
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Yield the samples from number `start` on in blocks (k, channels)."""
         left = self.frames - start
+        if left <= 0:
+            return
         for block in self.source.blocks(self.first + start):
-            if left <= 0:
-                return
             yield block[:left]
             left -= len(block)
+            if left <= 0:
+                return
 
 
 def excerpt(source: Source, begin: float, end: float) -> Source:
@@ -231,14 +225,13 @@ def excerpt(source: Source, begin: float, end: float) -> Source:
 def read_samples(source: Source, start: int, stop: int) -> np.ndarray:
     """Return the samples (stop - start, channels) from `start` up to `stop` or the last
     sample."""
-    parts = []
-    left = stop - start
-    for block in source.blocks(start):
-        parts.append(block[:left])
-        left -= len(parts[-1])
-        if left <= 0:
-            break
+    parts = list(Excerpt(source, start, stop).blocks())
     return np.concatenate(parts) if parts else np.zeros((0, 1))
+
+
+def loudest_channel(samples: np.ndarray) -> np.ndarray:
+    """Return the channel (n,) with the largest energy of samples (n, channels)."""
+    return samples[:, np.argmax(np.square(samples, dtype=float).sum(axis=0))]
 
 
 def overlapping_pieces(
@@ -249,16 +242,15 @@ def overlapping_pieces(
 
     The starts of the pieces are `step` samples apart; the last piece is padded with
     zeros. Only one piece and one block are in memory."""
+    size = step + overlap
     held = np.zeros((0, 1))
     for block in source.blocks(start):
         held = np.concatenate([held, block]) if len(held) else block
-        while len(held) >= step + overlap:
-            yield held[: step + overlap]
+        while len(held) >= size:
+            yield held[:size]
             held = held[step:]
     while len(held):
-        yield np.pad(
-            held[: step + overlap], ((0, max(step + overlap - len(held), 0)), (0, 0))
-        )
+        yield np.pad(held[:size], ((0, max(size - len(held), 0)), (0, 0)))
         held = held[step:]
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from scipy.ndimage import map_coordinates, maximum_filter1d, uniform_filter1d
+from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
 from sonify.hearing.mains_hum import vertex, without_hum
@@ -30,15 +30,6 @@ class LogSpectrogram:
     frequency: np.ndarray
     contrast: np.ndarray
     peaks: np.ndarray
-
-    def contrast_at(self, t, frequency) -> np.ndarray:
-        """Return the interpolated contrast at times t [s] and frequencies [Hz]; 0
-        outside the spectrogram."""
-        row = (t - self.time[0]) / FRAME_SPACING_S
-        column = np.log2(frequency / self.frequency[0]) * BINS_PER_OCTAVE
-        return map_coordinates(
-            self.contrast, [row, column], order=1, mode="constant", cval=0.0
-        )
 
 
 def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
@@ -68,7 +59,7 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
             continue
         # The lower bands need no higher sample rate than this band.
         down = max(int(rate / (4 * frequency[here][-1])), 1)
-        samples = resample_poly(samples, 1, down) if down > 1 else samples
+        samples = resample_poly(samples, 1, down)
         rate = rate / down
         samples = without_hum(samples, rate) if high == max_hum_frequency else samples
         level[:, here] = _levels(samples, rate, time, frequency[here], window)

@@ -154,10 +154,6 @@ def roughness(
         )
     samples = read_samples(source, first, last).mean(axis=1)
     common = gcd(rate, model_rate)
-    samples = (
-        resample_poly(samples, model_rate // common, rate // common)
-        if rate != model_rate
-        else samples
-    )
+    samples = resample_poly(samples, model_rate // common, rate // common)
     asper, _, _, time = roughness_dw(samples, model_rate, overlap=0)
     return first / rate + np.asarray(time), np.asarray(asper)

@@ -85,7 +85,7 @@ def read_mp3(path: str | Path) -> Mp3 | None:
 
 def frame_header(data: bytes, at: int) -> FrameHeader | None:
     """Return the header of the frame at a position, or None if there is none."""
-    if at < 0 or at + 4 > len(data):
+    if at + 4 > len(data):
         return None
     word = unpack_from(">I", data, at)[0]
     version = word >> 19 & 3

@@ -11,6 +11,7 @@ from scipy.signal import butter, resample_poly, sosfiltfilt
 from sonify.hearing.audio_source import (
     Source,
     Truncation,
+    loudest_channel,
     overlapping_pieces,
     read_samples,
     source_of,
@@ -178,9 +179,7 @@ def read(sound: Source | str | Path, end: float | None = None):
         raise RecordingError(
             f"{name}: sample rate too low, {rate} Hz; at least {min_sample_rate} Hz are required"
         )
-    samples = channels[
-        :, np.argmax(np.square(channels, dtype=float).sum(axis=0))
-    ].astype(float)
+    samples = loudest_channel(channels).astype(float)
     if len(samples) < min_length * rate:
         raise RecordingError(
             f"{name}: too short, {len(samples) / rate:.3g} s; at least {min_length:g} s are required"
@@ -205,18 +204,13 @@ def envelope(samples, rate) -> tuple[np.ndarray, float]:
 def _analysed_part(source, end):
     """Return the first frame of the analysed part and the frame after its last one."""
     rate = source.sample_rate
-    max_frames = int(MAX_ANALYSED_LENGTH_S * source.sample_rate)
+    max_frames = int(MAX_ANALYSED_LENGTH_S * rate)
     if source.frames <= max_frames:
         return 0, source.frames
     if end is None:
-        end = float(
-            np.argmax(
-                [
-                    np.square(second, dtype=float).sum()
-                    for second in overlapping_pieces(source, rate)
-                ]
-            )
-        )
+        seconds = overlapping_pieces(source, rate)
+        energies = [np.square(second, dtype=float).sum() for second in seconds]
+        end = float(np.argmax(energies))
     stop = min(int((end + ANALYSED_LENGTH_AFTER_END_S) * rate), source.frames)
     return max(stop - max_frames, 0), max(stop, max_frames)
 

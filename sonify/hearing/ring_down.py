@@ -14,8 +14,6 @@ from scipy.signal import firwin, oaconvolve
 from sonify.hearing.spectral_lines import MIN_LINE_FREQUENCY_HZ
 
 LINE_BAND_HALF_WIDTH = 120.0  # Hz; closer lines are resolved in a common band
-JACKKNIFE_PARTS = 4  # parts of a modulated line in the jackknife
-MIN_EXPLAINED_POWER = 0.9  # of the power of a band, by its lines
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,63 +48,61 @@ def free_ringing(samples: np.ndarray, rate: float) -> slice:
     return slice(first * hop, last * hop)
 
 
-def decaying_lines(
-    samples: np.ndarray, rate: float, most: int = 12
-) -> list[DecayingLine]:
-    """Return at most `most` lines of free ringing (n,) at `rate` [Hz], the strongest
+def decaying_lines(samples: np.ndarray, rate: float) -> list[DecayingLine]:
+    """Return at most 12 lines of free ringing (n,) at `rate` [Hz], the strongest
     first."""
+    max_count = 12
+    min_prominence = 15.0  # dB
     if len(samples) < 0.1 * rate:
         return []
     spacing = rate / len(samples)
     power = (
         np.abs(np.fft.rfft(samples * np.hanning(2 * len(samples))[len(samples) :])) ** 2
     )
+    step = max(int(10 / spacing), 1)
     smooth = uniform_filter1d(power, max(int(LINE_BAND_HALF_WIDTH / 2 / spacing), 1))
-    coarse = 10 * np.log10(smooth[:: max(int(10 / spacing), 1)] + 1e-300)
+    coarse = 10 * np.log10(smooth[::step] + 1e-300)
     floor = median_filter(coarse, 200)  # 2 kHz
-    above = (
-        10 * np.log10(smooth + 1e-300)
-        - np.repeat(floor, max(int(10 / spacing), 1))[: len(smooth)]
-    )
+    above = 10 * np.log10(smooth + 1e-300) - np.repeat(floor, step)[: len(smooth)]
     reach = int(LINE_BAND_HALF_WIDTH / spacing)
     above[smooth < maximum_filter1d(smooth, reach + 1)] = 0  # the flanks of a line
     above[: int(MIN_LINE_FREQUENCY_HZ / spacing)] = 0
     above[int(0.45 * rate / spacing) :] = 0
-    found: list[tuple[float, DecayingLine]] = []
-    for _ in range(most):
-        top = int(np.argmax(np.where(above > 15, smooth, -np.inf)))
-        if above[top] <= 15:
+    found: list[tuple[float, ...]] = []
+    for _ in range(max_count):
+        top = int(np.argmax(np.where(above > min_prominence, smooth, -np.inf)))
+        if above[top] <= min_prominence:
             break
-        middle = top * spacing
-        found += _lines_of_band(samples, rate, middle)
+        found += _lines_of_band(samples, rate, top * spacing)
         above[max(top - reach, 0) : top + reach + 1] = 0
     found.sort(key=lambda entry: -entry[0])
     return [
         DecayingLine(
-            frequency=line.frequency,
-            decay_rate=line.decay_rate,
-            decay_error=line.decay_error,
+            frequency=float(frequency),
+            decay_rate=float(decay),
+            decay_error=float(error),
             level=20 * float(np.log10(amplitude / found[0][0])),
         )
-        for amplitude, line in found[:most]
+        for amplitude, frequency, decay, error in found[:max_count]
     ]
 
 
 def _lines_of_band(samples, rate, middle):
-    """Return amplitudes and lines within LINE_BAND_HALF_WIDTH of a frequency [Hz]."""
+    """Return amplitude, frequency [Hz], decay rate and its error [1/s] of each line within
+    LINE_BAND_HALF_WIDTH of a frequency [Hz]."""
+    min_explained_power = 0.9  # of the power of the band, by its lines
     down = max(int(rate / (4 * LINE_BAND_HALF_WIDTH)), 1)
     taps = 6 * down + 1
     time = np.arange(len(samples)) / rate
     shifted = samples * np.exp(-2j * np.pi * middle * time)
-    low = oaconvolve(
-        shifted, firwin(taps, 1.5 * LINE_BAND_HALF_WIDTH, fs=rate), mode="valid"
-    )[::down]
+    low_pass = firwin(taps, 1.5 * LINE_BAND_HALF_WIDTH, fs=rate)
+    low = oaconvolve(shifted, low_pass, mode="valid")[::down]
     interval = down / rate
     poles = _poles(low)
     decay = -np.log(np.abs(poles)) / interval
     offset = np.angle(poles) / (2 * np.pi * interval)
     amplitude, error, explained = _amplitudes(low, poles, interval)
-    if explained < MIN_EXPLAINED_POWER:
+    if explained < min_explained_power:
         return [_modulated(low, interval, middle)]
     begin = (taps - 1) / 2 / rate
     kept = (
@@ -115,38 +111,28 @@ def _lines_of_band(samples, rate, middle):
         & (amplitude > 0.05 * amplitude.max())
     )
     kept &= error < 0.5 * decay
-    return [
-        (
-            float(amplitude[i] * np.exp(decay[i] * begin)),
-            DecayingLine(
-                frequency=float(middle + offset[i]),
-                decay_rate=float(decay[i]),
-                decay_error=float(error[i]),
-                level=0.0,
-            ),
-        )
-        for i in np.flatnonzero(kept)
-    ]
+    start_amplitude = amplitude * np.exp(decay * begin)
+    lines = np.stack([start_amplitude, middle + offset, decay, error], axis=1)
+    return list(lines[kept])
 
 
 def _modulated(signal, interval, middle):
-    """Return amplitude and line of a modulated decaying signal (n,).
+    """Return amplitude, frequency, decay rate and its error of a modulated decaying
+    signal (n,).
 
     Such a signal, e.g. that of a coin that turns while it rings, is not a sum of a few
     decaying lines. Its level is fitted by a straight line over at most 35 dB, without
     the first 20 ms."""
+    part_count = 4
     hop = max(round(0.02 / interval), 1)
-    power = (
-        np.square(np.abs(signal[: len(signal) // hop * hop]))
-        .reshape(-1, hop)
-        .mean(axis=1)
-    )
+    parts = signal[: len(signal) // hop * hop].reshape(-1, hop)
+    power = np.square(np.abs(parts)).mean(axis=1)
     level = 10 * np.log10(power + 1e-300)[1:]
     quiet = np.flatnonzero(level < level[0] - 35)
     level = level[: max(quiet[0], 4) if len(quiet) else None]
     time = np.arange(len(level)) * hop * interval
     slope, height = np.polyfit(time, level, 1)
-    part = np.arange(len(level)) * JACKKNIFE_PARTS // len(level)
+    part = np.arange(len(level)) * part_count // len(level)
     without = [
         np.polyfit(time[part != k], level[part != k], 1)[0] for k in np.unique(part)
     ]
@@ -154,12 +140,7 @@ def _modulated(signal, interval, middle):
         (len(without) - 1) * np.var(without)
     )  # jackknife, because the modulation is slow
     to_decay = np.log(10) / 20  # dB/s to 1/s
-    return float(10 ** (height / 20)), DecayingLine(
-        frequency=middle,
-        decay_rate=float(-slope * to_decay),
-        decay_error=float(error * to_decay),
-        level=0.0,
-    )
+    return 10 ** (height / 20), middle, -slope * to_decay, error * to_decay
 
 
 def _poles(signal):

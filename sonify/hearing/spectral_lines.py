@@ -1,7 +1,7 @@
 """Spectral lines and noise bands of a sound, with frequency drift and sidebands."""
 
 from dataclasses import dataclass, replace
-from itertools import compress, pairwise
+from itertools import pairwise
 from statistics import median
 
 import numpy as np
@@ -90,7 +90,7 @@ def find_spectral_lines(samples, rate: float, start: float = 0.0) -> list[Spectr
     level = 10 * np.log10(power.T + 1e-300)
     peaks = _spectral_peaks(level, bin_width)
     is_sideband, centres = _find_sidebands(peaks, bin_width)
-    tracks = _track_peaks(peaks[:, ~is_sideband], len(level))
+    tracks = _track_peaks(peaks[:, ~is_sideband], len(level), max_step=30.0)
     tracks = _merge_noise_bands(tracks, level, bin_width)
     tracks = sorted(tracks, key=lambda track: -np.median(track.level))
     lines = [_fit_line(track, start, hop, bin_width) for track in tracks[:max_count]]
@@ -109,20 +109,19 @@ def _add_sidebands(lines, centre, offsets, bin_width):
     max_order = 3
     low, middle, high = np.percentile(offsets, [5, 50, 95]).tolist()
     sides = {"sidebands": (middle,), "rates": (low, high)}
-    at_centre = [
-        abs(line.frequency - centre.frequency) < bin_width
-        and _overlap(line, centre) > 0
+    same = [
+        line
         for line in lines
+        if abs(line.frequency - centre.frequency) < bin_width
+        and _overlap(line, centre) > 0
     ]
-    duration = sum(_overlap(line, centre) for line in compress(lines, at_centre))
+    duration = sum(_overlap(line, centre) for line in same)
     heard = duration > (centre.end - centre.begin) / 2
-    modulated = [
-        replace(line, **sides) if heard else line for line in compress(lines, at_centre)
-    ]
+    modulated = [replace(line, **sides) for line in same] if heard else same
     others = [
         line
-        for line, same in zip(lines, at_centre, strict=True)
-        if not same and not _is_weaker_nearby(line, centre, max_order * high)
+        for line in lines
+        if line not in same and not _is_weaker_nearby(line, centre, max_order * high)
     ]
     if not heard:
         others.append(replace(centre, heard=False, **sides))
@@ -143,12 +142,13 @@ def _overlap(line, other):
     return min(line.end, other.end) - max(line.begin, other.begin)
 
 
-def _background(level, band_count=32):
+def _background(level):
     """Return the background (t, f) of levels (t, f), interpolated between the medians
-    in `band_count` bands.
+    in 32 bands.
 
     It is at most 90 dB below the maximum of the frame.
     """
+    band_count = 32
     edges = np.linspace(0, level.shape[1], band_count + 1).astype(int)
     medians = np.column_stack(
         [np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)]
@@ -206,13 +206,15 @@ def _merge_noise_bands(tracks, level, bin_width):
         inside = [track for track in tracks if _is_inside(track, band, max_distance)]
         loudest = max(inside, key=lambda track: np.median(track.level), default=None)
         min_level = np.median(band.level) + MIN_PROMINENCE_DB
-        kept = [
+        hidden = [
             track
             for track in inside
-            if np.median(track.level) > min_level or (is_line and track is loudest)
+            if np.median(track.level) <= min_level
+            and not (is_line and track is loudest)
         ]
-        tracks = [track for track in tracks if track not in inside or track in kept]
-        tracks += [] if is_line else _split_at_bends(band)
+        tracks = [track for track in tracks if track not in hidden]
+        if not is_line:
+            tracks += _split_at_bends(band)
     return tracks
 
 
@@ -260,12 +262,8 @@ def _centre_noise_band(track, mean, grid):
     The limits of the band are where the time-averaged levels `mean` (t, f) fall to half
     power; the centroids are those of the power in `grid` (t, f)."""
     half_power_drop = 3.0  # dB
-    tops = (
-        1200
-        / BAND_GRID_SPACING_CENTS
-        * np.log2(track.frequency / MIN_LINE_FREQUENCY_HZ)
-    )
-    tops = np.round(tops).astype(int)
+    octaves = np.log2(track.frequency / MIN_LINE_FREQUENCY_HZ)
+    tops = np.round(1200 / BAND_GRID_SPACING_CENTS * octaves).astype(int)
     centroids = []
     half_widths = []
     for row, level, top in zip(mean[track.frame], grid[track.frame], tops, strict=True):
@@ -317,7 +315,7 @@ def _drifts_agree(line, other):
     return abs(line.drift - other.drift) < SIGNIFICANT_DRIFT_SIGMAS * error
 
 
-def _track_peaks(peaks, frame_count, max_step=30.0):
+def _track_peaks(peaks, frame_count, max_step):
     """Return the tracks of peaks (3, n) in `frame_count` frames, starting from the
     highest peak.
 
@@ -386,29 +384,25 @@ def _fit_line(track, start, hop, bin_width):
     min_frames_per_part = 3  # because the frames overlap
     min_peak_error = 0.02  # bins
     t = start + (track.frame + 1) * hop
-    middle = (t[0] + t[-1]) / 2
-    cents = 1200 * np.log2(track.frequency / np.median(track.frequency))
-    intercept, drift = _robust_linear_fit(t - middle, cents)
+    since_middle = t - (t[0] + t[-1]) / 2
+    median_frequency = np.median(track.frequency)
+    cents = 1200 * np.log2(track.frequency / median_frequency)
+    intercept, drift = _robust_linear_fit(since_middle, cents)
     part_count = min(max_jackknife_parts, max(len(t) // min_frames_per_part, 2))
     part = np.arange(len(t)) * part_count // len(t)
+    others = [part != i for i in range(part[-1] + 1)]
     estimates = np.array(
-        [
-            _robust_linear_fit((t - middle)[part != i], cents[part != i])
-            for i in range(part[-1] + 1)
-        ]
+        [_robust_linear_fit(since_middle[other], cents[other]) for other in others]
     )
     count = len(estimates)
     deviation = estimates - estimates.mean(axis=0)
     error = np.sqrt((count - 1) / count * np.square(deviation).sum(axis=0))
-    if track.half_width:
-        min_error = BAND_GRID_SPACING_CENTS
-    else:
+    min_error = BAND_GRID_SPACING_CENTS
+    if not track.half_width:
         cents_per_ratio = 1200 / np.log(2)
-        min_error = (
-            cents_per_ratio * min_peak_error * bin_width / np.median(track.frequency)
-        )
-    frequency = float(np.median(track.frequency) * 2 ** (intercept / 1200))
-    residual = cents - intercept - drift * (t - middle)
+        min_error = cents_per_ratio * min_peak_error * bin_width / median_frequency
+    frequency = float(median_frequency * 2 ** (intercept / 1200))
+    residual = cents - intercept - drift * since_middle
     return SpectralLine(
         frequency=frequency,
         error=float(np.hypot(error[0], min_error) * np.log(2) / 1200 * frequency),

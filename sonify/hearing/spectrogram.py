@@ -74,7 +74,7 @@ def spectrogram(
     Memory use does not depend on the length of the sound."""
     source = source_of(sound)
     rate = source.sample_rate
-    size = max(int(window * source.sample_rate), 16)
+    size = max(int(window * rate), 16)
     first = int(span[0] * rate)
     last = int(min(span[1] * rate, source.frames))
     hop = max(size // 4, -(-(last - first) // columns))

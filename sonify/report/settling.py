@@ -5,7 +5,7 @@ from dataclasses import asdict
 import numpy as np
 
 from sonify.hearing.settling.detector import SettlingRun
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 
 
 def settling_run_record(run: SettlingRun) -> dict:
@@ -88,9 +88,8 @@ def run_sentences(run: SettlingRun) -> list[str]:
 
 def false_alarm_sentence() -> str:
     """Return a sentence on the false-alarm rate of the detector."""
-    settings = SettlingSettings()
-    low, high = settings.false_alarms_per_hour_range
+    low, high = SETTLING.false_alarms_per_hour_range
     return (
-        f"false alarms: {settings.false_alarms_per_hour:g} per hour of eventful sound without a "
+        f"false alarms: {SETTLING.false_alarms_per_hour:g} per hour of eventful sound without a "
         f"disk ({low:g} to {high:g}, 95 %)"
     )

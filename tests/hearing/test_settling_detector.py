@@ -27,7 +27,7 @@ from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.settling.ends import power_drop
 from sonify.hearing.settling.rate_laws import Shape, covering_shapes, families
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import strongest_laws
 from sonify.report.settling import run_sentences, settling_run_record
 from sonify.scene_errors import InputError
@@ -35,8 +35,8 @@ from sonify.scene_errors import InputError
 RECORDINGS = Path(
     os.environ.get("SONIFY_RECORDINGS", ROOT.parent / "shared" / "recordings")
 )
-SHAPES = families(SettlingSettings(), SettlingSettings().shape_distance)
-DISK = families(SettlingSettings(), SettlingSettings().shape_distance, "disk")
+SHAPES = families(SETTLING.shape_distance)
+DISK = families(SETTLING.shape_distance, "disk")
 needs_recordings = pytest.mark.skipif(
     not RECORDINGS.is_dir(),
     reason="the real recordings are not here; set SONIFY_RECORDINGS to their folder",
@@ -88,7 +88,7 @@ def test_every_law_of_the_family_is_near_a_shape_of_the_cover():
             "disk", np.exp(rng.uniform(np.log(1.8), np.log(40))), rng.uniform(0.15, 1)
         ).phase(x)
         distance = np.sqrt(np.mean(np.square(cover - law), axis=1)).min()
-        assert distance < 1.3 * SettlingSettings().shape_distance
+        assert distance < 1.3 * SETTLING.shape_distance
     assert len(covering_shapes("disk", [2.0, 2.0001], [0.5], 0.006)) == 1
 
 
@@ -98,7 +98,6 @@ def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
 
     The best law has the same number of turns.
     """
-    settings = SettlingSettings()
     shapes = DISK
     shape = min(
         shapes.shapes,
@@ -108,7 +107,7 @@ def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
     places = 1600 * shape.time(np.arange(1, int(turns)) / turns)
     values[places.astype(int)] = 1
     pulses = np.convolve(values, np.ones(3), "same").astype(np.float32)
-    best = strongest_laws(pulses, 3.0, shapes, settings)["disk"][0]
+    best = strongest_laws(pulses, 3.0, shapes)["disk"][0]
     assert best.turns == pytest.approx(turns, abs=0.26)
     assert best.likelihood > 50
 
@@ -183,7 +182,7 @@ def test_runs_in_one_long_file_keep_the_times_they_have_alone():
     assert [run.exponent.value for run in runs] == pytest.approx(
         [alone.exponent.value] * 3, abs=0.03
     )
-    decay = SettlingSettings().false_alarm_decay
+    decay = SETTLING.false_alarm_decay
     per_second = [
         run.false_alarm * np.exp(run.score / decay) for run in (runs[0], alone)
     ]

@@ -3,6 +3,8 @@ laws."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
 
 import numpy as np
 
@@ -14,7 +16,7 @@ from sonify.hearing.settling.prediction_score import (
 )
 from sonify.hearing.settling.rate_laws import Law, distance_to_end, families
 from sonify.hearing.settling.refinement import refine
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import likelihoods, strongest_laws
 
 STEADY_RIVALS = ("flat", "slowing")
@@ -30,6 +32,16 @@ class Window:
     stop: int
     end: int
     drop: float
+
+    def overlaps(self, other: "Window", margin: float = 0.0) -> bool:
+        """Return True if two windows, each with its end, are less than a margin
+        [frames] apart."""
+        return self.first < other.end + margin and other.first < self.end + margin
+
+    @property
+    def frames(self):
+        """Slice of the frames of the window."""
+        return slice(self.first, self.stop)
 
     @property
     def seconds(self):
@@ -51,188 +63,159 @@ class Candidate:
     slope: float
 
     @property
-    def steady_margin(self):
-        """Margin T of the prediction score of the disk over those of steady and slowing
-        rates."""
-        return self.scores["disk"] - max(
-            0.0, *(self.scores[name] for name in STEADY_RIVALS)
-        )
-
-    @property
-    def rising_margin(self):
-        """Margin W of the prediction score of the disk over those of linearly and
-        exponentially rising rates."""
-        return self.scores["disk"] - max(self.scores[name] for name in RISING_RIVALS)
-
-    @property
     def score(self):
         """Score Q, by which candidates are ranked and detected."""
-        return min(self.steady_margin, self.rising_margin + 20)
+        return score_of(self.scores)
 
-    @property
-    def first_rate(self):
-        """Rate at the beginning of the window [Hz]."""
-        return self.law.turns * self.law.shape.first_rate / self.window.seconds
 
-    @property
-    def exponent(self):
-        """Exponent n of the rate."""
-        return self.law.shape.exponent
+def rising_margin(scores: dict[str, float]) -> float:
+    """Return the margin of the score of a disk over those of linearly and exponentially
+    rising rates."""
+    return scores["disk"] - max(scores[name] for name in RISING_RIVALS)
+
+
+def score_of(scores: dict[str, float]) -> float:
+    """Return the smaller of the margins of a disk: over steady and slowing rates, and 20
+    plus that over other rising rates, which resemble a disk more closely."""
+    steady = max(0.0, *(scores[name] for name in STEADY_RIVALS))
+    return min(scores["disk"] - steady, rising_margin(scores) + 20)
 
 
 def candidates_of(
-    frames: Frames,
-    onsets: OnsetStrength,
-    settings: SettlingSettings,
-    span: tuple[float, float],
+    frames: Frames, onsets: OnsetStrength, span: tuple[float, float]
 ) -> list[Candidate]:
-    """Return the refined candidates that end within a time span [s], the best first."""
+    """Return the refined candidates that end within a time span [s], the best first.
+
+    In each block of the sound, the ends with the largest drops are tried.
+    """
+    min_drop = 8.0  # dB
+    block_length = 5.0  # s
+    ends_per_block = 6
     broadband = frames.power.sum(axis=1)
     drops = end_drops(frames)
-    peaks = drop_peaks(drops, settings.min_drop_db)
+    peaks = drop_peaks(drops, min_drop)
     peaks = peaks[(peaks >= span[0] * FRAME_RATE) & (peaks < span[1] * FRAME_RATE)]
-    block = np.floor(peaks / (settings.block_length * FRAME_RATE)).astype(int)
-    ends = [
-        peaks[block == number][: settings.ends_per_block] for number in np.unique(block)
-    ]
-    with (
-        ThreadPoolExecutor() as pool
-    ):  # the compiled loops and transforms release the lock of Python
-        parts = pool.map(
-            lambda block_ends: _best_candidates(
-                onsets, broadband, block_ends, drops, settings
-            ),
-            ends,
-        )
-        found = [candidate for part in parts for candidate in part]
+    block = np.floor(peaks / (block_length * FRAME_RATE)).astype(int)
+    ends = [peaks[block == number][:ends_per_block] for number in np.unique(block)]
+    search = partial(_best_candidates, onsets, broadband, drops)
+    # the compiled loops and transforms release the lock of Python
+    with ThreadPoolExecutor() as pool:
+        found = chain(*pool.map(search, ends))
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
-def windows_of(end: int, drop: float, settings: SettlingSettings) -> list[Window]:
+def windows_of(end: int, drop: float) -> list[Window]:
     """Return the windows that stop at an end."""
-    frames = [round(length * FRAME_RATE) for length in settings.window_lengths]
+    frames = [round(length * FRAME_RATE) for length in SETTLING.window_lengths]
     return [Window(end - count, end, end, drop) for count in frames if end >= count]
 
 
-def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
-    """Return the refined candidates of the best windows of a block."""
+def _best_candidates(onsets: OnsetStrength, broadband, drops, ends):
+    """Return the refined candidates of the best windows of a block.
+
+    The best windows of a coarse search are searched again in their best channels, and
+    those with a sufficient score also with an earlier stop."""
+    searched_window_count = 12
+    searched_channel_count = 3
+    refined_window_count = 6
+    min_score = 6.0
+    every = range(len(onsets.values))
     rough = []
     for end in ends:
-        for window in windows_of(int(end), float(drops[end]), settings):
-            every = range(len(onsets.values))
-            distance = settings.coarse_distance
-            found = _loudest_channels(onsets, window, settings, distance, every)
-            if found[0][1] >= settings.min_likelihood_for_rivals:
-                channels = [
-                    channel for channel, _ in found[: settings.searched_channel_count]
-                ]
-                rough.append(
-                    (
-                        _rough_score(onsets, window, channels[:1], settings),
-                        window,
-                        channels,
-                    )
-                )
+        for window in windows_of(int(end), float(drops[end])):
+            found = _loudest_channels(onsets, window, SETTLING.coarse_distance, every)
+            if found[0][1] >= SETTLING.min_likelihood_for_rivals:
+                channels = [channel for channel, _ in found[:searched_channel_count]]
+                score = _rough_score(onsets, window, channels[0])
+                rough.append((score, window, channels))
     rough.sort(key=lambda entry: -entry[0])
     promising = []
-    for _, window, channels in rough[: settings.searched_window_count]:
-        distance = settings.shape_distance
-        channel = _loudest_channels(onsets, window, settings, distance, channels)[0][0]
-        estimate = _estimate(onsets, window, channel, settings)
-        earlier = _earlier(window, settings)
+    for _, window, channels in rough[:searched_window_count]:
+        distance = SETTLING.shape_distance
+        channel = _loudest_channels(onsets, window, distance, channels)[0][0]
+        estimate = _estimate(onsets, window, channel)
+        earlier = _earlier(window)
         promising.append(estimate)
-        if estimate[0] >= settings.min_score_for_refinement and earlier.first >= 0:
-            promising.append(_estimate(onsets, earlier, channel, settings))
+        if estimate[0] >= min_score and earlier.first >= 0:
+            promising.append(_estimate(onsets, earlier, channel))
     promising.sort(key=lambda entry: -entry[0])
     return [
-        _refined(onsets, broadband, window, channel, starts, settings)
-        for score, window, channel, starts in promising[: settings.refined_window_count]
-        if score >= settings.min_score_for_refinement
+        _refined(onsets, broadband, *others)
+        for score, *others in promising[:refined_window_count]
+        if score >= min_score
     ]
 
 
-def _earlier(window, settings):
-    """Return a window shifted to earlier times by `early_stop_time`."""
-    frames = round(settings.early_stop_time * FRAME_RATE)
+def _earlier(window):
+    """Return a window shifted to earlier times by 40 ms."""
+    frames = round(0.04 * FRAME_RATE)
     return replace(window, first=window.first - frames, stop=window.stop - frames)
 
 
-def _loudest_channels(onsets, window, settings, distance, channels):
+def _loudest_channels(onsets, window, distance, channels):
     """Return pairs of a channel and the log likelihood of a disk in it, the most likely
     first."""
-    disk = families(settings, distance, "disk")
+    disk = families(distance, "disk")
     channels = np.array(channels)
-    values = onsets.values[channels, window.first : window.stop]
-    best = likelihoods(values, onsets.scales_ms[channels], disk, settings)[:, 0]
+    values = onsets.values[channels, window.frames]
+    best = likelihoods(values, onsets.scales_ms[channels], disk)[:, 0]
     order = np.argsort(-best, kind="stable")
     return list(zip(channels[order].tolist(), best[order].tolist(), strict=True))
 
 
-def _rough_score(onsets, window, channels, settings):
-    """Return a coarse estimate of the score of a window in the first of `channels`."""
-    shapes = families(settings, settings.coarse_distance)
-    values = onsets.values[channels, window.first : window.stop]
-    best = likelihoods(values, onsets.scales_ms[channels], shapes, settings)[0]
-    return _likelihood_margin(dict(zip(shapes.names, best.tolist(), strict=True)))
+def _rough_score(onsets, window, channel):
+    """Return a coarse estimate of the score of a window in a channel."""
+    shapes = families(SETTLING.coarse_distance)
+    values = onsets.values[[channel], window.frames]
+    best = likelihoods(values, onsets.scales_ms[[channel]], shapes)[0]
+    return score_of(dict(zip(shapes.names, best.tolist(), strict=True)))
 
 
-def _estimate(onsets, window, channel, settings):
+def _estimate(onsets, window, channel):
     """Return a first estimate of the score of a window, with the window, the channel
     and the best laws."""
-    values = onsets.values[channel, window.first : window.stop]
-    shapes = families(settings, settings.shape_distance)
-    starts = strongest_laws(values, onsets.scales_ms[channel], shapes, settings)
+    values = onsets.values[channel, window.frames]
+    shapes = families(SETTLING.shape_distance)
+    starts = strongest_laws(values, onsets.scales_ms[channel], shapes)
     best = {name: laws[0].likelihood for name, laws in starts.items()}
-    return _likelihood_margin(best), window, channel, starts
-
-
-def _likelihood_margin(best):
-    """Return the difference of the log likelihood of a disk from that of its rivals."""
-    steady = max(0.0, *(best[name] for name in STEADY_RIVALS))
-    rising = max(best[name] for name in RISING_RIVALS)
-    return min(best["disk"] - steady, best["disk"] - rising + 20)
+    return score_of(best), window, channel, starts
 
 
 def tone_candidates(
-    waveform: np.ndarray, onsets: OnsetStrength, stop: int, settings: SettlingSettings
+    waveform: np.ndarray, onsets: OnsetStrength, stop: int
 ) -> list[Candidate]:
     """Return the refined candidates of a tone in all windows of a waveform (frames,)
     that end at the frame `stop`, the best first."""
     power = np.square(waveform)
 
     def refined(window):
-        estimate = _estimate(onsets, window, 0, settings)
-        return _refined(onsets, power, *estimate[1:], settings)
+        _, *estimate = _estimate(onsets, window, 0)
+        return _refined(onsets, power, *estimate)
 
     with ThreadPoolExecutor() as pool:  # the compiled loops release the lock of Python
-        found = list(pool.map(refined, windows_of(stop, 0.0, settings)))
+        found = pool.map(refined, windows_of(stop, 0.0))
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
-def _refined(onsets, power, window, channel, starts, settings):
+def _refined(onsets, power, window, channel, starts):
     """Return the candidate of a window after refinement of its laws.
 
     The pulse levels are those of a power (frames,)."""
-    values = onsets.values[channel, window.first : window.stop]
+    values = onsets.values[channel, window.frames]
     scale = onsets.scales_ms[channel]
-    laws = {
-        family: refine(values, scale, laws, settings) for family, laws in starts.items()
-    }
+    laws = {family: refine(values, scale, laws) for family, laws in starts.items()}
     independent = independent_samples(values, scale, laws["disk"])
     scores = {
         family: independent * predicted_gain(values, law)
         for family, law in laws.items()
     }
     after = power[window.end + 30 : window.end + 130].mean() if window.drop else 0.0
-    slope = pulse_slope(
-        power[window.first : window.stop], laws["disk"], window, 4 * after
-    )
+    pulses = power[window.frames]
+    slope = pulse_slope(pulses, laws["disk"], window, 4 * after)
     return Candidate(window, channel, laws["disk"], scores, slope)
 
 
-def pulse_slope(
-    power: np.ndarray, law: Law, window: Window, min_power: float = 0.0
-) -> float:
+def pulse_slope(power: np.ndarray, law: Law, window: Window, min_power: float) -> float:
     """Return the slope of the peak level of each turn [dB] against 20 log10 of the
     remaining time, for peaks above the power `min_power`."""
     count = len(power)

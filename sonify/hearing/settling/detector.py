@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from sonify.hearing.audio_source import Source, overlapping_pieces
 from sonify.hearing.settling.candidates import (
     Candidate,
     candidates_of,
+    rising_margin,
     tone_candidates,
 )
 from sonify.hearing.settling.ends import knee
@@ -34,7 +34,7 @@ from sonify.hearing.settling.prediction_score import (
     independent_samples,
     predicted_gain,
 )
-from sonify.hearing.settling.settings import KNOWN_DISK_SETTINGS, SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.tone_ridge import ToneRidge, tone_ridge
 from sonify.scene_errors import InputError
 
@@ -42,11 +42,6 @@ MIN_LENGTH_S = 0.4
 """Minimum length of a sound that is searched."""
 PIECE_SPACING_S = 60
 """Time between the beginnings of the pieces in which a long sound is searched."""
-PIECE_OVERLAP_S = 10
-"""Time shared by neighbouring pieces."""
-PIECE_LEAD_S = 8.5
-"""Initial part of a later piece in which no run may end, because the piece before it
-contains the same end."""
 
 
 @dataclass(frozen=True)
@@ -71,9 +66,6 @@ class SettlingRun:
     certain : bool
         True if the score, or the mean score of two windows, exceeds the scores of other
         sounds.
-    false_alarm : float
-        Expected number of events of this score in a sound of this length without a
-        disk.
     bands : tuple of (float, float)
         Bands in which the run is detected [Hz].
     region : JointRegion
@@ -82,6 +74,9 @@ class SettlingRun:
         Scores of the disk and of the rival laws.
     ridge : ToneRidge or None
         Ridge of a tone.
+    false_alarm : float
+        Expected number of events of this score in a sound of this length without a
+        disk; 0 in the sound of a known disk.
     """
 
     kind: str
@@ -92,15 +87,20 @@ class SettlingRun:
     events_per_turn: int
     score: float
     certain: bool
-    false_alarm: float
     bands: tuple[tuple[float, float], ...]
     region: JointRegion
     law_scores: dict[str, float]
     ridge: ToneRidge | None = None
+    false_alarm: float = 0.0
+
+    @property
+    def reference_time(self) -> float:
+        """Remaining time [s] at which the rate is `rate_at_1s`."""
+        return min(1.0, self.t_end.value - self.start)
 
     def turns_left(self, time: np.ndarray) -> np.ndarray:
         """Return the number of turns (or bursts) between times [s] and the end."""
-        reference = min(1.0, self.t_end.value - self.start)
+        reference = self.reference_time
         left = np.maximum(self.t_end.value - np.asarray(time), 1e-6) / reference
         turns = self.rate_at_1s.value * reference
         exponent = self.region.best_exponent
@@ -110,8 +110,7 @@ class SettlingRun:
 
     def rate(self, time: np.ndarray) -> np.ndarray:
         """Return the rate [Hz] of the law at times before the end [s]."""
-        reference = min(1.0, self.t_end.value - self.start)
-        left = (self.t_end.value - np.asarray(time)) / reference
+        left = (self.t_end.value - np.asarray(time)) / self.reference_time
         return self.rate_at_1s.value * left**-self.region.best_exponent
 
     def later(self, seconds: float) -> "SettlingRun":
@@ -127,74 +126,64 @@ class SettlingRun:
 
 def strongest_tone(sound: Source) -> SettlingRun | None:
     """Return the event of the kind "tone" whose law explains most octaves of frequency in
-    the sound of a known disk, or None."""
-    events = settling_events(sound, KNOWN_DISK_SETTINGS, kinds=("tone",))
-    return max(events, key=lambda event: event.ridge.explained_octaves, default=None)
+    the sound of one known disk, or None.
+
+    The tone must merely stand out, because the resonances of a table shift its phase and
+    lower its score."""
+    events: list[SettlingRun] = []
+    for begin, samples, span in _searched_pieces(sound):
+        found = tones(samples, sound.sample_rate, span, known_disk=True)
+        events += [run.later(begin) for run in found]
+
+    def explained_octaves(event):
+        return event.ridge.law[1] * event.ridge.octaves
+
+    return max(events, key=explained_octaves, default=None)
 
 
 def settling_runs(
-    sound: Source,
-    settings: SettlingSettings | None = None,
-    watch: Callable[[float], None] = lambda share: None,
+    sound: Source, watch: Callable[[float], None] = lambda share: None
 ) -> list[SettlingRun]:
     """Return the disks and coins that come to rest in a sound of any length.
 
     They are the `settling_events` that do not overlap an event of higher score, in
     order of time.
     """
-    events = settling_events(sound, settings, watch=watch)
+    events = settling_events(sound, watch)
     return sorted(non_overlapping_runs(events), key=lambda run: run.start)
 
 
 def settling_events(
-    sound: Source,
-    settings: SettlingSettings | None = None,
-    kinds: tuple[str, ...] = ("tone", "repetition"),
-    watch: Callable[[float], None] = lambda share: None,
+    sound: Source, watch: Callable[[float], None] = lambda share: None
 ) -> list[SettlingRun]:
     """Return the events of disks and coins that come to rest in a sound of any length.
 
-    The tone and the repetition of one disk are two events.
+    The tone and the repetition of one disk are two events. No event is found in a sound
+    shorter than 0.4 s.
 
     Parameters
     ----------
     sound : Source
         The sound; its loudest channel is searched.
-    settings : SettlingSettings, optional
-        Thresholds.
-    kinds : tuple of str, optional
-        Kinds of the events that are searched.
     watch : callable, optional
         Called with the share of the sound that is searched.
-
-    Returns
-    -------
-    list of SettlingRun
-        Empty if none is detected or the sound is shorter than 0.4 s.
 
     Raises
     ------
     InputError
         If the sound contains nonfinite samples.
     """
-    settings = settings or SettlingSettings()
     rate = sound.sample_rate
-    if sound.frames < MIN_LENGTH_S * rate:
-        return []
+    hours = sound.frames / rate / 3600
     runs = []
     with ThreadPoolExecutor(1) as pool:  # the array code releases the GIL
         for begin, samples, span in _searched_pieces(sound):
-            here, *others = (
-                partial(SEARCH_BY_KIND[kind], samples, rate, settings, span)
-                for kind in kinds
-            )
-            parallel_searches = [pool.submit(search) for search in others]
-            found = [here(), *(search.result() for search in parallel_searches)]
-            runs += [run.later(begin) for group in found for run in group]
+            bursts = pool.submit(repetitions, samples, rate, span)
+            found = tones(samples, rate, span) + bursts.result()
+            runs += [run.later(begin) for run in found]
             watch(min((begin + PIECE_SPACING_S) * rate / sound.frames, 1.0))
-    hours = sound.frames / rate / 3600
     return [
-        replace(run, false_alarm=false_alarms_per_hour(run.score, settings) * hours)
+        replace(run, false_alarm=false_alarms_per_hour(run.score) * hours)
         for run in runs
     ]
 
@@ -204,10 +193,14 @@ def _searched_pieces(
 ) -> Iterator[tuple[float, np.ndarray, tuple[float, float]]]:
     """Yield the beginning [s] and the samples (n,) of each piece of a sound, and the
     time span in the piece [s] in which its runs end."""
+    overlap = 10  # s
+    lead = 8.5  # s, in which no run ends, because the piece before contains this end
     rate = sound.sample_rate
+    if sound.frames < MIN_LENGTH_S * rate:
+        return
     channel = _loudest_channel(sound)
     for number, piece in enumerate(
-        overlapping_pieces(sound, PIECE_SPACING_S * rate, PIECE_OVERLAP_S * rate)
+        overlapping_pieces(sound, PIECE_SPACING_S * rate, overlap * rate)
     ):
         begin = number * PIECE_SPACING_S
         samples = piece[: sound.frames - begin * rate, channel]
@@ -215,11 +208,10 @@ def _searched_pieces(
             raise InputError(
                 f"the sound contains samples that are not finite, after {begin} s"
             )
-        last = (begin + PIECE_SPACING_S + PIECE_OVERLAP_S) * rate >= sound.frames
-        first_end = PIECE_LEAD_S if number else 0
-        last_end = math.inf if last else PIECE_SPACING_S + PIECE_LEAD_S
-        if len(samples) >= MIN_LENGTH_S * rate:
-            yield begin, samples, (first_end, last_end)
+        last = (begin + PIECE_SPACING_S + overlap) * rate >= sound.frames
+        first_end = lead if number else 0
+        last_end = math.inf if last else PIECE_SPACING_S + lead
+        yield begin, samples, (first_end, last_end)
         if last:
             break
 
@@ -249,138 +241,118 @@ def non_overlapping_runs(runs: list[SettlingRun]) -> list[SettlingRun]:
 def tones(
     samples: np.ndarray,
     rate: float,
-    settings: SettlingSettings,
     span: tuple[float, float],
+    known_disk: bool = False,
 ) -> list[SettlingRun]:
     """Return the runs of the kind "tone" in samples (n,) that end within a time span
     [s].
 
-    Unless the settings exclude it, the parts before and after a tone are searched too. The
-    false alarms are per hour.
+    The parts before and after a tone are searched too, except in the sound of a known
+    disk.
     """
     ridge = tone_ridge(samples, rate)
-    run = _tone_run(samples, rate, ridge, settings) if ridge else None
+    run = _tone_run(samples, rate, ridge, known_disk) if ridge else None
     if run is None:
         return []
     end = ridge.law[0]
-    before = samples[: max(int(ridge.time[0] * rate), 0)]
+    before = samples[: int(ridge.time[0] * rate)]
     after = int((end + 0.1) * rate)
     found = [run] if span[0] <= end < span[1] else []
-    if not settings.has_several_tones:
+    if known_disk:
         return found
-    found += (
-        tones(before, rate, settings, span) if len(before) > MIN_LENGTH_S * rate else []
-    )
+    if len(before) > MIN_LENGTH_S * rate:
+        found += tones(before, rate, span)
     if len(samples) - after > MIN_LENGTH_S * rate:
         later = (span[0] - after / rate, span[1] - after / rate)
         found += [
-            run.later(after / rate)
-            for run in tones(samples[after:], rate, settings, later)
+            run.later(after / rate) for run in tones(samples[after:], rate, later)
         ]
     return found
 
 
-def _tone_run(samples, rate, ridge, settings):
+def _tone_run(samples, rate, ridge, known_disk):
     """Return the run of a ridge, or None if it is not sufficient evidence of a disk."""
-    if (
-        ridge.octaves < settings.min_tone_octaves
-        or ridge.rise < settings.min_tone_rise_octaves
-    ):
-        return None
-    waveform = waveform_of(samples, rate, settings)
-    onsets = tone_strength(waveform, settings)
+    min_octaves = 2.0  # of the remaining time; sounds without a disk reach 1.7
+    min_rise = 0.5  # octaves
+    min_stop_time = 0.02  # s, between the windows of a tone and its end
     end, exponent, height = ridge.law
-    highest = 0.9 * settings.waveform_band[1]
-    stop = end - max(
-        (2**height / highest) ** (1 / exponent), settings.min_tone_stop_time
-    )
+    rise = exponent * np.ptp(np.log2(end - ridge.time))
+    if ridge.octaves < min_octaves or rise < min_rise:
+        return None
+    waveform = waveform_of(samples, rate)
+    onsets = tone_strength(waveform)
+    highest = 0.9 * SETTLING.waveform_band[1]
+    stop = end - max((2**height / highest) ** (1 / exponent), min_stop_time)
     stop = min(int(stop * FRAME_RATE), len(waveform))
-    candidates = tone_candidates(waveform, onsets, stop, settings)
     heard = [
         candidate
-        for candidate in candidates
-        if is_heard(candidate, settings) and not is_bouncing(candidate, settings)
+        for candidate in tone_candidates(waveform, onsets, stop)
+        if known_disk or (is_heard(candidate) and not is_bouncing(candidate))
     ]
     if not heard:
         return None
     start = heard[0].window.first / FRAME_RATE
-    region = region_of_law(ridge.law, ridge.errors, start, settings)
-    estimates = (
-        Estimate(value, low, high)
-        for low, value, high in (
-            region.exponents.tolist(),
-            region.ends.tolist(),
-            region.rates.tolist(),
-        )
-    )
-    return _run_of_candidates(heard, onsets, region, estimates, settings, ridge)
+    region = region_of_law(ridge.law, ridge.errors, start)
+    return _run_of_candidates(heard, onsets, region, ridge)
 
 
 def repetitions(
     samples: np.ndarray,
     rate: float,
-    settings: SettlingSettings,
     span: tuple[float, float],
 ) -> list[SettlingRun]:
     """Return the runs of the kind "repetition" in samples (n,) that end within a time
-    span [s].
-
-    Their false alarms are per hour.
-    """
-    frames = frames_of(samples, rate, settings)
-    onsets = onset_strength(frames, settings)
-    candidates = candidates_of(frames, onsets, settings, span)
-    bouncing = [
-        candidate for candidate in candidates if is_bouncing(candidate, settings)
-    ]
+    span [s]."""
+    frames = frames_of(samples, rate)
+    onsets = onset_strength(frames)
+    candidates = candidates_of(frames, onsets, span)
+    bouncing = [candidate for candidate in candidates if is_bouncing(candidate)]
     heard = [
         candidate
         for candidate in candidates
-        if is_heard(candidate, settings)
-        and not _is_near_bouncing_body(candidate, bouncing, settings)
+        if is_heard(candidate) and not _is_near_bouncing_body(candidate, bouncing)
     ]
-    runs = [
-        _run_of_group(group, frames, onsets, settings)
-        for group in _groups_of_overlapping(heard)
-    ]
+    groups = _groups_of_overlapping(heard)
+    runs = [_run_of_group(group, frames, onsets) for group in groups]
     return [run for run in runs if run is not None]
 
 
-SEARCH_BY_KIND = {"tone": tones, "repetition": repetitions}
-"""Search for each kind of event."""
-
-
-def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
+def is_heard(candidate: Candidate) -> bool:
     """Return True if a candidate is sufficient evidence of a disk."""
-    low, high = settings.pulse_slopes
-    clear = candidate.score > settings.min_clear_score
-    slow = candidate.first_rate <= settings.max_initial_rate
+    min_rising_margin = 2.0  # over other rising rates
+    min_slope = -0.8  # of pulse levels [dB] against 20 log10 of the remaining time
+    max_slope = 0.65
+    law = candidate.law
+    first_rate = law.turns * law.shape.first_rate / candidate.window.seconds
+    clear = candidate.score > SETTLING.min_clear_score
+    slow = first_rate <= SETTLING.max_initial_rate
     return (
-        candidate.score > settings.min_detected_score
-        and candidate.rising_margin > settings.min_rising_margin
-        and candidate.slope <= high
-        and (clear or (slow and candidate.slope >= low))
+        candidate.score > SETTLING.min_detected_score
+        and rising_margin(candidate.scores) > min_rising_margin
+        and candidate.slope <= max_slope
+        and (clear or (slow and candidate.slope >= min_slope))
     )
 
 
-def is_bouncing(candidate: Candidate, settings: SettlingSettings) -> bool:
-    """Return True if the law and the levels of a candidate are those of a bouncing
-    body."""
-    low, high = settings.bounce_slopes
-    return (
-        candidate.exponent >= settings.min_bounce_exponent
-        and low <= candidate.slope <= high
-    )
+def is_bouncing(candidate: Candidate) -> bool:
+    """Return True if the law and the levels of a candidate are those of a bouncing body.
+
+    For a constant restitution, exponent and slope are 1; the exponent is less if the last
+    bounces are lost in noise."""
+    min_exponent = 0.6
+    min_slope = 0.65
+    max_slope = 1.5
+    is_steep = candidate.law.shape.exponent >= min_exponent
+    return is_steep and min_slope <= candidate.slope <= max_slope
 
 
-def _is_near_bouncing_body(candidate, bouncing, settings):
+def _is_near_bouncing_body(candidate, bouncing):
     """Return True if a bouncing candidate of higher score overlaps a candidate or is
     close to it."""
-    near = settings.max_bounce_distance * FRAME_RATE
+    max_distance = 0.4  # s
     return any(
         other.score > candidate.score
-        and other.window.first < candidate.window.end + near
-        and candidate.window.first < other.window.end + near
+        and other.window.overlaps(candidate.window, max_distance * FRAME_RATE)
         for other in bouncing
     )
 
@@ -391,8 +363,7 @@ def _groups_of_overlapping(candidates: list[Candidate]) -> list[list[Candidate]]
     groups: list[list[Candidate]] = []
     for candidate in candidates:
         for group in groups:
-            best = group[0].window
-            if candidate.window.first < best.end and best.first < candidate.window.end:
+            if candidate.window.overlaps(group[0].window):
                 group.append(candidate)
                 break
         else:
@@ -400,12 +371,7 @@ def _groups_of_overlapping(candidates: list[Candidate]) -> list[list[Candidate]]
     return groups
 
 
-def _run_of_group(
-    group: list[Candidate],
-    frames: Frames,
-    onsets: OnsetStrength,
-    settings: SettlingSettings,
-):
+def _run_of_group(group: list[Candidate], frames: Frames, onsets: OnsetStrength):
     """Return the run of a group of candidates, or None if its law is not admissible."""
     best = group[0]
     near = [
@@ -415,28 +381,27 @@ def _run_of_group(
     ]
     end = max(near, key=lambda candidate: candidate.window.drop).window.end
     power = frames.power.sum(axis=1)
-    region = joint_region(onsets, best.channel, knee(power, end), settings)
+    region = joint_region(onsets, best.channel, knee(power, end))
     if region is None:
         return None
-    run = _run_of_candidates(near, onsets, region, region.estimates(settings), settings)
-    begins_slowly = run.rate(run.start) <= settings.max_initial_rate
-    return run if begins_slowly or best.score > settings.min_clear_score else None
+    run = _run_of_candidates(near, onsets, region)
+    begins_slowly = run.rate(run.start) <= SETTLING.max_initial_rate
+    return run if begins_slowly or best.score > SETTLING.min_clear_score else None
 
 
-def _run_of_candidates(candidates, onsets, region, estimates, settings, ridge=None):
+def _run_of_candidates(candidates, onsets, region, ridge=None):
     """Return the run of candidates of one end, the best first."""
     best = candidates[0]
-    exponent, t_end, rate = estimates
+    exponent, t_end, rate = region.estimates() if ridge is None else region.limits()
     return SettlingRun(
-        kind=onsets.kind,
+        kind="tone" if ridge else "repetition",
         start=region.start,
         t_end=t_end,
         exponent=exponent,
         rate_at_1s=rate,
-        events_per_turn=events_per_turn(onsets, best, settings),
+        events_per_turn=events_per_turn(onsets, best),
         score=float(best.score),
-        certain=_is_certain(candidates, settings),
-        false_alarm=false_alarms_per_hour(best.score, settings),
+        certain=_is_certain(candidates),
         bands=(onsets.bands[best.channel],),
         region=region,
         law_scores={name: float(score) for name, score in best.scores.items()},
@@ -444,36 +409,34 @@ def _run_of_candidates(candidates, onsets, region, estimates, settings, ridge=No
     )
 
 
-def _is_certain(group, settings):
+def _is_certain(group):
     """Return True if a score, or the mean score of two windows of different length,
     exceeds the scores of sounds without a disk."""
+    min_agreeing_score = 13.0
     best = group[0]
     others = [
         candidate.score
         for candidate in group
         if abs(candidate.window.seconds - best.window.seconds) > 0.01
     ]
-    agreeing = (
-        bool(others) and (best.score + max(others)) / 2 > settings.min_agreeing_score
-    )
-    return bool(best.score > settings.min_certain_score or agreeing)
+    mean = (best.score + max(others)) / 2 if others else -math.inf
+    return bool(best.score > SETTLING.min_certain_score or mean > min_agreeing_score)
 
 
-def false_alarms_per_hour(score: float, settings: SettlingSettings) -> float:
+def false_alarms_per_hour(score: float) -> float:
     """Return the expected number of events per hour that reach a score in sounds
     without a disk."""
-    above = (score - settings.min_detected_score) / settings.false_alarm_decay
-    return settings.false_alarms_per_hour * math.exp(-above)
+    above = (score - SETTLING.min_detected_score) / SETTLING.false_alarm_decay
+    return SETTLING.false_alarms_per_hour * math.exp(-above)
 
 
-def events_per_turn(
-    onsets: OnsetStrength, candidate: Candidate, settings: SettlingSettings
-) -> int:
+def events_per_turn(onsets: OnsetStrength, candidate: Candidate) -> int:
     """Return 2 if the bursts of a candidate alternate in strength, otherwise 1."""
+    min_gain = 2.0  # of the log likelihood
     window = candidate.window
-    values = onsets.values[candidate.channel, window.first : window.stop]
+    values = onsets.values[candidate.channel, window.frames]
     law = candidate.law
     half = replace(law, turns=law.turns / 2, harmonics=2 * law.harmonics)
     gain = predicted_gain(values, half) - predicted_gain(values, law)
     gain *= independent_samples(values, onsets.scales_ms[candidate.channel], law)
-    return 2 if gain > settings.min_alternation_gain else 1
+    return 2 if gain > min_gain else 1

@@ -45,9 +45,10 @@ def power_drop(power: np.ndarray, power_floor: float) -> np.ndarray:
     return drop
 
 
-def drop_peaks(drop: np.ndarray, min_drop: float, separation: int = 40) -> np.ndarray:
-    """Return the frames of peaks of at least `min_drop` dB and `separation` frames apart,
-    highest first."""
+def drop_peaks(drop: np.ndarray, min_drop: float) -> np.ndarray:
+    """Return the frames of peaks of at least `min_drop` dB and 40 frames apart, highest
+    first."""
+    separation = 40
     inner = drop[1:-1]
     peaks = (
         np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= min_drop))

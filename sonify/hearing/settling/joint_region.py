@@ -14,23 +14,15 @@ from sonify.hearing.settling.onset_strength import FRAME_RATE, OnsetStrength
 from sonify.hearing.settling.prediction_score import correlation_length
 from sonify.hearing.settling.rate_laws import Shape, ShapeSet
 from sonify.hearing.settling.refinement import laws_near
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import (
-    minimum_turns,
-    search_table,
+    search,
     steps_for,
-    turns_of,
     warp_table,
 )
 
-EXPONENT_STEP = 0.05
-END_COUNT = 12
-STOPS_BEFORE_KNEE_MS = (5, 50, 100)
 MAX_EQUAL_RATE_DEVIATION = 0.12
 """Maximum difference between the logarithms of two rates that count as equal."""
-MIN_MISCOUNT_DEVIATION = 0.5
-"""Minimum difference between the logarithms of two rates if one of them counts half or
-twice the bursts."""
 
 
 @dataclass(frozen=True)
@@ -77,39 +69,41 @@ class JointRegion:
             start=self.start + seconds,
         )
 
-    def estimates(
-        self, settings: SettlingSettings
-    ) -> tuple[Estimate, Estimate, Estimate]:
+    def limits(self) -> tuple[Estimate, ...]:
+        """Return exponent, end and rate of a region of three laws."""
+        return tuple(
+            Estimate(float(value), float(low), float(high))
+            for low, value, high in (self.exponents, self.ends, self.rates)
+        )
+
+    def estimates(self) -> tuple[Estimate, Estimate, Estimate]:
         """Return exponent, end and rate; their intervals are the widened ranges of the
         region.
 
         The interval of the end includes the time between bursts 20 ms before it.
         """
-        resolution = settings.resolution
-        factor = settings.interval_factor
+        end_resolution = 0.006  # s
+        rate_resolution = 0.006  # relative
         span = min(1.0, self.best_end - self.start)
         last_interval = (0.02 / span) ** self.best_exponent / self.best_rate
         exponent = _widened(
-            self.best_exponent, self.exponents, resolution.exponent, factor
+            self.best_exponent, self.exponents, SETTLING.exponent_resolution
         )
-        end = _widened(self.best_end, self.ends, resolution.end + last_interval, factor)
-        rate = _widened(
-            self.best_rate, self.rates, resolution.rate * self.best_rate, factor
-        )
-        if exponent.high - exponent.low > settings.max_exponent_interval:
-            exponent = Estimate(None, exponent.low, exponent.high)
+        end = _widened(self.best_end, self.ends, end_resolution + last_interval)
+        rate = _widened(self.best_rate, self.rates, rate_resolution * self.best_rate)
+        if exponent.high - exponent.low > SETTLING.max_exponent_interval:
+            exponent = replace(exponent, value=None)
         return exponent, end, rate
 
 
-def region_of_law(law, errors, start, settings: SettlingSettings) -> JointRegion:
+def region_of_law(law, errors, start) -> JointRegion:
     """Return the laws within two standard errors, and the resolution, of a law (3,) of
     end [s], exponent and log2 of the rate one second before the end [Hz]."""
-    resolution = settings.tone_resolution
-    half = 2 * errors + [
-        resolution.end,
-        resolution.exponent,
-        np.log2(1 + resolution.rate),
-    ]
+    end_resolution = 0.002  # s
+    exponent_resolution = 0.001
+    rate_resolution = 0.002  # relative
+    resolution = [end_resolution, exponent_resolution, np.log2(1 + rate_resolution)]
+    half = 2 * errors + resolution
     ends, exponents, heights = (law + half * np.array([[-1], [0], [1]])).T
     span = min(1.0, law[0] - start)
     rates = 2**heights * span ** -law[1]
@@ -124,9 +118,10 @@ def region_of_law(law, errors, start, settings: SettlingSettings) -> JointRegion
     )
 
 
-def _widened(value, values, resolution, factor):
-    """Return an estimate with the range of `values`, widened by a resolution and a
-    factor."""
+def _widened(value, values, resolution):
+    """Return an estimate with the range of `values`, widened by a resolution and by a
+    factor from simulations with known laws."""
+    factor = 1.16
     below = max(value - float(np.min(values)), 0.0) + resolution
     above = max(float(np.max(values)) - value, 0.0) + resolution
     return Estimate(value, value - factor * below, value + factor * above)
@@ -143,13 +138,16 @@ class _LawGrid:
 
 
 @lru_cache(maxsize=256)
-def _law_grid(frames: int, before_knee: int, settings: SettlingSettings) -> _LawGrid:
+def _law_grid(frames: int, before_knee: int) -> _LawGrid:
     """Return the tested laws of a window that stops `before_knee` frames before the
     knee."""
-    earliest, latest = (before_knee + limit for limit in settings.end_range_ms)
-    ends = np.linspace(max(earliest, 3), latest, END_COUNT)
-    low, high = settings.exponents
-    powers = np.arange(low, high + 1e-9, EXPONENT_STEP)
+    end_count = 12
+    exponent_step = 0.05
+    earliest = before_knee - 2  # frames after the end of the window
+    latest = before_knee + 80
+    ends = np.linspace(max(earliest, 3), latest, end_count)
+    low, high = SETTLING.exponents
+    powers = np.arange(low, high + 1e-9, exponent_step)
     left, exponents = (
         axis.ravel() for axis in np.meshgrid(ends, powers, indexing="ij")
     )
@@ -158,34 +156,32 @@ def _law_grid(frames: int, before_knee: int, settings: SettlingSettings) -> _Law
     return _LawGrid(left, exponents, ShapeSet(tuple(shapes), ("disk",), np.zeros(1)))
 
 
-def joint_region(
-    onsets: OnsetStrength, channel: int, knee: int, settings: SettlingSettings
-) -> JointRegion | None:
+def joint_region(onsets: OnsetStrength, channel: int, knee: int) -> JointRegion | None:
     """Return the joint region of a run that stops at the frame `knee`, or None if no
     window fits.
 
     The best law is that of a window of `channel` that extends to the knee; earlier
     windows and other channels extend the region."""
-    surfaces = _likelihood_surfaces(
-        onsets, channel, knee, STOPS_BEFORE_KNEE_MS[0], settings
-    )
+    first_stop = 5  # frames before the knee
+    middle_stop = 50
+    last_stop = 100
+    min_length = 0.7  # relative to the best window; shorter ones have less information
+    surfaces = _likelihood_surfaces(onsets, channel, knee, first_stop)
     if not surfaces:
         return None
     whole = max(surfaces, key=lambda surface: surface.max_likelihood)
-    for before_knee in STOPS_BEFORE_KNEE_MS[1:]:
-        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, settings)
+    for before_knee in (middle_stop, last_stop):
+        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee)
     for other in range(len(onsets.values)):
         if other != channel:
-            surfaces += _likelihood_surfaces(
-                onsets, other, knee, STOPS_BEFORE_KNEE_MS[1], settings
-            )
-    surfaces, reference = _without_standing(surfaces, whole, settings)
+            surfaces += _likelihood_surfaces(onsets, other, knee, middle_stop)
+    surfaces, reference = _without_standing(surfaces, whole)
     max_likelihood = (
         whole.max_likelihood
         if reference is whole
         else max(surface.max_likelihood for surface in surfaces)
     )
-    span = min(1.0, reference.max_remaining_time)
+    span = min(1.0, float(reference.ends.max() - reference.start))
     weights = np.exp(reference.likelihood - reference.max_likelihood)
     reference_rates = reference.rates(span)
     weights *= (
@@ -197,8 +193,8 @@ def joint_region(
     kept = [
         surface
         for surface in surfaces
-        if surface.max_likelihood >= settings.min_admitted_likelihood * max_likelihood
-        and surface.seconds >= settings.min_admitted_length * reference.seconds
+        if surface.max_likelihood >= SETTLING.min_admitted_likelihood * max_likelihood
+        and surface.seconds >= min_length * reference.seconds
     ]
     exponents = np.concatenate([surface.exponents for surface in kept])
     ends = np.concatenate([surface.ends for surface in kept])
@@ -215,24 +211,26 @@ def joint_region(
     )
 
 
-def _without_standing(surfaces, whole, settings):
+def _without_standing(surfaces, whole):
     """Return the likelihood surfaces of a run and that of its best window, without the
     times at which the disk is upright."""
+
+    max_deviation = 0.5  # of log rates; larger if half or twice the bursts are counted
 
     def rate_deviation(surface):
         middle = surface.start + surface.seconds / 2
         return abs(np.log(surface.best_rate(middle) / whole.best_rate(middle)))
 
-    if whole.best_rate(whole.start) < settings.max_upright_rate:
+    if whole.best_rate(whole.start) < SETTLING.max_upright_rate:
         later = [
             surface
             for surface in surfaces
             if surface.seconds < whole.seconds
-            and surface.max_likelihood > settings.min_likelihood_for_rivals
-            and surface.best_rate(surface.start) > settings.max_upright_rate
-            and rate_deviation(surface) < MIN_MISCOUNT_DEVIATION
+            and surface.max_likelihood > SETTLING.min_likelihood_for_rivals
+            and surface.best_rate(surface.start) > SETTLING.max_upright_rate
+            and rate_deviation(surface) < max_deviation
         ]
-        min_likelihood = settings.min_admitted_likelihood * max(
+        min_likelihood = SETTLING.min_admitted_likelihood * max(
             (surface.max_likelihood for surface in later), default=0.0
         )
         likely = [
@@ -254,10 +252,7 @@ def _merged_surface(surfaces):
     """Return the common likelihood surface of windows of one length that stop at
     different times."""
     start = surfaces[0].start
-    rates = [
-        one.first_rates * one.remaining_time_ratios(start) ** -one.exponents
-        for one in surfaces
-    ]
+    rates = [one.rates(one.ends - start) for one in surfaces]
     return replace(
         surfaces[0],
         likelihood=np.concatenate([one.likelihood for one in surfaces]),
@@ -287,19 +282,9 @@ class _LikelihoodSurface:
         """Largest log likelihood."""
         return float(self.likelihood.max())
 
-    @property
-    def max_remaining_time(self):
-        """Longest remaining time [s] at the start of the window."""
-        return float(self.ends.max() - self.start)
-
     def rates(self, left):
         """Return the rates (admitted,) at a time [s] before the end."""
         return self.first_rates * (left / (self.ends - self.start)) ** -self.exponents
-
-    def remaining_time_ratios(self, time):
-        """Return the remaining time at a time [s], relative to that at the start of the
-        window."""
-        return (self.ends - time) / (self.ends - self.start)
 
     def best_rate(self, time):
         """Return the rate of the most likely law at a time [s]."""
@@ -308,64 +293,56 @@ class _LikelihoodSurface:
         return self.rates(left)[best]
 
 
-def _likelihood_surfaces(onsets, channel, knee, before_knee, settings):
+def _likelihood_surfaces(onsets, channel, knee, before_knee):
     """Return the likelihood surfaces of all windows of a channel that stop
     `before_knee` frames before the knee."""
     found = []
-    for length in settings.window_lengths:
+    for length in SETTLING.window_lengths:
         frames = round(length * FRAME_RATE)
         first = knee - before_knee - frames
         if first >= 0:
             found.append(
-                _likelihood_surface(
-                    onsets, channel, first, frames, before_knee, settings
-                )
+                _likelihood_surface(onsets, channel, first, frames, before_knee)
             )
     return found
 
 
-def _likelihood_surface(onsets, channel, first, frames, before_knee, settings):
+def _likelihood_surface(onsets, channel, first, frames, before_knee):
     """Return the likelihood surface of the laws that one window admits."""
+    max_likelihood_loss = 2.0  # of admitted laws
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
-    grid = _law_grid(frames, before_knee, settings)
+    grid = _law_grid(frames, before_knee)
     table = warp_table(grid.shapes, frames, steps_for(frames, scale))
-    likelihood, harmonics, spectra = search_table(values, scale, table, settings)
-    min_turns = minimum_turns(frames, table, settings)
-    left = grid.left
-
-    def first_rate(cell):
-        turns = turns_of(spectra[cell], min_turns[cell], harmonics[cell])
-        return turns * table.first_rates[cell] / frames * FRAME_RATE
-
-    best = int(np.argmax(likelihood))
-    turns = turns_of(spectra[best], min_turns[best], harmonics[best])
+    found = search(values, scale, table)
+    best = int(np.argmax(found.likelihood))
+    turns = found.turns(best)
     cuts = table.index[best] + table.fraction[best]
     phases = np.interp(
         np.arange(frames) + 0.5, cuts, turns * np.linspace(0, 1, len(cuts))
     )
-    certainty = min(
-        1.0, scale / correlation_length(values, phases, int(harmonics[best]))
+    length = correlation_length(values, phases, int(found.harmonics[best]))
+    certainty = min(1.0, scale / length)
+    start = (grid.left[best], grid.exponents[best], turns)
+    left, exponents, rates, likelihood = laws_near(
+        values, scale, start, (grid.left[0], grid.left[-1])
     )
-    near = laws_near(
-        values,
-        scale,
-        (left[best], grid.exponents[best], turns),
-        (left[0], left[-1]),
-        settings,
-    )
-    likelihood = certainty * np.concatenate([near[3], likelihood])
-    admitted = np.flatnonzero(likelihood >= likelihood.max() - 2)
-    cells = admitted[admitted >= len(near[3])] - len(near[3])
-    laws = admitted[admitted < len(near[3])]
+    count = len(likelihood)
+
+    def first_rate(i):
+        if i < count:
+            return rates[i] * FRAME_RATE
+        cell = i - count
+        return found.turns(cell) * table.first_rates[cell] / frames * FRAME_RATE
+
+    likelihood = certainty * np.concatenate([likelihood, found.likelihood])
+    admitted = np.flatnonzero(likelihood >= likelihood.max() - max_likelihood_loss)
+    left = np.concatenate([left, grid.left])
     return _LikelihoodSurface(
         likelihood=likelihood[admitted],
-        ends=(first + frames + np.concatenate([near[0][laws], left[cells]]))
-        / FRAME_RATE,
-        exponents=np.concatenate([near[1][laws], grid.exponents[cells]]),
-        first_rates=np.concatenate(
-            [near[2][laws] * FRAME_RATE, [first_rate(cell) for cell in cells]]
-        ),
+        ends=(first + frames + left[admitted]) / FRAME_RATE,
+        exponents=np.concatenate([exponents, grid.exponents])[admitted],
+        first_rates=np.array([first_rate(i) for i in admitted]),
         start=first / FRAME_RATE,
         seconds=frames / FRAME_RATE,
     )

@@ -9,7 +9,7 @@ from scipy.ndimage import uniform_filter1d
 from scipy.signal import butter, resample_poly, sosfilt
 
 from sonify.hearing.mains_hum import without_hum
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 
 FRAME_RATE = 1000  # Hz
 TINY_POWER = 1e-14  # of full scale
@@ -31,22 +31,18 @@ class Frames:
 @dataclass(frozen=True)
 class OnsetStrength:
     """Channels `values` (channels, frames) that are searched for events, each with the
-    time [ms] per independent sample and a band [Hz].
-
-    The channels of the kind "repetition" show bursts; that of the kind "tone" is the
-    waveform."""
+    time [ms] per independent sample and a band [Hz]."""
 
     values: np.ndarray
     scales_ms: np.ndarray
     bands: list[tuple[float, float]]
-    kind: str
 
 
-def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> Frames:
+def frames_of(samples: np.ndarray, rate: float) -> Frames:
     """Return the power and the waveform of samples (n,) at `rate` [Hz]."""
     window_length = max(2 * round(rate * 4 / 3000), 8)
     window = np.hanning(window_length + 2)[1:-1]
-    weights, edges = _band_weights(window_length, rate, settings)
+    weights, edges = _band_weights(window_length, rate)
     count = int(len(samples) * FRAME_RATE / rate)
     centres = np.round(np.arange(count) * rate / FRAME_RATE).astype(int)
     padded = np.pad(np.asarray(samples, dtype=np.float32), window_length // 2)
@@ -59,55 +55,52 @@ def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> F
             windows[centres[first : first + 4096]] * window.astype(np.float32)
         )
         power[first : first + 4096] = (spectrum.real**2 + spectrum.imag**2) @ weights
-    return Frames(
-        power=power, waveform=waveform_of(samples, rate, settings)[:count], edges=edges
-    )
+    return Frames(power=power, waveform=waveform_of(samples, rate)[:count], edges=edges)
 
 
-def waveform_of(
-    samples: np.ndarray, rate: float, settings: SettlingSettings
-) -> np.ndarray:
+def waveform_of(samples: np.ndarray, rate: float) -> np.ndarray:
     """Return the waveform (frames,) of samples (n,) at `rate` [Hz] in its band, without
     steady tones."""
     count = int(len(samples) * FRAME_RATE / rate)
     down = max(int(rate / (4 * FRAME_RATE)), 1)
-    low_rate = resample_poly(samples, 1, down) if down > 1 else samples
+    low_rate = resample_poly(samples, 1, down)
     rate /= down
-    low, high = settings.waveform_band
-    band = (low, min(high, settings.max_frequency_per_rate * rate))
+    low, high = SETTLING.waveform_band
+    band = (low, min(high, SETTLING.max_frequency_per_rate * rate))
     sos = butter(2, band, "bandpass", fs=rate, output="sos")
     centres = np.round(np.arange(count) * rate / FRAME_RATE).astype(int)
     waveform = sosfilt(sos, without_hum(low_rate, rate))
     return waveform[np.minimum(centres, len(waveform) - 1)].astype(np.float32)
 
 
-def _band_weights(window_length, rate, settings):
+def _band_weights(window_length, rate):
     """Return the fraction (bins, bands) of each spectral bin in each band, and the band
     edges [Hz]."""
+    edges = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]  # Hz
     spacing = rate / window_length
     bins = np.arange(window_length // 2 + 1) * spacing
-    edges = np.array(settings.band_edges, dtype=float)
-    edges = edges[edges <= settings.max_frequency_per_rate * rate]
+    edges = np.array(edges, dtype=float)
+    edges = edges[edges <= SETTLING.max_frequency_per_rate * rate]
     low = np.maximum(bins[:, None] - spacing / 2, edges[:-1])
     high = np.minimum(bins[:, None] + spacing / 2, edges[1:])
     return np.maximum(high - low, 0) / spacing, edges
 
 
-def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
+def onset_strength(frames: Frames) -> OnsetStrength:
     """Return the onset strength of all bands and of the bright ones."""
+    floor_db = -40.0  # re the running mean
+    min_bright_frequency = 4000.0  # Hz
     power = frames.power.T
     mean = uniform_filter1d(power, 401, axis=1)
-    level = np.log(power + 10 ** (-settings.floor_db / 10) * mean + TINY_POWER)
-    bright = frames.edges[:-1] >= settings.min_bright_frequency
-    groups = (
-        [np.ones_like(bright), bright]
-        if bright.any() and not bright.all()
-        else [np.ones_like(bright)]
-    )
+    level = np.log(power + 10 ** (floor_db / 10) * mean + TINY_POWER)
+    bright = frames.edges[:-1] >= min_bright_frequency
+    groups = [np.ones_like(bright)]
+    if bright.any() and not bright.all():
+        groups.append(bright)
     values = []
     scales = []
     bands = []
-    for scale in settings.scales_ms:
+    for scale in (3, 6, 12, 24):  # ms, the durations of bursts
         short = uniform_filter1d(level, max(round(scale / 2), 1), axis=1)
         rise = normalised(short - uniform_filter1d(level, 8 * scale + 1, axis=1))
         for group in groups:
@@ -120,17 +113,16 @@ def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
         np.array(values, dtype=np.float32),
         np.array(scales, dtype=float),
         bands,
-        "repetition",
     )
 
 
-def tone_strength(waveform: np.ndarray, settings: SettlingSettings) -> OnsetStrength:
+def tone_strength(waveform: np.ndarray) -> OnsetStrength:
     """Return the normalised waveform (frames,) as the only channel."""
+    time_per_sample = 8.0  # ms
     return OnsetStrength(
         normalised(waveform)[None].astype(np.float32),
-        np.array([settings.waveform_scale_ms], dtype=float),
-        [settings.waveform_band],
-        "tone",
+        np.array([time_per_sample]),
+        [SETTLING.waveform_band],
     )
 
 

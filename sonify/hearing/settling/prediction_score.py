@@ -8,8 +8,6 @@ from scipy.fft import irfft, rfft
 
 from sonify.hearing.settling.rate_laws import Law
 
-CROSS_VALIDATION_PARTS = 5
-
 
 def law_phases(count: int, law: Law) -> np.ndarray:
     """Return the phase (count,) of a law [turns] in the frames of a window."""
@@ -31,9 +29,10 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
 
     Each part of the window `values` (frames,) is predicted from the other parts.
     """
+    part_count = 5
     count = len(values)
     columns = harmonic_columns(law_phases(count, law), law.harmonics)
-    cuts = np.round(np.linspace(0, count, CROSS_VALIDATION_PARTS + 1)).astype(int)
+    cuts = np.round(np.linspace(0, count, part_count + 1)).astype(int)
     parts = [slice(*pair) for pair in pairwise(cuts)]
     grams = np.array([columns[part].T @ columns[part] for part in parts])
     rights = np.array([columns[part].T @ values[part] for part in parts])
@@ -46,24 +45,21 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
         mean = (right - own_right)[0] / (gram - own_gram)[0, 0]
         residual = np.sum(np.square(values[part] - columns[part] @ fitted))
         variance = np.sum(np.square(values[part] - mean))
-        gain += np.log((variance + 1e-9) / (residual + 1e-9)) / (
-            2 * CROSS_VALIDATION_PARTS
-        )
+        gain += np.log((variance + 1e-9) / (residual + 1e-9)) / (2 * part_count)
     return float(gain)
 
 
-def correlation_length(
-    values: np.ndarray, phases: np.ndarray, harmonics: int, longest: int = 100
-) -> float:
+def correlation_length(values: np.ndarray, phases: np.ndarray, harmonics: int) -> float:
     """Return the correlation length [frames] of a window after removal of the harmonics
     of a phase.
 
     It is the sum of the squared autocorrelation, the number of frames per independent
     sample of a power."""
+    max_lag = 100  # frames
     columns = harmonic_columns(phases, harmonics)
     residual = values - columns @ np.linalg.lstsq(columns, values)[0]
     spectrum = rfft(residual, 2 * len(residual))
-    correlation = irfft(spectrum.real**2 + spectrum.imag**2)[:longest]
+    correlation = irfft(spectrum.real**2 + spectrum.imag**2)[:max_lag]
     if correlation[0] <= 0:
         return 1.0
     return float(1 + 2 * np.sum(np.square(correlation[1:] / correlation[0])))

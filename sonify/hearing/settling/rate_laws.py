@@ -4,14 +4,14 @@ A shape is the phase as a function of x, from 0 at the beginning to 1 at the end
 window; `ratio` is the ratio of the last to the first rate."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import chain
 
 import numpy as np
 from numba import njit
 
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 
 FAMILY_CODES = {
     "disk": 0,
@@ -35,7 +35,23 @@ class Shape:
 
     def phase(self, x):
         """Return the phase (n,) at relative times x (n,)."""
-        return phase(self.family, self.ratio, self.exponent, x)
+        x = np.asarray(x, dtype=float)
+        ratio = self.ratio
+        if self.family.startswith("slowing "):
+            rising = replace(self, family=self.family.removeprefix("slowing "))
+            return 1 - rising.phase(1 - x)
+        if self.family == "disk":
+            left = distance_to_end(ratio, self.exponent)
+            if abs(self.exponent - 1) < 1e-6:
+                return np.log((left + 1) / (left + 1 - x)) / np.log((left + 1) / left)
+            power = 1 - self.exponent
+            begin = (left + 1) ** power
+            return (begin - (left + 1 - x) ** power) / (begin - left**power)
+        if abs(ratio - 1) < 1e-9:
+            return x
+        if self.family == "linear":
+            return (x + (ratio - 1) * x * x / 2) / ((1 + ratio) / 2)
+        return (ratio**x - 1) / (ratio - 1)
 
     def time(self, phase):
         """Return the relative times (n,) at a phase (n,)."""
@@ -64,26 +80,6 @@ def distance_to_end(ratio, exponent):
     """Return the time from the end of the window to that of the disk, divided by the
     length of the window."""
     return 1 / (ratio ** (1 / exponent) - 1)
-
-
-def phase(family, ratio, exponent, x):
-    """Return the phase at relative times x."""
-    x = np.asarray(x, dtype=float)
-    if family.startswith("slowing "):
-        return 1 - phase(family.removeprefix("slowing "), ratio, exponent, 1 - x)
-    if family == "disk":
-        left = distance_to_end(ratio, exponent)
-        if abs(exponent - 1) < 1e-6:
-            return np.log((left + 1) / (left + 1 - x)) / np.log((left + 1) / left)
-        power = 1 - exponent
-        return ((left + 1) ** power - (left + 1 - x) ** power) / (
-            (left + 1) ** power - left**power
-        )
-    if family == "linear" and abs(ratio - 1) > 1e-9:
-        return (x + (ratio - 1) * x * x / 2) / ((1 + ratio) / 2)
-    if family == "exponential" and abs(ratio - 1) > 1e-9:
-        return (ratio**x - 1) / (ratio - 1)
-    return x
 
 
 @njit(cache=True, nogil=True)
@@ -149,19 +145,17 @@ class ShapeSet:
 
 
 @lru_cache
-def families(
-    settings: SettlingSettings, distance: float, only: str | None = None
-) -> ShapeSet:
+def families(distance: float, only: str | None = None) -> ShapeSet:
     """Return the searched shapes of the disk and its four rivals, or of `only` one
     family.
 
     `distance` is their spacing, as in `covering_shapes`.
     """
-    low, high = settings.rate_ratios
+    low, high = SETTLING.rate_ratios
     disk_ratios = np.geomspace(low, high, 40)
-    exponents = np.linspace(*settings.exponents, 18)
-    rising = np.geomspace(settings.max_steady_ratio, high, 60)
-    steady = np.geomspace(1 / settings.max_steady_ratio, settings.max_steady_ratio, 31)
+    exponents = np.linspace(*SETTLING.exponents, 18)
+    rising = np.geomspace(SETTLING.max_steady_ratio, high, 60)
+    steady = np.geomspace(1 / SETTLING.max_steady_ratio, SETTLING.max_steady_ratio, 31)
     slowing = covering_shapes("slowing disk", disk_ratios, exponents, distance)
     slowing += covering_shapes("slowing linear", rising, [0.0], distance)
     slowing += covering_shapes("slowing exponential", rising, [0.0], distance)

@@ -6,20 +6,26 @@ import numpy as np
 from numba import njit
 
 from sonify.hearing.settling.rate_laws import FAMILY_CODES, Law, Shape, places
+from sonify.hearing.settling.settings import SETTLING
 
-TURNS_PER_HARMONIC = 4  # few turns with many harmonics would fit any pattern
+
+def _centred_window(values, scale_ms):
+    """Return the cumulative sum (frames + 1,) of a window (frames,) without its mean, its
+    length times its energy, and its number of independent samples."""
+    values = values - values.mean()
+    cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
+    energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
+    return cumulative, energy, len(values) / scale_ms
 
 
 @njit(cache=True, nogil=True)
-def _likelihood(
-    cumulative, energy, independent, code, ratio, exponent, turns, harmonics
-):
-    """Return the log likelihood and the best number of harmonics of a law.
-
-    `cumulative` (frames + 1,) is the cumulative sum of the window.
-    """
+def _likelihood(window, code, ratio, exponent, turns, harmonics):
+    """Return the log likelihood and the best number of harmonics of a law in a
+    centred window."""
+    cumulative, energy, independent = window
+    turns_per_harmonic = 4  # few turns with many harmonics would fit any pattern
     length = len(cumulative) - 1
-    harmonics = min(harmonics, max(int(turns / TURNS_PER_HARMONIC), 1))
+    harmonics = min(harmonics, max(int(turns / turns_per_harmonic), 1))
     steps = max(int(12 * turns), 128)
     sums = np.zeros((harmonics, 2))
     turn = 2 * np.pi * turns / steps
@@ -27,9 +33,7 @@ def _likelihood(
     step_sin = np.sin(turn)
     cosine = np.cos(turn / 2)
     sine = np.sin(turn / 2)
-    phases = np.empty(steps)
-    for j in range(steps):
-        phases[j] = (j + 1) / steps
+    phases = np.arange(1, steps + 1) / steps
     before = 0.0
     for place in places(code, ratio, exponent, phases):
         cut = length * place
@@ -73,40 +77,21 @@ def _first_rate(code, ratio, exponent):
 
 
 @njit(cache=True, nogil=True)
-def _climb(
-    cumulative,
-    energy,
-    independent,
-    start,
-    bounds,
-    draws,
-    widths,
-    min_turns,
-    min_rate,
-    harmonics,
-):
-    """Return the law reached by random uphill steps from `start` (code, log ratio,
-    exponent, turns).
+def _climb(window, code, start, bounds, steps, min_turns, min_rate, harmonics):
+    """Return the law (log ratio, exponent, turns) reached by random uphill steps from
+    `start`.
 
     Its log likelihood and number of harmonics are also returned.
     """
-    code = int(start[0])
-    seconds = (len(cumulative) - 1) / 1000
-    here = start[1:].copy()
+    seconds = (len(window[0]) - 1) / 1000
+    here = start.copy()
     best, order = _likelihood(
-        cumulative,
-        energy,
-        independent,
-        code,
-        math.exp(here[0]),
-        here[1],
-        here[2],
-        harmonics,
+        window, code, math.exp(here[0]), here[1], here[2], harmonics
     )
     tried = np.empty(3)
-    for k in range(len(draws)):
+    for k in range(len(steps)):
         for i in range(3):
-            tried[i] = here[i] + draws[k, i] * widths[i]
+            tried[i] = here[i] + steps[k, i]
         for i in range(2):
             tried[i] = min(max(tried[i], bounds[i, 0]), bounds[i, 1])
         ratio = math.exp(tried[0])
@@ -115,7 +100,7 @@ def _climb(
         if tried[2] / seconds * _first_rate(code, ratio, tried[1]) < min_rate:
             continue
         value, harmonic = _likelihood(
-            cumulative, energy, independent, code, ratio, tried[1], tried[2], harmonics
+            window, code, ratio, tried[1], tried[2], harmonics
         )
         if value > best:
             best = value
@@ -131,124 +116,93 @@ def shrinking_random_steps(count: int) -> np.ndarray:
     return np.random.default_rng(7).normal(size=(count, 3)) * shrinking[:, None]
 
 
-RANDOM_SEARCH_STEPS = shrinking_random_steps(90)
-RANDOM_WALK_STEPS = shrinking_random_steps(160)
+RANDOM_SEARCH_STEPS = shrinking_random_steps(90) * [0.25, 0.12, 0.4]
+RANDOM_WALK_STEPS = shrinking_random_steps(160) * [40.0, 0.04, 0.3]
 
 
-def ratio_range(shape: Shape, settings) -> tuple[float, float]:
+def ratio_range(shape: Shape) -> tuple[float, float]:
     """Return the limits of the ratio of the last rate to the first in a search that
     starts from a shape."""
     if shape.family.endswith("disk"):
-        return settings.rate_ratios
-    if shape.family == "linear" and shape.ratio < settings.max_steady_ratio - 1e-9:
-        return 1 / settings.max_steady_ratio, settings.max_steady_ratio
-    return settings.max_steady_ratio, settings.rate_ratios[1]
+        return SETTLING.rate_ratios
+    if shape.family == "linear" and shape.ratio < SETTLING.max_steady_ratio - 1e-9:
+        return 1 / SETTLING.max_steady_ratio, SETTLING.max_steady_ratio
+    return SETTLING.max_steady_ratio, SETTLING.rate_ratios[1]
 
 
-def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> Law:
+def refine(values: np.ndarray, scale_ms: float, starts: list[Law]) -> Law:
     """Return the most likely law of a family in a window (frames,), refined from laws
     `starts`."""
-    values = values - values.mean()
-    cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
-    energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
-    best = None
+    window = _centred_window(values, scale_ms)
+    found = []
     for law in starts:
         shape = law.shape
-        ratios = ratio_range(shape, settings)
-        start = np.array(
-            [
-                FAMILY_CODES[shape.family],
-                math.log(shape.ratio),
-                shape.exponent or 0.5,
-                law.turns,
-            ]
-        )
-        bounds = np.array([np.log(ratios), settings.exponents])
-        widths = np.array([0.25, 0.12, 0.4])
+        start = np.array([math.log(shape.ratio), shape.exponent or 0.5, law.turns])
         here, likelihood, order = _climb(
-            cumulative,
-            energy,
-            len(values) / scale_ms,
+            window,
+            FAMILY_CODES[shape.family],
             start,
-            bounds,
+            np.array([np.log(ratio_range(shape)), SETTLING.exponents]),
             RANDOM_SEARCH_STEPS,
-            widths,
-            settings.min_turns,
-            settings.min_initial_rate,
-            settings.max_harmonics,
+            SETTLING.min_turns,
+            SETTLING.min_initial_rate,
+            SETTLING.max_harmonics,
         )
-        if best is None or likelihood > best.likelihood:
-            exponent = float(here[1]) if shape.exponent else 0.0
-            best = Law(
-                Shape(shape.family, math.exp(here[0]), exponent),
-                float(here[2]),
-                int(order),
-                float(likelihood),
-            )
-    return best
+        exponent = float(here[1]) if shape.exponent else 0.0
+        shape = Shape(shape.family, math.exp(here[0]), exponent)
+        found.append(Law(shape, float(here[2]), int(order), float(likelihood)))
+    return max(found, key=lambda law: law.likelihood)
 
 
 @njit(cache=True, nogil=True)
-def _walk(
-    cumulative, energy, independent, start, left_range, exponent_range, draws, harmonics
-):
+def _walk(window, start, left_range, exponent_range, steps, harmonics):
     """Return tested laws of a disk (count, 3), their initial rates and log likelihoods
     (count,).
 
     The laws (frames to the end, exponent, turns) are close to the starting point
     `start`. The steps are along and across the ridge of constant exponent divided by
     remaining time."""
-    length = len(cumulative) - 1
-    count = len(draws)
+    length = len(window[0]) - 1
+    count = len(steps)
     tried = np.empty((count, 3))
     first_rates = np.empty(count)
     values = np.full(count, -np.inf)
     here = start.copy()
     best = -np.inf
     for k in range(count):
-        along = 40.0 * draws[k, 0]
-        left = min(max(here[0] + along, left_range[0]), left_range[1])
+        left = min(max(here[0] + steps[k, 0], left_range[0]), left_range[1])
         exponent = (
-            here[1] * (1 + (left - here[0]) / (length / 2 + here[0]))
-            + 0.04 * draws[k, 1]
+            here[1] * (1 + (left - here[0]) / (length / 2 + here[0])) + steps[k, 1]
         )
         exponent = min(max(exponent, exponent_range[0]), exponent_range[1])
-        turns = max(here[2] + 0.3 * draws[k, 2], 1.0)
+        turns = max(here[2] + steps[k, 2], 1.0)
         if k == 0:
             left, exponent, turns = here
         ratio = ((length + left) / left) ** exponent
         tried[k, 0] = left
         tried[k, 1] = exponent
         tried[k, 2] = turns
-        values[k], _ = _likelihood(
-            cumulative, energy, independent, 0, ratio, exponent, turns, harmonics
-        )
+        values[k], _ = _likelihood(window, 0, ratio, exponent, turns, harmonics)
         first_rates[k] = turns / length * _first_rate(0, ratio, exponent)
         if values[k] > best:
             best = values[k]
-            here[0] = left
-            here[1] = exponent
-            here[2] = turns
+            for i in range(3):
+                here[i] = tried[k, i]
     return tried, first_rates, values
 
 
-def laws_near(values: np.ndarray, scale_ms: float, start, left_range, settings):
+def laws_near(values: np.ndarray, scale_ms: float, start, left_range):
     """Return laws of a disk close to the starting point `start` (frames from the window
     to the end, exponent, turns).
 
     The results are frames to the end, exponents, initial rates [per frame] and log
     likelihoods, each (laws,)."""
-    values = values - values.mean()
-    cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
-    energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
     tried, first_rates, likelihood = _walk(
-        cumulative,
-        energy,
-        len(values) / scale_ms,
+        _centred_window(values, scale_ms),
         np.array(start, dtype=float),
         np.array(left_range, dtype=float),
-        np.array(settings.exponents),
+        np.array(SETTLING.exponents),
         RANDOM_WALK_STEPS,
-        settings.max_harmonics,
+        SETTLING.max_harmonics,
     )
     return tried[:, 0], tried[:, 1], first_rates, likelihood

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numba import njit
+from scipy.ndimage import map_coordinates
 
 from sonify.hearing.log_spectrogram import (
     BINS_PER_OCTAVE,
@@ -51,17 +52,6 @@ class ToneRidge:
             np.median(self.frequency[-tenth:]) / np.median(self.frequency[:tenth])
         )
 
-    @property
-    def explained_octaves(self) -> float:
-        """Number of octaves of frequency over which the law has peaks."""
-        return float(self.law[1] * self.octaves)
-
-    @property
-    def rise(self) -> float:
-        """Number of octaves by which the frequency of the law rises along the ridge."""
-        end, exponent, _ = self.law
-        return float(exponent * np.ptp(np.log2(end - self.time)))
-
 
 def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
     """Return the ridge of the tone with the most evidence in samples (n,) at `rate`
@@ -71,7 +61,7 @@ def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
     if not np.any(samples):
         return None
     seen = log_spectrogram(samples / np.abs(samples).max(), rate)
-    if seen.time[-1] < 4 * REMAINING_TIME_RANGE_S[0] or not seen.peaks.size:
+    if not seen.peaks.size:
         return None
     ridge = _best_ridge(seen)
     best = _best_curve(seen, _initial_curves(ridge, 8))
@@ -85,9 +75,7 @@ def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
         errors=errors,
         time=time,
         frequency=2**pitch,
-        octaves=float(
-            _normal_equations(seen.peaks, law, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
-        ),
+        octaves=float(_octaves(seen.peaks, law)),
     )
 
 
@@ -138,7 +126,6 @@ def _best_paths(evidence, slopes, bend_penalty):
     penalty = np.float32(bend_penalty)
     score = np.zeros((len(slopes), bins), np.float32)
     updated = np.zeros((len(slopes), bins), np.float32)
-    highest = np.zeros(bins, np.float32)
     back = np.full((frames, len(slopes), bins), -1, np.int8)
     best = np.float32(0)
     place = (0, 0, 0)
@@ -146,7 +133,7 @@ def _best_paths(evidence, slopes, bend_penalty):
     for frame in range(frames):
         for b in range(bins):
             sums[b + 1] = sums[b] + evidence[frame, b]
-        highest[:] = 0
+        top = np.float32(0)
         for k in range(len(slopes)):
             shift = _shift(slopes[k], frame)
             crossed = max(shift, 1)
@@ -159,10 +146,7 @@ def _best_paths(evidence, slopes, bend_penalty):
             for i in range(len(reached)):
                 reached[i] += weight * (high[i] - low[i])
             for b in range(bins):
-                highest[b] = max(highest[b], updated[k, b])
-        top = np.float32(0)
-        for b in range(bins):
-            top = max(top, highest[b])
+                top = max(top, updated[k, b])
         if top > best:
             best = top
             for k in range(len(slopes)):
@@ -244,13 +228,7 @@ def _best_curve(seen, initial_curves):
     )
     if not len(curves):
         return None
-    explained = np.array(
-        [
-            curve[1]
-            * _normal_equations(seen.peaks, curve, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
-            for curve in curves
-        ]
-    )
+    explained = np.array([curve[1] * _octaves(seen.peaks, curve) for curve in curves])
     best = curves[np.argmax(explained)]
     deviation = curves[explained >= 0.85 * explained.max()] - best
     resolution = (0.0005, 0.001, 0.0)  # hop, and curvature of the tone within a window
@@ -262,16 +240,23 @@ def _best_curve(seen, initial_curves):
     return _fundamental(seen.peaks, best), np.sqrt(square)
 
 
+def _octaves(peaks, curve):
+    """Return the number of octaves of the remaining time in which a curve has peaks."""
+    return _normal_equations(peaks, curve, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
+
+
 def _mean_contrast(seen, curve):
-    """Return the mean contrast along a curve [dB]."""
+    """Return the mean contrast along a curve [dB], which is 0 outside the spectrogram."""
     left = np.geomspace(*REMAINING_TIME_RANGE_S, 72)
     along = 2 ** (curve[2] - curve[1] * np.log2(left))
-    return float(np.mean(seen.contrast_at(curve[0] - left, along)))
+    row = (curve[0] - left - seen.time[0]) / FRAME_SPACING_S
+    column = np.log2(along / seen.frequency[0]) * BINS_PER_OCTAVE
+    return float(np.mean(map_coordinates(seen.contrast, [row, column], order=1)))
 
 
-def _strongest_line(peaks, curve, max_distance=0.4):
-    """Return the strongest peak (3, r) within `max_distance` [octaves] of the curve in
-    each frame; the nutation is 0.3 octaves below the precession."""
+def _strongest_line(peaks, curve):
+    """Return the strongest peak (3, r) near the curve in each frame."""
+    max_distance = 0.4  # octaves; the nutation is 0.3 octaves below the precession
     inside = peaks[:, _inside(peaks, curve[0])]
     near = inside[:, np.abs(_residual(inside, curve)) < max_distance]
     near = near[:, np.lexsort((-near[2], near[0]))]
@@ -324,14 +309,12 @@ def _normal_equations(peaks, curve, width):
     return (slope * weight) @ slope.T, (slope * weight) @ residual, weight.sum()
 
 
-def _jackknife(peaks, curve, parts=12):
+def _jackknife(peaks, curve):
     """Return the jackknife variances (3,) for parts of equal log remaining time."""
-    left = np.clip(curve[0] - peaks[0], *REMAINING_TIME_RANGE_S)
-    part = np.floor(
-        parts
-        * np.log(left / REMAINING_TIME_RANGE_S[0])
-        / np.log(REMAINING_TIME_RANGE_S[1] / REMAINING_TIME_RANGE_S[0])
-    )
+    part_count = 12
+    nearest, farthest = REMAINING_TIME_RANGE_S
+    left = np.clip(curve[0] - peaks[0], nearest, farthest)
+    part = np.floor(part_count * np.log(left / nearest) / np.log(farthest / nearest))
     moved = np.array(
         [
             _fit(peaks[:, part != one], curve, FIT_HALF_WIDTHS_OCTAVES[-1:])
@@ -346,13 +329,8 @@ def _fundamental(peaks, curve):
     largest number of peaks."""
     moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
     peaks = peaks[:, _inside(peaks, curve[0])]
-    count = np.array(
-        [
-            np.sum(
-                (np.abs(_residual(peaks, x)) < FIT_HALF_WIDTHS_OCTAVES[-1])
-                / np.abs(x[0] - peaks[0])
-            )
-            for x in moved
-        ]
-    )
+    left = np.abs(curve[0] - peaks[0])
+    width = FIT_HALF_WIDTHS_OCTAVES[-1]
+    near = [np.abs(_residual(peaks, one)) < width for one in moved]
+    count = np.array([np.sum(each / left) for each in near])
     return moved[np.argmax(count > 0.5 * count.max())]

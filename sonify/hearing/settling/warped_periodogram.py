@@ -3,13 +3,14 @@ rates."""
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 from scipy.fft import rfft
 
 from sonify.hearing.settling.rate_laws import Law, ShapeSet
-from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.settings import SETTLING
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,35 +97,17 @@ def _doubled_power(spectrum, power):
 
 @njit(cache=True, nogil=True)
 def _largest_sums(power, first):
-    """Return the largest sums of one to four terms of the power at k, 2 k, 3 k, 4 k,
-    for k >= `first`."""
-    bins = len(power)
-    one = np.float32(0)
-    two = np.float32(0)
-    three = np.float32(0)
-    four = np.float32(0)
-    last = bins - 1
-    begin_three = max(last // 4 + 1, first)
-    begin_two = max(last // 3 + 1, first)
-    begin_one = max(last // 2 + 1, first)
-    for k in range(first, begin_three):
-        pair = power[k] + power[2 * k]
-        triple = pair + power[3 * k]
-        one = max(one, power[k])
-        two = max(two, pair)
-        three = max(three, triple)
-        four = max(four, triple + power[4 * k])
-    for k in range(begin_three, begin_two):
-        pair = power[k] + power[2 * k]
-        one = max(one, power[k])
-        two = max(two, pair)
-        three = max(three, pair + power[3 * k])
-    for k in range(begin_two, begin_one):
-        one = max(one, power[k])
-        two = max(two, power[k] + power[2 * k])
-    for k in range(begin_one, bins):
-        one = max(one, power[k])
-    return one, two, three, four
+    """Return the largest sums (4,) of one to four terms of the power at k, 2 k, 3 k,
+    4 k, for k >= `first`."""
+    largest = np.zeros(4, dtype=np.float32)
+    sums = np.zeros(len(power), dtype=np.float32)
+    for terms in range(1, 5):
+        top = np.float32(0)
+        for k in range(first, (len(power) - 1) // terms + 1):
+            sums[k] += power[terms * k]
+            top = max(top, sums[k])
+        largest[terms - 1] = top
+    return largest
 
 
 @njit(cache=True, nogil=True)
@@ -177,54 +160,47 @@ def steps_for(length: int, scale_ms: float) -> int:
     """Return the number of phase steps in a window of `length` frames for bursts of
     `scale_ms`."""
     cells = length / scale_ms
-    return 256 if cells <= 110 else 512 if cells <= 220 else 1024
+    if cells <= 110:
+        return 256
+    return 512 if cells <= 220 else 1024
 
 
-def minimum_turns(
-    length: int, table: WarpTable, settings: SettlingSettings
-) -> np.ndarray:
-    """Return the minimum numbers of turns (shapes,) in the search of a window of `length`
-    frames."""
-    min_turns = np.maximum(
-        settings.min_turns,
-        settings.min_initial_rate * length / 1000 / table.first_rates,
-    )
-    return np.minimum(min_turns, (table.index.shape[1] - 1) / 2)
+class SearchResult(NamedTuple):
+    """Log likelihoods and numbers of harmonics of shapes (..., shapes), the spectra
+    (shapes, bins) and the minimum numbers of turns (shapes,)."""
+
+    likelihood: np.ndarray
+    harmonics: np.ndarray
+    spectra: np.ndarray
+    min_turns: np.ndarray
+
+    def turns(self, i: int) -> float:
+        """Return the number of turns of shape i in a single window."""
+        return turns_of(self.spectra[i], self.min_turns[i], self.harmonics[i])
 
 
-def _search(values, scale_ms, table, settings):
-    """Return log likelihoods and harmonics (windows, shapes) of windows (windows,
-    frames).
-
-    The spectra (windows shapes, bins) are also returned.
-    """
-    windows, length = values.shape
+def search(values: np.ndarray, scale_ms, table: WarpTable) -> SearchResult:
+    """Return the result for the shapes of a table in windows (frames,) or (windows,
+    frames)."""
+    windows = np.atleast_2d(values)
+    count, length = windows.shape
     shapes, cuts = table.index.shape
-    padded = np.zeros((windows * shapes, 2 * (cuts - 1)), dtype=np.float32)
-    energy = _warp(values, table.index, table.fraction, padded)
+    padded = np.zeros((count * shapes, 2 * (cuts - 1)), dtype=np.float32)
+    energy = _warp(windows, table.index, table.fraction, padded)
     spectra = rfft(padded, axis=1, overwrite_x=True)
     independent = length / np.atleast_1d(scale_ms)
-    min_turns = minimum_turns(length, table, settings)
-    likelihood, harmonics = _likelihoods(spectra, energy, independent, min_turns)
-    return likelihood, harmonics, spectra
-
-
-def search_table(
-    values: np.ndarray, scale_ms: float, table: WarpTable, settings: SettlingSettings
-):
-    """Return log likelihoods and numbers of harmonics (shapes,) for a window (frames,).
-
-    The spectra (shapes, bins) are also returned.
-    """
-    likelihood, harmonics, spectra = _search(values[None], scale_ms, table, settings)
-    return likelihood[0], harmonics[0], spectra
+    min_turns = np.maximum(
+        SETTLING.min_turns,
+        SETTLING.min_initial_rate * length / 1000 / table.first_rates,
+    )
+    min_turns = np.minimum(min_turns, (cuts - 1) / 2)
+    found = _likelihoods(spectra, energy, independent, min_turns)
+    likelihood, harmonics = (each.reshape(*values.shape[:-1], -1) for each in found)
+    return SearchResult(likelihood, harmonics, spectra, min_turns)
 
 
 def likelihoods(
-    values: np.ndarray,
-    scales_ms: np.ndarray,
-    shapes: ShapeSet,
-    settings: SettlingSettings,
+    values: np.ndarray, scales_ms: np.ndarray, shapes: ShapeSet
 ) -> np.ndarray:
     """Return the largest log likelihoods (channels, families) in a window (channels,
     frames)."""
@@ -234,33 +210,30 @@ def likelihoods(
     for count in np.unique(steps):
         table = warp_table(shapes, length, int(count))
         same = np.flatnonzero(steps == count)
-        every = _search(values[same], scales_ms[same], table, settings)[0]
+        every = search(values[same], scales_ms[same], table).likelihood
         found[same] = np.maximum.reduceat(every, shapes.begins, axis=1)
     return found
 
 
 def strongest_laws(
-    values: np.ndarray,
-    scale_ms: float,
-    shapes: ShapeSet,
-    settings: SettlingSettings,
-    count: int = 3,
+    values: np.ndarray, scale_ms: float, shapes: ShapeSet
 ) -> dict[str, list[Law]]:
-    """Return the most likely laws of every family in a window (frames,), the best
+    """Return the three most likely laws of every family in a window (frames,), the best
     first."""
+    count = 3
     length = len(values)
     table = warp_table(shapes, length, steps_for(length, scale_ms))
-    likelihood, harmonics, spectra = search_table(values, scale_ms, table, settings)
-    min_turns = minimum_turns(length, table, settings)
+    result = search(values, scale_ms, table)
 
     def law(i):
-        turns = turns_of(spectra[i], min_turns[i], harmonics[i])
-        return Law(shapes.shapes[i], turns, int(harmonics[i]), float(likelihood[i]))
+        likelihood = float(result.likelihood[i])
+        return Law(
+            shapes.shapes[i], result.turns(i), int(result.harmonics[i]), likelihood
+        )
 
     found = {}
-    for name, members in zip(
-        shapes.names, np.split(likelihood, shapes.begins[1:]), strict=True
-    ):
-        best = np.argsort(-members, kind="stable")[:count]
-        found[name] = [law(shapes.begins[len(found)] + i) for i in best]
+    members = np.split(result.likelihood, shapes.begins[1:])
+    for name, begin, own in zip(shapes.names, shapes.begins, members, strict=True):
+        best = np.argsort(-own, kind="stable")[:count]
+        found[name] = [law(begin + i) for i in best]
     return found
