@@ -1,6 +1,7 @@
 """Numbers that are compared between a recording and the simulated sound of a scene."""
 
 from dataclasses import asdict
+from itertools import pairwise
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -9,23 +10,12 @@ from scipy.stats import t as student
 
 from dynamics.observables import precession_frequency
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Source, read_samples
+from sonify.hearing.audio_source import Source, loudest_channel, read_samples
 from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.spectrogram import spectrogram
 from sonify.pipeline import solve
 from sonify.scene import Scene
-
-BANDS = (
-    (0.5, 2.0),
-    (2.0, 5.0),
-    (5.0, 9.5),
-    (9.5, 11.5),
-    (11.5, 17.0),
-    (17.0, 18.5),
-    (18.5, 21.0),
-)
-"""Bands whose levels are compared [kHz]."""
 
 
 def simulated_numbers(scene: Scene, seconds: float) -> dict:
@@ -40,12 +30,10 @@ def simulated_numbers(scene: Scene, seconds: float) -> dict:
     time, rate = precession_frequency(result.motion)
     end = float(result.motion.t[-1])
     heard = settling_runs(sound.pressure)
-    near = min(
-        heard, key=lambda run: abs(run.t_end.value - sound.source_end), default=None
-    )
     span = min(1.0, seconds)
     turns = _exact(np.interp(end - span, time, rate))
-    if near is not None:
+    if heard:
+        near = min(heard, key=lambda run: abs(run.t_end.value - sound.source_end))
         head = _numbers_of_bursts(near, span)
     else:
         head = {
@@ -97,7 +85,7 @@ def numbers_of_run(source: Source, run: SettlingRun) -> dict:
     Each has a value and the limits `low` and `high` of its 95 % interval. Levels of
     bands [dB] are relative to the strongest band, and levels over time to the loudest
     window. The interval of the turns includes the uncertain number of bursts per turn."""
-    head = _numbers_of_bursts(run, min(1.0, run.t_end.value - run.start))
+    head = _numbers_of_bursts(run, run.reference_time)
     rate = head["rate_at_1s"]
     turns = {
         "value": rate["value"] / run.events_per_turn,
@@ -114,23 +102,24 @@ def numbers_of_run(source: Source, run: SettlingRun) -> dict:
 def sound_numbers(source, start, end):
     """Return band levels, lines, decays and levels over time between `start` and `end`
     [s]."""
+    part_count = 4  # their scatter gives the intervals
+    edges = [500.0, 2000.0, 5000.0, 9500.0, 11500.0, 17000.0, 18500.0, 21000.0]  # Hz
     rate = source.sample_rate
     sound = read_samples(source, int(max(start, 0.0) * rate), int(end * rate))
-    channel = np.argmax(np.square(sound, dtype=float).sum(axis=0))
-    parts = np.array_split(sound[:, channel].astype(float), FIT.comparison_parts)
+    parts = np.array_split(loudest_channel(sound).astype(float), part_count)
     length = min(int(0.1 * rate), len(parts[-1]))
     power = np.array([welch(part, rate, nperseg=length)[1] for part in parts])
     frequency = np.fft.rfftfreq(length, 1 / rate)
-    bands = []
-    for low, high in BANDS:
-        inside = (frequency >= 1e3 * low) & (frequency < 1e3 * high)
-        if 1e3 * high < rate / 2:
-            bands.append(10 * np.log10(power[:, inside].sum(axis=1) + 1e-30))
-    levels = np.array(bands) - np.max(bands, axis=0)
+    bands = [pair for pair in pairwise(edges) if pair[1] < rate / 2]
+    levels = []
+    for low, high in bands:
+        inside = (frequency >= low) & (frequency < high)
+        levels.append(10 * np.log10(power[:, inside].sum(axis=1) + 1e-30))
+    levels = np.array(levels) - np.max(levels, axis=0)
     return {
         "bands": [
-            {"from": 1e3 * low, "to": 1e3 * high} | _mean(level)
-            for (low, high), level in zip(BANDS, levels, strict=False)
+            {"from": low, "to": high} | _mean(level)
+            for (low, high), level in zip(bands, levels, strict=True)
         ],
         "seconds": end - start,
         "lines": _strongest_lines(frequency, power, np.concatenate(parts), rate),
@@ -154,13 +143,14 @@ def _strongest_lines(frequency, power, samples, rate):
 
     `power` (parts, f) contains the spectra of the parts at `frequency` (f,) [Hz].
     """
+    max_count = 6
     spacing = frequency[1]
     reach = max(round(FIT.line_half_width / spacing), 1)
     level = 10 * np.log10(power.mean(axis=0) + 1e-30)
     level[(frequency < 1e3) | (frequency > 0.9 * frequency[-1])] = level.min()
     tops = find_peaks(level, prominence=15.0, distance=reach)[0]
     found = []
-    for top in tops[np.argsort(-level[tops])[: FIT.max_compared_lines]]:
+    for top in tops[np.argsort(-level[tops])[:max_count]]:
         near = slice(top - reach, top + reach + 1)
         centres = [np.average(frequency[near], weights=part) for part in power[:, near]]
         found.append(
@@ -175,6 +165,9 @@ def _strongest_lines(frequency, power, samples, rate):
 def _decay_between_bursts(samples, rate, middle):
     """Return the median rate [1/s] at which the amplitude of a line falls after its
     maxima."""
+    averaging_time = 0.01  # s, longer than the beats of a pair of modes
+    min_fall = 0.5  # of the logarithm of the amplitude
+    min_fall_count = 5
     down = max(int(rate / 2000), 1)
     shifted = samples * np.exp(-2j * np.pi * middle / rate * np.arange(len(samples)))
     low = oaconvolve(
@@ -182,14 +175,14 @@ def _decay_between_bursts(samples, rate, middle):
     )[::down]
     power = uniform_filter1d(
         np.square(np.abs(low)),
-        max(round(FIT.line_power_averaging_time * rate / down), 1),
+        max(round(averaging_time * rate / down), 1),
     )
     rounding = (
         1e-12 * power.max()
     )  # of the running sum, which may be negative in silence
     logarithm = np.log(np.maximum(power, rounding) + 1e-30) / 2
-    maxima = find_peaks(logarithm, prominence=FIT.min_amplitude_fall)[0]
-    minima = find_peaks(-logarithm, prominence=FIT.min_amplitude_fall)[0]
+    maxima = find_peaks(logarithm, prominence=min_fall)[0]
+    minima = find_peaks(-logarithm, prominence=min_fall)[0]
     falls = []
     for top in maxima:
         later = minima[minima > top]
@@ -197,7 +190,7 @@ def _decay_between_bursts(samples, rate, middle):
             falls.append(
                 (logarithm[top] - logarithm[later[0]]) * rate / down / (later[0] - top)
             )
-    if len(falls) < FIT.min_fall_count:
+    if len(falls) < min_fall_count:
         return {"value": None, "low": 0.0, "high": float(rate / down)}
     low, value, high = np.percentile(falls, [25, 50, 75])
     half = 1.57 * (high - low) / np.sqrt(len(falls))  # 95 % of a median
@@ -210,9 +203,8 @@ def _decay_between_bursts(samples, rate, middle):
 
 def _levels_before_the_end(source, start, end):
     """Return remaining times [s] and A-weighted levels [dB re the loudest window]."""
-    seen = spectrogram(
-        source, FIT.loudness_window, columns=1 << 16, span=(max(start, 0.0), end)
-    )
+    window = 0.1  # s
+    seen = spectrogram(source, window, columns=1 << 16, span=(max(start, 0.0), end))
     level = 10 * np.log10(
         10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power + 1e-30
     )

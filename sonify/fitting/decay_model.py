@@ -78,6 +78,9 @@ class DecayModel:
     """Quasi-steady decay of the motion of a disk, with the rate of one spectral
     line."""
 
+    energy_slope: np.ndarray
+    """Derivative (b,) of the energy with respect to the log inclination."""
+
     excess_turns = np.zeros((2, 1))
     """Ascending remaining times (k,) [s], and the turns (k,) of a solved motion in
     excess of those of the steady motion."""
@@ -94,60 +97,35 @@ class DecayModel:
     def __init__(self, scene: Scene):
         self.scene = scene
         self.disk = scene.disk
-        self._known: dict[bytes, np.ndarray] = {}
         self._solved: dict[bytes, dict[str, DecayModel]] = {}
         law = disk_constants(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
         steepest = (
             0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
         )
-        self.beta = np.geomspace(
-            FIT.min_inclination, min(steepest, 1.2), FIT.inclination_count
-        )
+        min_inclination = 1e-7
+        inclination_count = 600
+        self.beta = np.geomspace(min_inclination, min(steepest, 1.2), inclination_count)
+        log_beta = np.log(self.beta)
         rate = np.array([steady_precession(b, law.h, law.K) for b in self.beta])
         w3 = rate * np.sin(self.beta)
-        self.energy = energy(self.beta, (0.0, law.h * w3, w3), (0.0, 0.0), law)
+        spin = (0.0, law.h * w3, w3)
+        stored = energy(self.beta, spin, (0.0, 0.0), law)
+        self.energy_slope = CubicSpline(log_beta, stored).derivative()(log_beta)
         self.rate = rate / self.disk.time_unit / (2 * np.pi)
-        contour = resistance_of(
-            Dissipation(contour_moment=self.disk.weight * self.disk.radius), self.disk
-        )
-        film = film_under(self.disk, scene.air) if has_film(scene) else None
+        weight_moment = self.disk.weight * self.disk.radius
+        contour = resistance_of(Dissipation(contour_moment=weight_moment), self.disk)
+        contour_power = np.array([steady_power(b, law, contour) for b in self.beta])
+        film_power = np.zeros(len(self.beta))
+        if has_film(scene):
+            film = film_under(self.disk, scene.air)
+            film_power = film.rotation_and_fall_powers(self.beta, spin)[0]
+            # without this limit, the disk would never reach the table, and the end would
+            # depend on inaudible details
+            film_power = np.maximum(film_power, 1e-7 * contour_power)
         own = resistance_of(replace(scene.dissipation, contour_moment=0.0), self.disk)
         own_law = scene_constants(scene)
-        self.powers = np.array(
-            [
-                [steady_power(b, law, contour) for b in self.beta],
-                film.rotation_and_fall_powers(self.beta, (0.0, law.h * w3, w3))[0]
-                if film
-                else 0 * self.beta,
-                [steady_power(b, own_law, own) for b in self.beta],
-            ]
-        )
-        if film:
-            self.powers[1] = np.maximum(
-                self.powers[1], FIT.min_film_power_share * self.powers[0]
-            )
-
-    @property
-    def has_film(self) -> bool:
-        """True if the disk has an air film with a known law."""
-        return bool(self.powers[1].any())
-
-    @property
-    def has_law(self) -> bool:
-        """True if the scene has other laws of dissipation."""
-        return bool(self.powers[2].any())
-
-    @cached_property
-    def neglected(self) -> list[str]:
-        """Sentences on the neglected parts of the scene."""
-        return neglected_parts(self.scene)
-
-    @cached_property
-    def energy_slope(self) -> np.ndarray:
-        """Derivative (b,) of the energy with respect to the log inclination."""
-        return CubicSpline(np.log(self.beta), self.energy).derivative()(
-            np.log(self.beta)
-        )
+        own_power = [steady_power(b, own_law, own) for b in self.beta]
+        self.powers = np.array([contour_power, film_power, own_power])
 
     @cached_property
     def lines(self) -> dict[str, "DecayModel"]:
@@ -160,20 +138,18 @@ class DecayModel:
             "nutation": self._nutation,
             SUM_LINE: 1.0 + self._nutation,
         }
-        return {"precession": self} | {
-            name: self._line_at_ratio(ratio) for name, ratio in ratios.items()
-        }
-
-    def _line_at_ratio(self, ratio):
-        other = copy(self)
-        other.rate = self.rate * ratio
-        return other
+        lines = {"precession": self}
+        for name, ratio in ratios.items():
+            lines[name] = copy(self)
+            lines[name].rate = self.rate * ratio
+        return lines
 
     @cached_property
     def _nutation(self):
         """Nutations per turn of the contact (b,), from short motions without losses."""
-        found = [self._nutations(beta) for beta in FIT.nutation_inclinations]
-        return np.interp(np.log(self.beta), np.log(FIT.nutation_inclinations), found)
+        inclinations = [0.005, 0.02, 0.08, 0.3]  # rad
+        found = [self._nutations(beta) for beta in inclinations]
+        return np.interp(np.log(self.beta), np.log(inclinations), found)
 
     def _nutations(self, beta):
         turns = float(np.interp(beta, self.beta, self.rate))
@@ -195,19 +171,13 @@ class DecayModel:
 
     def remaining_time(self, shares) -> np.ndarray:
         """Return the remaining time (b,) [s] at every inclination for shares (3,) of
-        the LAWS.
-
-        The last result is cached.
-        """
-        key = np.asarray(shares, float).tobytes()
-        if key not in self._known:
-            self._known.clear()
-            rate = self._time_per_log_inclination(
-                shares
-            )  # below the tabulated inclinations a power law
-            growth = max(np.log(rate[1] / rate[0]) / self._step, FIT.min_time_exponent)
-            self._known[key] = self._integral(rate) + rate[0] / growth
-        return self._known[key]
+        the LAWS."""
+        # below the tabulated inclinations, the time is a power of the inclination; the
+        # exponent is 1/2 with the arms of the paper, and 0 for a squeezed film alone
+        min_exponent = 0.49
+        rate = self._time_per_log_inclination(shares)
+        growth = max(np.log(rate[1] / rate[0]) / self._step, min_exponent)
+        return self._integral(rate) + rate[0] / growth
 
     @property
     def _step(self):
@@ -215,18 +185,15 @@ class DecayModel:
 
     def _time_per_log_inclination(self, shares):
         """Return d(remaining time)/d(log inclination) (b,) [s]."""
-        power = np.maximum(
-            np.asarray(shares, float) @ self.powers,
-            FIT.min_rolling_share * self.powers[0],
-        )
+        min_power = 1e-12 * self.powers[0]
+        power = np.maximum(np.asarray(shares, float) @ self.powers, min_power)
         return self.energy_slope / power * self.disk.time_unit
 
     def _integral(self, rate):
         """Return the integral (b,) of a rate (b,) over the log inclination, by cubic
         interpolation."""
-        padded = np.concatenate(
-            [[_extrapolated_value(rate[:4])], rate, [_extrapolated_value(rate[:-5:-1])]]
-        )
+        ends = _extrapolated_value(rate[:4]), _extrapolated_value(rate[:-5:-1])
+        padded = np.concatenate([ends[:1], rate, ends[1:]])
         each = 13 * (padded[1:-2] + padded[2:-1]) - padded[:-3] - padded[3:]
         return self._step / 24 * np.append(0.0, np.cumsum(each))
 
@@ -247,15 +214,8 @@ class DecayModel:
         shares = shares if self.solved_shares is None else self.solved_shares
         time = self.remaining_time(shares)
         turned = self._integral(self.rate * self._time_per_log_inclination(shares))
-        return (
-            self._with_excess_turns(time, turned)
-            if self.excess_turns.any()
-            else np.array([time, turned, self.rate])
-        )
-
-    def _with_excess_turns(self, time, turned):
-        """Return the course of a steady motion with the excess turns of the solved
-        motion added."""
+        if not self.excess_turns.any():
+            return np.array([time, turned, self.rate])
         remaining = self.excess_turns[0]
         remaining = np.concatenate(
             [time[time < remaining[0]], remaining, time[time > remaining[-1]]]
@@ -279,23 +239,18 @@ class DecayModel:
     def frequency(self, remaining, shares) -> np.ndarray:
         """Return the rate of the periods (k,) [Hz] at remaining times (k,) > 0 [s],
         smoothed over slips."""
-        return np.exp(
-            np.interp(
-                np.log(remaining),
-                np.log(self.remaining_time(shares)),
-                np.log(self.rate) + self.log_rate_ratio,
-            )
+        return self._interpolated(
+            remaining, shares, np.log(self.rate) + self.log_rate_ratio
         )
 
     def inclination(self, remaining, shares) -> np.ndarray:
         """Return the inclination (k,) [rad] at remaining times (k,) [s]."""
-        return np.exp(
-            np.interp(
-                np.log(remaining),
-                np.log(self.remaining_time(shares)),
-                np.log(self.beta),
-            )
-        )
+        return self._interpolated(remaining, shares, np.log(self.beta))
+
+    def _interpolated(self, remaining, shares, logarithm):
+        """Interpolate the logarithm (b,) of a quantity between log remaining times."""
+        time = self.remaining_time(shares)
+        return np.exp(np.interp(np.log(remaining), np.log(time), logarithm))
 
     def solved(self, shares) -> dict[str, "DecayModel"]:
         """Return the spectral lines of a solved motion with shares (3,) of the LAWS, by
@@ -327,20 +282,19 @@ class DecayModel:
             "nutation": nutated,
             SUM_LINE: lambda t: turned(t) + nutated(t),
         }
-        found = {
+        return {
             name: self.lines[name]._of_solved_motion(count, motion.t[-1], end, shares)
             for name, count in counts.items()
         }
-        return {name: line for name, line in found.items() if line is not None}
 
     def _of_solved_motion(self, count, last, end, shares):
         """Return this line with the number of periods `count(t)` of a solved motion.
 
         The solved motion ends at the time `last` [s], and the decay at `end` [s].
         """
-        remaining = np.geomspace(
-            end, max(end - last, FIT.min_time_left), FIT.solved_time_count
-        )
+        min_remaining_time = 2e-3  # s
+        time_count = 4000
+        remaining = np.geomspace(end, max(end - last, min_remaining_time), time_count)
         steady = self.turns(remaining, shares)[0]
         evenly_spaced = np.arange(steady[0], steady[-1], -1 / FIT.phases_per_turn)
         remaining = np.interp(evenly_spaced, steady[::-1], remaining[::-1])
@@ -362,6 +316,8 @@ class DecayModel:
         return other
 
     def _scene_of(self, rolling, air, law):
+        min_air = 1e-3  # a smaller share of the film is omitted
+        tolerance = 1e-12  # an error of 0.01 turns in 1000 turns
         scene = self.scene
         arms = {}
         for arm in ("arm_nutation", "arm_rolling", "arm_pivoting"):
@@ -380,14 +336,12 @@ class DecayModel:
                 **own,
             ),
             air=replace(scene.air, film="acts", viscosity=air * scene.air.viscosity)
-            if air > FIT.min_air_share
+            if air > min_air
             else replace(scene.air, film="none"),
             contact=replace(scene.contact, law="rigid", restitution=None),
             roughness=None,
             surface=Surface(),
-            numerics=replace(
-                scene.numerics, contact="auto", tolerance=FIT.motion_tolerance
-            ),
+            numerics=replace(scene.numerics, contact="auto", tolerance=tolerance),
         )
 
 
@@ -409,7 +363,8 @@ def _log_solved_to_steady_rates(remaining, excess, frequency):
     The difference of the rates is the Hann-weighted slope of `excess` (k,), the turns
     of the solved motion in excess of those of the steady motion, over the `remaining`
     times (k,). `frequency` (k,) [Hz] is the rate of the steady motion."""
-    size = FIT.turns_per_block * FIT.phases_per_turn
+    turns_per_block = 16
+    size = turns_per_block * FIT.phases_per_turn
     window = np.sin(np.pi * (np.arange(size) + 0.5) / size) ** 2
     remaining, excess, frequency = (
         sliding_window_view(x, size)[:: size // 4]

@@ -35,16 +35,15 @@ class Exponent(NamedTuple):
     columns: int
 
 
-def rate_exponents(
-    samples, rate: float, end: float, band=(4600.0, 5400.0)
-) -> dict[str, Exponent]:
+def rate_exponents(samples, rate: float, end: float) -> dict[str, Exponent]:
     """Return the exponents over the intervals of FIT_LENGTH_S for samples (n,) at
     `rate` [Hz].
 
     The motion ends at the time `end` [s].
 
-    Raises ValueError if the sample rate is too low for the `band` [Hz].
+    Raises ValueError if the sample rate is too low.
     """
+    band = (4600.0, 5400.0)  # Hz
     tap_count = 513
     envelope_rate = 960  # Hz
     high_pass_frequency = 3.0  # Hz

@@ -10,7 +10,7 @@ from copy import copy
 import numpy as np
 
 from dynamics.disk import GRAVITY
-from sonify.fitting.decay_model import LAWS, DecayModel
+from sonify.fitting.decay_model import LAWS, DecayModel, has_film, neglected_parts
 from sonify.fitting.least_squares import Fit, LineRates
 from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
 from sonify.fitting.settings import FIT
@@ -25,9 +25,9 @@ def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
     The bursts decide if no tone can be tracked, or if the rate rises more steeply than
     with contour friction and no other law of the scene explains it. Raises
     RecordingError if neither tone nor bursts can be tracked."""
-    has_bursts = sound.run is not None and sound.run.kind == "repetition"
+    has_bursts = sound.run.kind == "repetition"
     try:
-        judged = fit_same_disk(decay, [sound])
+        judged = fit_same_disk(decay, sound)
     except RecordingError:
         if not has_bursts:
             raise
@@ -50,14 +50,13 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     region = run.region
     name = "its double" if run.events_per_turn == 2 else "precession"
     line = decay.lines[name]
-    reference = min(1.0, region.best_end - region.start)
     fall = np.sqrt(GRAVITY / decay.disk.radius)
 
     def inclination(rate):
         return np.interp(-rate, -line.rate, line.beta)
 
     def loss_coefficient(rate, exponent):
-        return 2 * exponent * inclination(rate) / (reference * fall)
+        return 2 * exponent * inclination(rate) / (run.reference_time * fall)
 
     with_impacts = copy(line)
     with_impacts.third_share_name = "impacts"
@@ -79,7 +78,7 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     draws[:, 0] = _draws(region.best_end, run.t_end.low, run.t_end.high, random)
     draws[:, 3] = _draws(best, low, high, random)
     ridge = sound.ridges[0]
-    heard = LineRates(0, with_impacts, ridge, ridge.frequency)
+    heard = LineRates(with_impacts, ridge, ridge.frequency)
     remaining = np.maximum(region.best_end - ridge.time, FIT.unused_end_duration)
     fitted = Fit(
         free=(2,),
@@ -98,16 +97,16 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     limits = {
         name: float(high * np.min(power[2, covered] / power[number, covered]))
         for number, name in enumerate(LAWS[:2])
-        if name == "rolling" or decay.has_film
+        if name == "rolling" or has_film(decay.scene)
     }
     verdict, reason = _verdict(decay, run.exponent)
     return Judged(
-        sounds=(sound,),
+        run=run,
         signal="repetition",
         line=name,
         model="steady",
         decay=with_impacts,
-        streams=[],
+        stream=None,
         fit=fitted,
         explained=True,
         verdict=verdict,
@@ -125,33 +124,34 @@ def _draws(value, low, high, random):
 def _verdict(decay, exponent):
     """Return the verdict that follows from the interval of an exponent, and its
     reason."""
-    slopes = [
-        _slope_of_heights(min(n, FIT.max_impact_exponent))
-        for n in (exponent.low, exponent.high)
-    ]
+    contour_exponent = 1 / 3
+    max_impact_exponent = 0.6  # for H = -1, ever steeper short waves
     found = f"n is between {exponent.low:.2f} and {exponent.high:.2f}"
-    if exponent.high - exponent.low > SETTLING.max_exponent_interval or (
-        exponent.low <= FIT.contour_exponent <= exponent.high
-    ):
+    is_undetermined = exponent.high - exponent.low > SETTLING.max_exponent_interval
+    if is_undetermined or exponent.low <= contour_exponent <= exponent.high:
         return (
             "cannot tell",
             f"{found}: both contour friction, 1/3, and impacts, 1/2, are possible",
         )
-    if exponent.high < FIT.contour_exponent:
+    if exponent.high < contour_exponent:
         return (
             "cannot tell",
             f"{found}: both an air film and contour friction dissipate energy",
         )
-    if exponent.low > FIT.max_impact_exponent:
+    if exponent.low > max_impact_exponent:
         return (
             "not this scene",
             f"{found}: neither contour friction nor impacts explain so steep a rise",
         )
-    if decay.neglected:
+    if neglected_parts(decay.scene):
         return "cannot tell", found
+    lowest, highest = (
+        _slope_of_heights(min(n, max_impact_exponent))
+        for n in (exponent.high, exponent.low)
+    )
     return "impacts", (
         f"{found}: contour friction, 1/3, is excluded; impacts give n = (2 - H)/(4 - H), "
-        f"so the Hurst exponent H of the heights is between {slopes[1]:.1f} and {slopes[0]:.1f}"
+        f"so the Hurst exponent H of the heights is between {lowest:.1f} and {highest:.1f}"
     )
 
 

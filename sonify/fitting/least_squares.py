@@ -2,7 +2,7 @@
 dissipation."""
 
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -28,10 +28,8 @@ class Value:
 
 
 class LineRates(NamedTuple):
-    """Rates of a line measured in the sound with index `sound`, and rates (k,) [Hz]
-    that steady motion would have."""
+    """Measured rates of a line, and the rates (k,) [Hz] that steady motion would have."""
 
-    sound: int
     line: DecayModel
     rates: Rates
     steady: np.ndarray
@@ -39,11 +37,11 @@ class LineRates(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fit:
-    """Fit of a decay to one or more sounds.
+    """Fit of a decay to one sound, or the mean of the fits of several.
 
-    `ends` [s] has one entry per sound. `shares` (3,) belong to the LAWS; those with
-    indices in `free` were fitted. `draws` (d, sounds + 3) are bootstrap draws of ends
-    and shares. `residual` (k,) is log(measured / fitted rate) for all blocks of
+    `ends` [s] and `heard` have one entry per sound. `shares` (3,) belong to the LAWS;
+    those with indices in `free` were fitted. `draws` (d, sounds + 3) are bootstrap draws
+    of ends and shares. `residual` (k,) is log(measured / fitted rate) for all blocks of
     `heard`, and `sigma` (k,) its error due to noise."""
 
     free: tuple[int, ...]
@@ -91,94 +89,62 @@ class ToneSignal:
     samples: np.ndarray
     rate: float
     first: float
-    filtered: bool = False
-
-
-def measured_rates(
-    decay: DecayModel, sound: ToneSignal, end, shares, length, **how
-) -> Rates:
-    """Return the rates of a sound, demodulated with a decay that has an end [s] and
-    shares (3,).
-
-    Further arguments are those of `rates`.
-    """
-    remaining, turned, frequency = decay.course(shares)
-    here = remaining > FIT.unused_end_duration
-    course = np.array([end - remaining, -turned, frequency])[:, here][:, ::-1]
-    return rates(
-        sound.samples,
-        sound.rate,
-        sound.first,
-        course,
-        length,
-        **how,
-    )
+    filtered: bool
 
 
 def fit(
     line: DecayModel,
-    sounds: list[ToneSignal],
-    ends,
+    sound: ToneSignal,
+    end: float,
     shares,
     free: tuple[int, ...],
     lengths=FIT.block_lengths,
-    min_units=0.05,
+    refined: bool = False,
 ) -> Fit:
-    """Fit a decay to the rates of a spectral line in sounds.
+    """Fit a decay to the rates of a spectral line in a sound.
 
-    `ends` [s] and `shares` (3,) are the initial guess; each fitted share starts at no
-    less than `min_units` times its unit. Raises ValueError if fewer than eight blocks of
-    the sounds have a clear tone."""
-    ends = np.array(ends, float)
-    shares = np.array(shares, float)
-    filtered = all(sound.filtered for sound in sounds)
-    heard: tuple[LineRates, ...] = ()
+    `end` [s] and `shares` (3,) are the initial guess; with `refined`, a fitted share may
+    start close to 0. Raises ValueError if fewer than eight blocks of the sound have a
+    clear tone."""
+    min_block_count = 8
+    problem = None
     for length in lengths:
-        longer = line_rates(line, sounds, ends, shares, length)
-        if sum(len(h.rates.time) for h in longer) < 8:
-            if not heard:
+        heard = line_rates(line, sound, end, shares, length)
+        if len(heard.rates.time) < min_block_count:
+            if problem is None:
                 raise ValueError("the tone is too faint or too short to be tracked")
             break  # the run is too short for longer blocks
-        heard = longer
-        tolerance = (
-            FIT.final_tolerance if length == lengths[-1] else FIT.rough_tolerance
-        )
-        ends, shares, solved = _solved(
-            heard, filtered, ends, shares, free, min_units, tolerance
-        )
-    return _with_intervals(heard, ends, shares, free, solved)
+        problem = _Problem(heard, np.array(shares, float), free, sound.filtered)
+        solution = problem.solve(end, refined, final=length == lengths[-1])
+        end, shares, _ = problem.unpack(solution.x)
+    return _with_intervals(problem, solution.x)
 
 
 def line_rates(
-    line: DecayModel, sounds: list[ToneSignal], ends, shares, length, **how
-) -> tuple[LineRates, ...]:
-    """Return the rates of a line in every sound for ends [s] and shares (3,).
+    line: DecayModel, sound: ToneSignal, end: float, shares, length, noise_of=np.mean
+) -> LineRates:
+    """Return the rates of a line in a sound, demodulated with the decay of the line for
+    an end [s] and shares (3,).
 
-    Further arguments are those of `rates`.
+    `length` and `noise_of` are those of `rates`.
     """
-    found = []
-    for i, (sound, end) in enumerate(zip(sounds, ends, strict=True)):
-        here = measured_rates(line, sound, end, shares, length, **how)
-        found.append(
-            LineRates(
-                i,
-                line,
-                here,
-                line.frequency(end - here.time, shares) * (1 + here.missed),
-            )
-        )
-    return tuple(found)
+    remaining, turned, frequency = line.course(shares)
+    here = remaining > FIT.unused_end_duration
+    course = np.array([end - remaining, -turned, frequency])[:, here][:, ::-1]
+    found = rates(sound.samples, sound.rate, sound.first, course, length, noise_of)
+    steady = line.frequency(end - found.time, shares) * (1 + found.missed)
+    return LineRates(line, found, steady)
 
 
-def fit_to_rates(heard: tuple[LineRates, ...], ends, shares, free):
-    """Return ends, shares and robust cost of the decay that best fits the given rates.
+def fit_to_rates(heard: LineRates, end: float, shares, free):
+    """Return end, shares and robust cost of the decay that best fits the given rates.
 
-    The sounds are not demodulated again.
+    The sound is not demodulated again.
     """
-    ends, shares, (solved, _) = _solved(
-        heard, False, np.array(ends, float), np.array(shares, float), free
-    )
-    return ends, shares, float(solved.cost)
+    problem = _Problem(heard, np.array(shares, float), free, filtered=False)
+    solution = problem.solve(end)
+    end, shares, _ = problem.unpack(solution.x)
+    return end, shares, float(solution.cost)
 
 
 def values_in_words(values: dict[str, Value]) -> str:
@@ -198,27 +164,72 @@ def _relative_error(h):
     return np.hypot(h.error / h.frequency, FIT.min_rate_error)
 
 
-def _unpack(x, sounds, shares, free, unit):
-    full = shares.copy()
-    count = sounds + len(free)
-    full[list(free)] = x[sounds:count] * unit
-    return x[:sounds], full, x[count] * FIT.high_pass_corner if len(x) > count else 0.0
+@dataclass(frozen=True, eq=False)
+class _Problem:
+    """Least-squares problem for the rates of a line.
 
+    The unknowns x are the end [s], the free shares in their `unit` and, for a `filtered`
+    sound, the corner frequency of the filter relative to its expected value."""
 
-def _residual(x, heard, sounds, shares, free, unit):
-    """Return log(measured / model) of every block, divided by its error.
+    heard: LineRates
+    shares: np.ndarray
+    free: tuple[int, ...]
+    filtered: bool
 
-    If a high-pass filter is included, the last entry is the relative deviation of its
-    corner frequency from `high_pass_corner`."""
-    ends, full, corner = _unpack(x, sounds, shares, free, unit)
-    out = []
-    for i, line, h, steady in heard:
-        remaining = np.maximum(ends[i] - h.time, FIT.unused_end_duration / 10)
-        model = _through_high_pass(
-            partial(line.frequency, shares=full), remaining, corner
+    @cached_property
+    def unit(self):
+        """Units of the free shares."""
+        min_units = np.array([1e-5, 0.05, 0.05])  # of the LAWS
+        free = list(self.free)
+        return np.maximum(self.shares[free], min_units[free])
+
+    def unpack(self, x):
+        """Return end [s], shares (3,) and corner frequency [Hz], which is 0 without a
+        filter."""
+        expected_corner = 50.0  # Hz; it is as uncertain
+        count = 1 + len(self.free)
+        shares = self.shares.copy()
+        shares[list(self.free)] = x[1:count] * self.unit
+        return x[0], shares, x[count] * expected_corner if self.filtered else 0.0
+
+    def residual(self, x):
+        """Return log(measured / model) of every block, divided by its error.
+
+        If the sound is filtered, the last entry is the relative deviation of the corner
+        frequency from the expected one."""
+        end, shares, corner = self.unpack(x)
+        line, h, steady = self.heard
+        remaining = np.maximum(end - h.time, FIT.unused_end_duration / 10)
+        frequency = partial(line.frequency, shares=shares)
+        model = _through_high_pass(frequency, remaining, corner)
+        deviation = np.log(steady / model) / _relative_error(h)
+        return np.concatenate([deviation, x[1 + len(self.free) :] - 1.0])
+
+    def solve(self, end: float, refined: bool = False, final: bool = False):
+        """Return the solution from an initial end [s], as in scipy."""
+        max_corner = 4.0  # times its expected value
+        min_start = 1e-4 if refined else 0.05  # of a share, in its unit
+        tolerance = 1e-8 if final else 1e-4
+        start = np.maximum(self.shares[list(self.free)] / self.unit, min_start)
+        x = np.concatenate([[end], start, [1.0] * self.filtered])
+        lower = np.zeros(len(x))
+        last = self.heard.rates.time.max(initial=-np.inf)
+        lower[0] = last + FIT.unused_end_duration / 5
+        upper = np.full(len(x), np.inf)
+        upper[1 + len(start) :] = max_corner
+        scale = np.ones(len(x))
+        scale[0] = 0.05
+        x = np.maximum(x, lower + 1e-9)
+        return least_squares(
+            self.residual,
+            x,
+            bounds=(lower, upper),
+            loss="cauchy",
+            f_scale=2 * max(_robust_deviation(self.residual(x)), 1.0),
+            ftol=tolerance,
+            xtol=tolerance,
+            x_scale=scale,
         )
-        out.append(np.log(steady / model) / _relative_error(h))
-    return np.concatenate([*out, x[sounds + len(free) :] - 1.0])
 
 
 def _through_high_pass(frequency, remaining, corner):
@@ -230,91 +241,54 @@ def _through_high_pass(frequency, remaining, corner):
     here = frequency(remaining)
     if not corner:
         return here
+    step = 1e-3  # of the remaining time, for the numerical derivative of the phase
     lead = [
         np.arctan2(2**0.5 * corner * f, f**2 - corner**2)
-        for f in (
-            frequency(remaining * (1 - FIT.phase_derivative_step)),
-            frequency(remaining * (1 + FIT.phase_derivative_step)),
-        )
+        for f in (frequency(remaining * (1 - step)), frequency(remaining * (1 + step)))
     ]
-    return here + (lead[0] - lead[1]) / (2 * FIT.phase_derivative_step * remaining) / (
-        2 * np.pi
-    )
+    return here + (lead[0] - lead[1]) / (2 * step * remaining) / (2 * np.pi)
 
 
-def _solved(
-    heard, filtered, ends, shares, free, min_units=0.05, tolerance=FIT.rough_tolerance
-):
-    unit = np.maximum(shares[list(free)], [FIT.share_units[i] for i in free])
-    x = np.concatenate(
-        [ends, np.maximum(shares[list(free)] / unit, min_units), [1.0] * filtered]
-    )
-    others = np.zeros(len(x) - len(ends))
-    last = np.full(len(ends), -np.inf)
-    for i, _, h, _ in heard:
-        last[i] = max(last[i], h.time.max(initial=-np.inf))
-    lower = np.append(last + FIT.unused_end_duration / 5, others)
-    upper = np.full(len(x), np.inf)
-    upper[len(ends) + len(free) :] = FIT.max_corner_factor
-    x = np.maximum(x, lower + 1e-9)
-    arguments = (heard, len(ends), shares, free, unit)
-    scale = max(_robust_deviation(_residual(x, *arguments)), 1.0)
-    solved = least_squares(
-        _residual,
-        x,
-        bounds=(lower, upper),
-        args=arguments,
-        loss="cauchy",
-        f_scale=2 * scale,
-        ftol=tolerance,
-        xtol=tolerance,
-        x_scale=np.append(np.full(len(ends), 0.05), np.ones(len(others))),
-    )
-    ends, full, _ = _unpack(solved.x, len(ends), shares, free, unit)
-    return ends, full, (solved, unit)
+def _with_intervals(problem, x):
+    """Return the fit for unknowns x, with bootstrap draws from runs of residuals and a
+    linearised solution.
 
-
-def _with_intervals(heard, ends, shares, free, solution):
-    """Return the fit with bootstrap draws from runs of residuals and a linearised
-    solution."""
-    solved, unit = solution
-    arguments = (heard, len(ends), shares, free, unit)
-    residual = _residual(solved.x, *arguments)
+    The runs are longer than a block, because adjacent blocks are correlated.
+    """
+    min_run_length = 4  # blocks
+    max_run_count = 8
+    draw_count = FIT.bootstrap_draws
+    residual = problem.residual(x)
     scale = max(_robust_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
-    sigma = np.concatenate([_relative_error(h.rates) for h in heard])
+    sigma = _relative_error(problem.heard.rates)
     random = np.random.default_rng(0)
     count = len(sigma)
-    run = max(FIT.min_bootstrap_run_blocks, count // FIT.max_bootstrap_run_count)
+    run = max(min_run_length, count // max_run_count)
     independent_count = count / FIT.block_overlap
-    leverage = np.sqrt(independent_count / max(independent_count - len(solved.x), 1))
+    leverage = np.sqrt(independent_count / max(independent_count - len(x), 1))
     runs = -(-count // run)
-    drawn = (
-        random.integers(0, count, (FIT.bootstrap_draws, runs, 1)) + np.arange(run)
-    ) % count
-    noise = (
-        leverage
-        * residual[drawn]
-        * random.choice([-1.0, 1.0], (FIT.bootstrap_draws, runs, 1))
-    )
-    corner = random.standard_normal((FIT.bootstrap_draws, len(residual) - count))
-    noise = np.hstack([noise.reshape(FIT.bootstrap_draws, -1)[:, :count], corner])
-    jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
+    drawn = (random.integers(0, count, (draw_count, runs, 1)) + np.arange(run)) % count
+    signs = random.choice([-1.0, 1.0], (draw_count, runs, 1))
+    noise = leverage * residual[drawn] * signs
+    corner = random.standard_normal((draw_count, len(residual) - count))
+    noise = np.hstack([noise.reshape(draw_count, -1)[:, :count], corner])
+    jacobian = _jacobian(problem.residual, x)
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (
         jacobian.T * weight
     )
-    moved = solved.x - noise @ inverse.T
-    draws = np.tile(np.append(ends, shares), (FIT.bootstrap_draws, 1))
-    draws[:, : len(ends)] = moved[:, : len(ends)]
-    draws[:, len(ends) + np.array(free, int)] = (
-        moved[:, len(ends) : len(ends) + len(free)] * unit
-    )
+    moved = x - noise @ inverse.T
+    end, shares, _ = problem.unpack(x)
+    free = problem.free
+    draws = np.tile(np.append(end, shares), (draw_count, 1))
+    draws[:, 0] = moved[:, 0]
+    draws[:, 1 + np.array(free, int)] = moved[:, 1 : 1 + len(free)] * problem.unit
     return Fit(
         free=free,
-        ends=ends,
+        ends=np.array([end]),
         shares=shares,
         draws=draws,
-        heard=heard,
+        heard=(problem.heard,),
         residual=residual[:count] * sigma,
         sigma=sigma,
     )
@@ -360,9 +334,7 @@ def pool_fits(fits: list[Fit]) -> Fit:
         ends=np.concatenate([one.ends for one in fits]),
         shares=mean,
         draws=np.hstack([ends, mean + deviations * np.maximum(scatter_ratio, 1.0)]),
-        heard=tuple(
-            h._replace(sound=i) for i, one in enumerate(fits) for h in one.heard
-        ),
+        heard=tuple(h for one in fits for h in one.heard),
         residual=np.concatenate([one.residual for one in fits]),
         sigma=np.concatenate([one.sigma for one in fits]),
     )
@@ -384,5 +356,4 @@ def combine_motions(fits: list[Fit]) -> Fit:
             for one, own in zip(fits, values, strict=True)
         ]
     )
-    count = len(fits[0].ends)
-    return replace(fits[0], ends=mean[:count], shares=mean[count:], draws=draws)
+    return replace(fits[0], ends=mean[:-3], shares=mean[-3:], draws=draws)

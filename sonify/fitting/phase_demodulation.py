@@ -13,11 +13,6 @@ from scipy.interpolate import CubicHermiteSpline
 
 from sonify.fitting.settings import FIT
 
-NOISE_OFFSETS = np.array([-6, -5, -4, 4, 5, 6])
-"""Frequency offsets from the tone at which the noise is measured, in cycles per block;
-a Hann window has no leakage there."""
-TINY_POWER = 1e-300
-
 
 class Rates(NamedTuple):
     """Measured rates (k,) [Hz] at the centres of blocks [s], with errors due to noise
@@ -47,28 +42,27 @@ def rates(
     `course` (3, k) contains ascending times [s], turns and rates [Hz] of the expected
     tone, which are interpolated by a cubic spline. Blocks before the beginning of the
     tone are omitted. A block has `length` turns, or more if there would be more than
-    `max_blocks` blocks. `noise_of` computes the noise from the powers at NOISE_OFFSETS."""
+    300 blocks. `noise_of` computes the noise from the powers at several frequency
+    offsets from the tone."""
+    max_block_count = 300
     heard = _demodulated_bins(samples, rate, first, course)
-    begin = _first_clear_block(
-        _clear_blocks(heard, length, noise_of)[0]
-    ) * _bins_per_step(length)
+    is_clear, *_ = _clear_blocks(heard, length, noise_of)
+    begin = _first_clear_block(is_clear) * _bins_per_step(length)
     heard = [x[begin:] for x in heard]
-    length = max(
-        length, FIT.block_overlap * len(heard[0]) / FIT.bins_per_turn / FIT.max_blocks
-    )
-    is_clear, *found = _clear_blocks(heard, length, noise_of)
+    min_length = FIT.block_overlap * len(heard[0]) / FIT.bins_per_turn / max_block_count
+    is_clear, *found = _clear_blocks(heard, max(length, min_length), noise_of)
     return Rates(*(x[is_clear] for x in found))
 
 
 def _first_clear_block(is_clear):
-    """Return the index of the first of the blocks (b,) after the unclear beginning."""
-    return (
-        len(is_clear)
-        - 1
-        - np.argmax(np.cumsum(is_clear[::-1] - FIT.min_clear_block_share))
-        if len(is_clear)
-        else 0
-    )
+    """Return the index of the first of the blocks (b,) after the unclear beginning.
+
+    In noise and speech, a tenth of the blocks are clear.
+    """
+    min_clear_share = 0.5
+    if not len(is_clear):
+        return 0
+    return len(is_clear) - 1 - np.argmax(np.cumsum(is_clear[::-1] - min_clear_share))
 
 
 def _bins_per_step(length):
@@ -79,6 +73,7 @@ def _bins_per_step(length):
 def _clear_blocks(heard, length, noise_of):
     """Return a mask of the blocks (b,) with a clear tone, and the fields of Rates
     (b,)."""
+    min_tone_to_noise = 4.0  # power
     demodulated, t, frequency = heard
     size = round(length * FIT.bins_per_turn)
     if len(t) < size:
@@ -89,7 +84,7 @@ def _clear_blocks(heard, length, noise_of):
     )
     middle, mean, missed, error, clear = _block_rates(*blocks, noise_of)
     expected = np.interp(middle, t, frequency)
-    is_clear = (clear > FIT.min_tone_to_noise) & (
+    is_clear = (clear > min_tone_to_noise) & (
         np.abs(missed) < FIT.max_rate_deviation * expected
     )
     return is_clear, middle, expected + missed, error, clear, missed / mean
@@ -125,6 +120,7 @@ def _block_rates(demodulated, t, noise_of):
 
     The signal-to-noise ratio of silence is 0.
     """
+    tiny_power = 1e-300
     phase = (np.arange(demodulated.shape[1]) + 0.5) / demodulated.shape[1]
     window = np.sin(np.pi * phase) ** 2  # a Hann window over turns
     middle = t @ window / window.sum()
@@ -132,10 +128,11 @@ def _block_rates(demodulated, t, noise_of):
     seen = window * demodulated
     tone = seen.sum(axis=1)
     slope = np.sum(since * seen, axis=1)
-    noise_power = (
-        np.abs(seen @ np.exp(-2j * np.pi * np.outer(phase, NOISE_OFFSETS))) ** 2
-    )
-    noise = np.maximum(noise_of(noise_power, axis=1), TINY_POWER)
+    # cycles per block; a Hann window has no leakage there
+    noise_offsets = np.array([-6, -5, -4, 4, 5, 6])
+    shifts = np.exp(-2j * np.pi * np.outer(phase, noise_offsets))
+    noise_power = np.abs(seen @ shifts) ** 2
+    noise = np.maximum(noise_of(noise_power, axis=1), tiny_power)
     spread = since**2 @ window / window.sum()
     mean = (
         since
@@ -145,5 +142,5 @@ def _block_rates(demodulated, t, noise_of):
     share = since**2 @ window**2 / np.sum(window**2)
     clear = np.abs(tone) ** 2 / noise
     missed = (slope / np.where(tone == 0, 1, tone)).imag / (2 * np.pi * spread)
-    error = np.sqrt(share / 2 / np.maximum(clear, TINY_POWER)) / (2 * np.pi * spread)
+    error = np.sqrt(share / 2 / np.maximum(clear, tiny_power)) / (2 * np.pi * spread)
     return middle, mean, missed, error, clear

@@ -30,7 +30,6 @@ RECORDING_SUFFIXES = (
 )
 """Suffixes of the files that are read from a folder."""
 TIME_COLUMN_PATTERN = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
-MIN_ROW_COUNT = 100
 OWN_SOFTWARE_NOTE = "eulers-disk-sonify"
 """Start of the software note in sound files written by this program
 (`sonify.sound.wav`)."""
@@ -123,30 +122,26 @@ def _table_texts(path):
 def _table_samples(text, path):
     """Return the amplitudes of a table, resampled at equal intervals, or None if the
     text contains no such table."""
+    min_row_count = 100
     separator = max(",;\t", key=text.partition("\n")[0].count)
     rows = csv.reader(io.StringIO(text), delimiter=separator)
     head = [name.strip() for name in next(rows, [])]
-    unit = next(
-        (
-            TIME_COLUMN_PATTERN.match(name)
-            for name in head
-            if TIME_COLUMN_PATTERN.match(name)
-        ),
-        None,
-    )
+    unit = next(filter(None, map(TIME_COLUMN_PATTERN.match, head)), None)
     if unit is None or len(head) < 2:
         return None
     time = head.index(unit.string)
-    amplitude = next(i for i in range(len(head)) if i != time)
-    comma = separator == ";"
-    cells = [
-        (row[time], row[amplitude]) for row in rows if len(row) > max(time, amplitude)
-    ]
+    amplitude = 0 if time else 1
+    last = max(time, amplitude)
+
+    def number(cell):
+        return float(cell.replace(",", ".") if separator == ";" else cell)
+
     try:
         t, x = np.array(
             [
-                [float(c.replace(",", ".") if comma else c) for c in pair]
-                for pair in cells
+                (number(row[time]), number(row[amplitude]))
+                for row in rows
+                if len(row) > last
             ]
         ).T
     except ValueError:
@@ -157,9 +152,9 @@ def _table_samples(text, path):
         raise RecordingError(
             f"{path}: its times do not increase from row to row, or a cell is not finite"
         )
-    if len(t) < MIN_ROW_COUNT:
+    if len(t) < min_row_count:
         raise RecordingError(
-            f"{path}: too few rows, {len(t)}; at least {MIN_ROW_COUNT} are required"
+            f"{path}: too few rows, {len(t)}; at least {min_row_count} are required"
         )
     even = np.linspace(t[0], t[-1], len(t))
     second = 1e3 if unit[1].lower() == "ms" else 1.0

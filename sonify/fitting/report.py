@@ -17,77 +17,68 @@ from sonify.report.recording import spectral_line_record
 from sonify.report.write import json_safe, write_json
 from sonify.runtime.files import atomic_write, claimed_folder, first_matching_folder
 
-ABSENT_LAW = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
-"""Share of a law that was not fitted, such as the film in a vacuum."""
 MAX_PANELS = 6
 """Largest number of recordings that are drawn."""
 
 
 def write_fits(
-    fits: Fits, out: str | Path | None = None, simulated: dict[str, Any] | None = None
+    fits: Fits, out: str | Path | None, simulated: dict[str, Any] | None
 ) -> Path:
     """Write fit.json, fit.csv, fit.png and fit.md into `out` and return the folder.
 
     With the numbers of a `simulated` sound, compare.json and compare.png are also
     written. Raises OutputError if the folder is not writable."""
-    with claimed_folder(out or new_folder(fits.files[0].file)) as folder:
-        write_json(json_safe(as_json(fits)), folder / "fit.json")
+    new_folder = Path("outputs") / "fit" / Path(fits.files[0].file).stem
+    folder = out or first_matching_folder(
+        new_folder, lambda folder: not (folder / "fit.json").exists()
+    )
+    record = as_json(fits)
+    with claimed_folder(folder) as folder:
+        write_json(json_safe(record), folder / "fit.json")
         with atomic_write(folder / "fit.png") as temporary:
             draw(fits, temporary)
         with atomic_write(folder / "fit.csv") as temporary:
-            temporary.write_text("\n".join(table(fits, ",")) + "\n", encoding="utf-8")
+            temporary.write_text("\n".join(table(record, ",")) + "\n", encoding="utf-8")
         with atomic_write(folder / "fit.md") as temporary:
-            temporary.write_text(page(fits), encoding="utf-8")
+            temporary.write_text(page(fits, record), encoding="utf-8")
         if simulated:
-            write_json(
-                json_safe(comparison_record(fits, simulated)), folder / "compare.json"
-            )
+            files = [{"file": one.file, "measured": one.measured} for one in fits.files]
+            record = {"scene": fits.scene.name, "files": files, "simulated": simulated}
+            write_json(json_safe(record), folder / "compare.json")
             with atomic_write(folder / "compare.png") as temporary:
                 draw_comparison(fits, simulated, temporary)
     return folder
 
 
-def new_folder(file: str) -> Path:
-    """Return the path of a new folder outputs/fit/<name of the recording>, <name>-2
-    etc."""
-    return first_matching_folder(
-        Path("outputs") / "fit" / Path(file).stem,
-        lambda folder: not (folder / "fit.json").exists(),
-    )
-
-
 def as_json(fits: Fits) -> dict[str, Any]:
     """Return the content of fit.json."""
-    end = asdict(fits.pool.value(0)) if len(fits.files) == 1 else None
-    pool = (
-        {"t_end": end}
-        | _values_of_laws(fits.values(), _common_limits(fits))
-        | {"verdict": fits.verdict}
-    )
-    shares = {
-        name: list(share)
-        for name, share in shares_of_power(
-            fits.files[0].judged.decay, fits.pool
-        ).items()
-    }
-    files = [_record_of_recording(f, fits.resonances) for f in fits.files]
+    limits = [one.judged.limits for one in fits.files]
+    common = limits[0] if all(limits) else {}
+    shares = shares_of_power(fits.files[0].judged.decay, fits.pool)
     return {
         "scene": fits.scene.name,
         "neglected": neglected_parts(fits.scene),
-        "files": files,
-        "pooled": pool | {"power_shares": shares},
+        "files": [_record_of_recording(one, fits.resonances) for one in fits.files],
+        "pooled": {
+            "t_end": asdict(fits.pool.value(0)) if len(fits.files) == 1 else None,
+            **_values_of_laws(
+                fits.values(),
+                {name: min(one[name] for one in limits) for name in common},
+            ),
+            "verdict": fits.verdict,
+            "power_shares": {name: list(share) for name, share in shares.items()},
+        },
     }
 
 
 def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
     judged = fitted.judged
-    rates = fitted.judged.fit.heard[0].rates
-    head = {
+    rates = judged.fit.heard[0].rates
+    measured = slice(0 if judged.stream is None else None)
+    return {
         "file": fitted.file,
         "t_end": asdict(judged.fit.value(0)),
-    } | _values_of_laws(judged.values(), judged.limits)
-    measured = slice(None if judged.has_measured_rates else 0)
-    return head | {
+        **_values_of_laws(judged.values(), judged.limits),
         "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
         "contour_friction_fits": judged.contour_fits,
@@ -102,13 +93,8 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
             spectral_line_record(carrier, known) for carrier in fitted.carriers
         ],
         "published_way": {
-            name: e._asdict()
-            | (
-                {"theirs": PUBLISHED_EXPONENTS[name]}
-                if name in PUBLISHED_EXPONENTS
-                else {}
-            )
-            for name, e in (fitted.published_way or {}).items()
+            name: e._asdict() | _published_record(name)
+            for name, e in fitted.published_way.items()
         },
         "residual": {
             "time": rates.time[measured].tolist(),
@@ -117,6 +103,12 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
             "error_hz": rates.error[measured].tolist(),
         },
     }
+
+
+def _published_record(name):
+    """Return the published exponent of an interval with its scatter, if there is one."""
+    published = PUBLISHED_EXPONENTS.get(name)
+    return {"theirs": published} if published else {}
 
 
 def _fitted_rates(one: Fit) -> np.ndarray:
@@ -130,50 +122,33 @@ def _values_of_laws(values, limits) -> dict[str, Any]:
 
     A law that was not fitted has no value, only an upper limit, or the value 0 without
     one."""
-    found = dict.fromkeys(("rolling", "air"), ABSENT_LAW)
+    absent = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
+    found = dict.fromkeys(("rolling", "air"), absent)
     for name, high in limits.items():
         found[name] = {"value": None, "low": 0.0, "high": high, "inner": [0.0, high]}
     return found | {name: asdict(v) for name, v in values.items()}
 
 
-def _common_limits(fits: Fits) -> dict[str, float]:
-    """Return the smallest upper limits if the bursts decide in all recordings."""
-    limits = [fitted.judged.limits for fitted in fits.files]
-    if not all(limits):
-        return {}
-    return {name: min(one[name] for one in limits) for name in limits[0]}
-
-
-def table(fits: Fits, separator: str = " | ") -> list[str]:
-    """Return a header, a row for each recording and a row for all of them together."""
+def table(record: dict[str, Any], separator: str = " | ") -> list[str]:
+    """Return a header, a row for each recording in the content of fit.json, and a row
+    for all of them together."""
     laws = "rolling", "air", "impacts"
     limits = [head for law in laws for head in (law, "low", "high")]
     lines = [separator.join(("recording", "t_end [s]", *limits, "verdict"))]
     rows = [
-        (
-            Path(f.file).name,
-            f"{f.judged.fit.value(0).value:.4f}",
-            _values_of_laws(f.judged.values(), f.judged.limits),
-            f.judged.verdict,
-        )
-        for f in fits.files
+        (Path(one["file"]).name, f"{one['t_end']['value']:.4f}", one)
+        for one in record["files"]
     ]
     if len(rows) > 1:
-        together = _values_of_laws(fits.values(), _common_limits(fits))
-        rows.append(("together", "", together, fits.verdict))
-    for name, end, values, verdict in rows:
-        numbers = [
-            "" if number is None else f"{number:.6g}"
-            for law in laws
-            for number in _value_and_limits(values.get(law))
-        ]
-        lines.append(separator.join((name, end, *numbers, verdict)))
+        rows.append(("together", "", record["pooled"]))
+    for name, end, values in rows:
+        cells = [name, end]
+        for law in laws:
+            value = values.get(law, {})
+            numbers = [value.get(key) for key in ("value", "low", "high")]
+            cells += ["" if number is None else f"{number:.6g}" for number in numbers]
+        lines.append(separator.join((*cells, values["verdict"])))
     return lines
-
-
-def _value_and_limits(value):
-    """Return the value and the limits of a law; None for each if it was not fitted."""
-    return [value and value[key] for key in ("value", "low", "high")]
 
 
 def sentences(fits: Fits) -> list[str]:
@@ -190,7 +165,7 @@ def _sentences_of_recording(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
     method = f"{judged.line} in the {judged.signal}, {judged.model} motion"
-    if judged.has_measured_rates:
+    if judged.stream is not None:
         method += f", spread {judged.fit.spread:.2%}"
     yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {method}"
     yield f"  {values_in_words(judged.values())}"
@@ -208,20 +183,16 @@ def _sentences_of_recording(fitted):
             "of the power"
         )
     if judged.values():
-        detected = (
-            "be detected"
-            if fitted.radius_shows
-            else "not be detected; the shares would compensate for it"
-        )
+        detected = "be detected"
+        if not fitted.radius_shows:
+            detected = "not be detected; the shares would compensate for it"
         yield f"  an error of 10 % in the radius would {detected}"
-    for name, e in (fitted.published_way or {}).items():
-        theirs = (
-            "; published for granite: {:.3f}, one run ± {:.3f}".format(
+    for name, e in fitted.published_way.items():
+        theirs = ""
+        if name in PUBLISHED_EXPONENTS:
+            theirs = "; published for granite: {:.3f}, one run ± {:.3f}".format(
                 *PUBLISHED_EXPONENTS[name]
             )
-            if name in PUBLISHED_EXPONENTS
-            else ""
-        )
         yield (
             f"  by the published method, {name}: exponent {e.value:.3f} ± {e.error:.3f}, "
             f"{e.columns} columns{theirs}"
@@ -231,9 +202,9 @@ def _sentences_of_recording(fitted):
 def _sentences_on_bursts(judged):
     """Yield what depends on the number of bursts per turn, and limits of other laws."""
     impacts = judged.values().get("impacts")
-    if judged.has_measured_rates or impacts is None:
+    if judged.stream is not None or impacts is None:
         return
-    run = judged.sounds[0].run
+    run = judged.run
     count = run.events_per_turn
     other = 3 - count
     words = {1: "one burst per turn", 2: "two bursts per turn"}
@@ -249,54 +220,48 @@ def _sentences_on_bursts(judged):
     yield f"  {limits}; at these values it would dissipate all of the power"
 
 
-def _line_table(fits: Fits) -> list[str]:
+def _line_table(record: dict[str, Any]) -> list[str]:
     """Return a header and a row for each spectral line in the first recordings."""
-    head = (
-        "recording",
-        "spectral line [Hz]",
-        "level [dB]",
-        "spread [cents]",
-        "drift [cents/s]",
-        "from, to [s]",
-        "near",
-    )
-    rows = [
-        (f.file, spectral_line_record(carrier, fits.resonances))
-        for f in fits.files[:MAX_PANELS]
-        for carrier in f.carriers
+    lines = [
+        "recording | spectral line [Hz] | level [dB] | spread [cents] | drift [cents/s] | "
+        "from, to [s] | near"
     ]
-    return [" | ".join(head)] + [_line_row(Path(name).name, c) for name, c in rows]
+    for one in record["files"][:MAX_PANELS]:
+        name = Path(one["file"]).name
+        lines += [_line_row(name, carrier) for carrier in one["carriers"]]
+    return lines
 
 
 def _line_row(name, c):
-    near = (
-        ["{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"])]
-        if c["matched"]
-        else []
-    )
+    near = []
+    if c["matched"]:
+        near.append(
+            "{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"])
+        )
+    if not c["heard"]:
+        near.append("detected only by its sidebands")
+    if c["reach"]:
+        near.append(f"noise band with a half-width of {c['reach']:.0f} cents")
     drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
     place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
-    near += [] if c["heard"] else ["detected only by its sidebands"]
-    near += (
-        [f"noise band with a half-width of {c['reach']:.0f} cents"]
-        if c["reach"]
-        else []
-    )
     return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {'; '.join(near)}"
 
 
-def page(fits: Fits) -> str:
+def page(fits: Fits, record: dict[str, Any]) -> str:
     """Return a short report in Markdown."""
     lines = [
         f"# What slowed the disk '{fits.scene.name}'",
         "",
         *(f"* {s.strip()}" for s in sentences(fits)),
         "",
+        "![measured and fitted rates](fit.png)",
+        "",
+        *_as_markdown(table(record)),
     ]
-    lines += ["![measured and fitted rates](fit.png)", "", *_as_markdown(table(fits))]
-    if any(fitted.carriers for fitted in fits.files[:MAX_PANELS]):
+    line_table = _line_table(record)
+    if len(line_table) > 1:
         lines += ["", "Spectral lines and the nearest resonances of the scene:", ""]
-        lines += _as_markdown(_line_table(fits))
+        lines += _as_markdown(line_table)
     return "\n".join(lines) + "\n"
 
 
@@ -309,24 +274,11 @@ def _as_markdown(rows):
     ]
 
 
-def comparison_record(fits: Fits, simulated: dict[str, Any]) -> dict[str, Any]:
-    """Return the content of compare.json: the numbers of the recordings and of the
-    simulation."""
-    files = [
-        {"file": fitted.file, "measured": fitted.measured} for fitted in fits.files
-    ]
-    return {"scene": fits.scene.name, "files": files, "simulated": simulated}
-
-
 def comparison_sentences(fits: Fits, simulated: dict[str, Any] | None) -> list[str]:
     """Return sentences on turns, bursts and exponent of recordings and simulation."""
     if simulated is None:
         return []
-    rows = [
-        (Path(fitted.file).name, fitted.measured)
-        for fitted in fits.files
-        if fitted.measured
-    ]
+    rows = [(Path(one.file).name, one.measured) for one in fits.files]
     return [
         f"{name}: one second before the end, or at the start if it is later, turns per second "
         f"{_interval(numbers['turns_at_1s'])}, bursts {_interval(numbers['rate_at_1s'])}, "
@@ -345,11 +297,7 @@ def _interval(estimate):
 def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
     """Draw measured and simulated turns, band levels, decays of lines, and levels over
     time."""
-    shown = [
-        (Path(one.file).name, one.measured)
-        for one in fits.files[:MAX_PANELS]
-        if one.measured
-    ]
+    shown = [(Path(one.file).name, one.measured) for one in fits.files[:MAX_PANELS]]
     with png_figure(path, 2, 2, (11, 8)) as (_, axes):
         (rates, bands), (lines, levels) = axes
         for offset, (name, numbers) in enumerate([*shown, ("simulated", simulated)]):
@@ -366,25 +314,12 @@ def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
                 numbers["turns_at_1s"]["value"] * (remaining / reference) ** -steepness
             )
             rates.plot(remaining, rate, **style)
-            for panel, rows, place, value in (
-                (bands, numbers["bands"], lambda row: row["from"], lambda row: row),
-                (
-                    lines,
-                    numbers["lines"],
-                    lambda row: row["frequency"]["value"],
-                    lambda row: row["decay_rate"],
-                ),
-            ):
-                determined = [row for row in rows if value(row)["value"] is not None]
-                middle = np.array([value(row)["value"] for row in determined])
-                low = [value(row)["low"] for row in determined]
-                high = [value(row)["high"] for row in determined]
-                # frequencies of lines are compared, so only the bands are set apart
-                shift = 0.03 * offset if panel is bands else 0.0
-                at = [(1 + shift) * place(row) for row in determined]
-                panel.errorbar(
-                    at, middle, (middle - low, high - middle), fmt="o", **style
-                )
+            # frequencies of lines are compared, so only the bands are set apart
+            places = [(1 + 0.03 * offset) * row["from"] for row in numbers["bands"]]
+            _draw_intervals(bands, places, numbers["bands"], style)
+            places = [row["frequency"]["value"] for row in numbers["lines"]]
+            decay_rates = [row["decay_rate"] for row in numbers["lines"]]
+            _draw_intervals(lines, places, decay_rates, style)
             levels.plot(
                 numbers["loudness"]["time_left"], numbers["loudness"]["level"], **style
             )
@@ -406,6 +341,17 @@ def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
         place_legend_above(rates, frameon=False)
 
 
+def _draw_intervals(panel, places, estimates, style):
+    """Draw the determined values of estimates with their intervals."""
+    determined = [
+        (place, *(estimate[key] for key in ("value", "low", "high")))
+        for place, estimate in zip(places, estimates, strict=True)
+        if estimate["value"] is not None
+    ]
+    at, middle, low, high = np.reshape(determined, (-1, 4)).T
+    panel.errorbar(at, middle, (middle - low, high - middle), fmt="o", **style)
+
+
 def draw(fits: Fits, path: Path):
     """Draw measured and fitted rates over the remaining time, and their differences."""
     shown = fits.files[:MAX_PANELS]
@@ -420,7 +366,7 @@ def _draw_one(above, below, fitted):
     one = fitted.judged.fit
     decay = fitted.judged.decay
     rates = one.heard[0].rates
-    is_measured = fitted.judged.has_measured_rates
+    is_measured = fitted.judged.stream is not None
     remaining = one.ends[0] - rates.time
     at = np.geomspace(remaining.min(), remaining.max(), 200)
     order = np.argsort(remaining)

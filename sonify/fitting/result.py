@@ -37,9 +37,9 @@ class Fitted:
     judged: Judged
     radius_shows: bool
     carriers: list[SpectralLine]
-    published_way: dict[str, Exponent] | None = None
-    truncation: Truncation | None = None
-    measured: dict | None = None
+    published_way: dict[str, Exponent]
+    truncation: Truncation | None
+    measured: dict
 
     def __repr__(self):
         return f"Fitted({self.file}: {self.judged.verdict}; {values_in_words(self.judged.values())})"
@@ -142,9 +142,10 @@ def fit(
     known = resonances(scene)
     fitted = []
     tasks = [(path, scene.document, like, span) for path in paths]
+    min_parallel_count = 3
     for one in (
         (fit_one(*task) for task in tasks)
-        if len(tasks) < FIT.min_parallel_recordings
+        if len(tasks) < min_parallel_count
         else in_worker_processes(fit_one, tasks, min(os.cpu_count() or 1, len(tasks)))
     ):
         fitted.append(one)
@@ -186,14 +187,13 @@ def fit_one(
     sound = detect_run(part, str(path), recorded=is_recorded(path), begin=span[0])
     decay = DecayModel(scene)
     judged = judge_sound(decay, sound)
-    published = None
+    published = {}
     if like == "fu-berlin":
         end = float(judged.fit.ends[0]) - sound.start
         try:
             published = rate_exponents(sound.samples, sound.rate, end)
         except ValueError as error:
             raise RecordingError(f"{path}: {error}") from None
-    run = judged.sounds[0].run
     return Fitted(
         file=str(path),
         judged=judged.without_samples(),
@@ -201,25 +201,24 @@ def fit_one(
         carriers=find_spectral_lines(sound.samples, sound.rate, sound.start),
         published_way=published,
         truncation=truncation_of(recording),
-        measured=numbers_of_run(part, run.later(-span[0])) if run else None,
+        measured=numbers_of_run(part, sound.run.later(-span[0])),
     )
 
 
 def is_radius_determined(judged: Judged) -> bool:
     """Return True if disks with a radius 10 % larger or smaller fit much worse."""
-    found = [_spread_with_radius(judged, factor) for factor in FIT.wrong_radius_factors]
-    return judged.has_measured_rates and all(
-        spread is None
-        or spread
-        > FIT.equivalent_fit_ratio * max(judged.fit.spread, FIT.min_rate_error)
-        for spread in found
-    )
+    if judged.stream is None:
+        return False
+    max_spread = FIT.equivalent_fit_ratio * max(judged.fit.spread, FIT.min_rate_error)
+    spreads = [_spread_with_radius(judged, factor) for factor in (0.9, 1.1)]
+    return all(spread is None or spread > max_spread for spread in spreads)
 
 
 def _spread_with_radius(judged, factor):
     """Return the spread of the fit of a disk with another radius; None if the fit
     fails."""
     scene = judged.decay.scene
+    one = judged.fit
     disk = replace(
         scene.disk, radius=factor * scene.disk.radius, density=None
     )  # the mass is unchanged
@@ -227,7 +226,7 @@ def _spread_with_radius(judged, factor):
     decay.excess_turns = judged.decay.excess_turns
     try:
         return least_squares.fit(
-            decay, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free
+            decay, judged.stream, one.ends[0], one.shares, one.free
         ).spread
     except ValueError:
         return None

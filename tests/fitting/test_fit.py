@@ -147,7 +147,7 @@ def test_what_was_heard_before_a_tone_began_is_left_out():
 )
 def test_the_truth_is_found_and_named(decay, shares, verdict):
     found = fit_same_disk(
-        decay, [listened(decay, shares, noise=0.3, seed=5)], correct=False
+        decay, listened(decay, shares, noise=0.3, seed=5), correct=False
     )
     assert found.verdict == verdict
     values = found.values()
@@ -171,7 +171,7 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decay):
         "high_pass": 60.0,
         "seed": 31,
     }
-    found = fit_same_disk(decay, [listened(decay, [0, 0.63, 0], **how)], correct=False)
+    found = fit_same_disk(decay, listened(decay, [0, 0.63, 0], **how), correct=False)
     assert (found.line, found.verdict) == ("precession", "air")
     end = found.fit.value(0)
     assert end.low <= 10.9 <= end.high
@@ -184,7 +184,7 @@ def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorder
     """A high-pass has a phase like other shares; a free corner would leave a factor of two."""
     how = {"noise": 0.45, "start": 3.7, "end": 9.45, "high_pass": 60.0, "seed": 17}
     air = fit_same_disk(
-        decay, [listened(decay, [7.6e-5, 1.26, 0], **how)], correct=False
+        decay, listened(decay, [7.6e-5, 1.26, 0], **how), correct=False
     ).values()["air"]
     assert air.low <= 1.26 <= air.high
     assert air.high - air.low < 0.3
@@ -202,7 +202,7 @@ def test_the_last_two_seconds_are_enough(decay, shares, verdict):
     sound = detect_run(
         Recording(samples=samples[int(10.3 * RATE) :], sample_rate=RATE), "short"
     )
-    found = fit_same_disk(decay, [sound], correct=False)
+    found = fit_same_disk(decay, sound, correct=False)
     assert found.verdict == verdict
     assert found.fit.value(0).value == pytest.approx(1.7, abs=0.01)
 
@@ -215,7 +215,7 @@ def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decay):
     other.powers[1] *= (other.beta / 0.05) ** 0.1
     for seed, shares in enumerate(([5e-5, 1.0, 0], [1e-4, 1.0, 0], [3e-5, 1.0, 0])):
         judged = fit_same_disk(
-            decay, [listened(other, shares, noise=0.2, seed=seed)], correct=False
+            decay, listened(other, shares, noise=0.2, seed=seed), correct=False
         )
         rolling = with_model_error(judged).values()["rolling"]
         assert rolling.low <= shares[0] <= rolling.high
@@ -330,7 +330,7 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decay):
         [run.std() * speech(30, 1), run, run.std() * speech(30, 2)]
     )
     sound = detect_run(Recording(samples=samples, sample_rate=RATE), "made")
-    found = fit_same_disk(decay, [sound], correct=False)
+    found = fit_same_disk(decay, sound, correct=False)
     end = found.fit.value(0)
     values = found.values()
     assert end.low <= 40.0 <= end.high
@@ -423,9 +423,7 @@ def test_what_cannot_be_told_is_not_told(decay):
         listened(decay, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed)
         for seed in range(4)
     ]
-    verdicts = {
-        fit_same_disk(decay, [sound], correct=False).verdict for sound in sounds
-    }
+    verdicts = {fit_same_disk(decay, sound, correct=False).verdict for sound in sounds}
     assert "cannot tell" in verdicts
     assert "rolling" not in verdicts
 
@@ -434,7 +432,7 @@ def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_o
     decay,
 ):
     found = fit_same_disk(
-        decay, [listened(decay, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False
+        decay, listened(decay, [1e-4, 0, 0], noise=0.3, seed=1), correct=False
     )
     assert not is_radius_determined(found)
     assert found.verdict == "rolling"
@@ -617,7 +615,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(decay):
             "seed": seed,
             "end": random.uniform(9, 12),
         }
-        found = fit_same_disk(decay, [listened(decay, shares, **how)], correct=False)
+        found = fit_same_disk(decay, listened(decay, shares, **how), correct=False)
         truth = {"rolling": shares[0], "air": shares[1]}
         inside += [v.low <= truth[name] <= v.high for name, v in found.values().items()]
         inside.append(found.fit.value(0).low <= how["end"] <= found.fit.value(0).high)
