@@ -370,12 +370,10 @@ def _draw_one(above, below, fitted):
     remaining = one.ends[0] - rates.time
     at = np.geomspace(remaining.min(), remaining.max(), 200)
     order = np.argsort(remaining)
-    drawn = np.array(
-        [
-            _rate_of_draw(decay, one, d, at)
-            for d in one.draws[:: max(len(one.draws) // 120, 1)]  # about 120 suffice
-        ]
-    )
+    drawn = []
+    for draw in one.draws[:: max(len(one.draws) // 120, 1)]:  # about 120 suffice
+        left = np.maximum(at + draw[0] - one.ends[0], FIT.unused_end_duration)
+        drawn.append(decay.frequency(left, np.maximum(draw[-3:], 0)))
     low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)
     if is_measured:
         above.errorbar(
@@ -419,10 +417,3 @@ def _draw_one(above, below, fitted):
     label_plain_decades(below.xaxis)
     below.invert_xaxis()
     place_legend_above(below, frameon=False)
-
-
-def _rate_of_draw(decay, one, draw, at):
-    """Return the rates (k,) of a draw of ends and shares at times `at` (k,) [s] before
-    the fitted end."""
-    remaining = np.maximum(at + draw[0] - one.ends[0], FIT.unused_end_duration)
-    return decay.frequency(remaining, np.maximum(draw[len(one.ends) :], 0))

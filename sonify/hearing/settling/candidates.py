@@ -119,15 +119,15 @@ def _best_candidates(onsets: OnsetStrength, broadband, drops, ends):
     searched_channel_count = 3
     refined_window_count = 6
     min_score = 6.0
-    every = range(len(onsets.values))
+    every = np.arange(len(onsets.values))
     rough = []
     for end in ends:
         for window in windows_of(int(end), float(drops[end])):
-            found = _loudest_channels(onsets, window, SETTLING.coarse_distance, every)
-            if found[0][1] >= SETTLING.min_likelihood_for_rivals:
-                channels = [channel for channel, _ in found[:searched_channel_count]]
+            distance = SETTLING.coarse_distance
+            channels, likelihood = _loudest_channels(onsets, window, distance, every)
+            if likelihood[0] >= SETTLING.min_likelihood_for_rivals:
                 score = _rough_score(onsets, window, channels[0])
-                rough.append((score, window, channels))
+                rough.append((score, window, channels[:searched_channel_count]))
     rough.sort(key=lambda entry: -entry[0])
     promising = []
     for _, window, channels in rough[:searched_window_count]:
@@ -153,14 +153,13 @@ def _earlier(window):
 
 
 def _loudest_channels(onsets, window, distance, channels):
-    """Return pairs of a channel and the log likelihood of a disk in it, the most likely
-    first."""
+    """Return channels (c,) in order of decreasing log likelihood of a disk, and these
+    likelihoods (c,)."""
     disk = families(distance, "disk")
-    channels = np.array(channels)
     values = onsets.values[channels, window.frames]
     best = likelihoods(values, onsets.scales_ms[channels], disk)[:, 0]
     order = np.argsort(-best, kind="stable")
-    return list(zip(channels[order].tolist(), best[order].tolist(), strict=True))
+    return channels[order], best[order]
 
 
 def _rough_score(onsets, window, channel):
