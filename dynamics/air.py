@@ -10,12 +10,6 @@ STANDARD_PRESSURE = 101325.0
 """Standard pressure [Pa]."""
 STANDARD_TEMPERATURE = 293.15
 """Standard temperature [K]."""
-STANDARD_DENSITY = 1.204
-"""Density of dry air at standard pressure and temperature [kg/m^3]."""
-STANDARD_SOUND_SPEED = 343.2
-"""Speed of sound in dry air at standard temperature [m/s]."""
-AIR_GAS_CONSTANT = 287.05
-"""Specific gas constant of dry air [J/(kg K)]."""
 HEAT_CAPACITY_RATIO = 1.4
 """Ratio of the specific heats of air."""
 PRANDTL_NUMBER = 0.71
@@ -61,7 +55,8 @@ class Air:
     @property
     def sound_speed(self) -> float:
         """Speed of sound [m/s]."""
-        return STANDARD_SOUND_SPEED * sqrt(self.temperature / STANDARD_TEMPERATURE)
+        standard_sound_speed = 343.2  # m/s, in dry air at the standard temperature
+        return standard_sound_speed * sqrt(self.temperature / STANDARD_TEMPERATURE)
 
     @property
     def mean_free_path(self) -> float:
@@ -69,10 +64,11 @@ class Air:
 
         In a film thinner than this length, the air does not behave as a continuum.
         """
+        gas_constant = 287.05  # J/(kg K), of dry air
         return (
             self.viscosity
             / self.pressure
-            * sqrt(pi * AIR_GAS_CONSTANT * self.temperature / 2)
+            * sqrt(pi * gas_constant * self.temperature / 2)
         )
 
     def absorption(self, frequency: float, humidity: float = 0.5) -> float:
@@ -122,8 +118,9 @@ class Air:
 
 def dry_air_density(pressure: float, temperature: float) -> float:
     """Return the density [kg/m^3] of dry air at pressure [Pa] and temperature [K]."""
+    standard_density = 1.204  # kg/m^3, at the standard pressure and temperature
     return (
-        STANDARD_DENSITY
+        standard_density
         * (pressure / STANDARD_PRESSURE)
         * (STANDARD_TEMPERATURE / temperature)
     )

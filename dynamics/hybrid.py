@@ -37,6 +37,9 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+MAX_STEPS_PER_ARC = 1000
+"""Largest number of steps of an integrator in one arc."""
+
 
 class StalledError(ArithmeticError):
     """The flow cannot be integrated beyond a state, even with the shortest steps."""

@@ -5,10 +5,6 @@ from typing import Any
 
 import numpy as np
 
-MIN_COMPILED_TIMES = 2048
-"""Number of times above which the compiled evaluation, which releases the GIL, is
-faster."""
-
 
 class PiecewisePolynomials:
     """Polynomials of m quantities on p pieces.
@@ -29,8 +25,10 @@ class PiecewisePolynomials:
 
     def __call__(self, at: np.ndarray, piece: np.ndarray) -> np.ndarray:
         """Return the values (m, k) at times `at` (k,) in the pieces `piece` (k,)."""
+        # from here on, the compiled evaluation, which releases the GIL, is faster
+        min_compiled_times = 2048
         offset = at - self.x[piece]
-        if len(offset) >= MIN_COMPILED_TIMES:
+        if len(offset) >= min_compiled_times:
             return _compiled_piece_values()(self._terms, offset, piece)
         powers = np.multiply.accumulate(
             [np.ones_like(offset), *[offset] * (len(self.c) - 1)]

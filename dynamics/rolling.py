@@ -8,7 +8,7 @@ from operator import add
 from dynamics.dissipation import OwnLaw, Resistance
 from dynamics.equations import DiskConstants
 from dynamics.guards import AXES, LIFT_OFF, STOP_SLIP_SPEED, GuardKind, guard_named
-from dynamics.hybrid import Arc, StalledError, Step, Switch
+from dynamics.hybrid import MAX_STEPS_PER_ARC, Arc, StalledError, Step, Switch
 from dynamics.integrators.slow_slide_criterion import is_stiff
 from dynamics.regime import (
     FLOAT_FORMULAS,
@@ -72,7 +72,7 @@ class RollingDisk:
             )
         turns = rotation_rates(y)
         at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
-        start = self._select_next_regime(y, at_zero)
+        start = self._select_next_regime(y, at_zero, (), (1.0, 1.0, 1.0))
         if start.ended:
             raise ImpossibleContactError(
                 f"{describe_state(y)}: the disk leaves the plane at once"
@@ -100,7 +100,7 @@ class RollingDisk:
         shortest_mean_step = 1e-5 * y[R]
         if (
             arc.guard is None
-            and steps >= 1000
+            and steps >= MAX_STEPS_PER_ARC
             and arc.times[-1] < min(shortest_mean_step * steps, span)
         ):
             raise StalledError(
@@ -113,16 +113,13 @@ class RollingDisk:
 
         A slide that is not stiff is integrated for one step only.
         """
-        from dynamics.integrators.slow_slides import (  # numba loads slowly
-            MAX_STEPS_PER_CALL,
+        from dynamics.integrators.slow_slides import (
             advance_grazing_slide,
-        )
+        )  # numba loads slowly
 
         local, offset = restart_quadratures(y, self.law.bowl > 0)
-        most = MAX_STEPS_PER_CALL if self._is_stiff(y, regime) else 1
-        arc = advance_grazing_slide(
-            local, nu, regime, self.law, self.loads, self.r_end, most
-        )
+        within = (local, nu, regime, self.law, self.loads, self.r_end)
+        arc = advance_grazing_slide(*within, not self._is_stiff(y, regime))
         return arc and shift_arc(arc, offset)
 
     def _is_stiff(self, y, regime) -> bool:
@@ -169,9 +166,7 @@ class RollingDisk:
             case GuardKind.SLIP:
                 if self._is_grazing:
                     self.announce_compilation("slow slide")
-                return self._select_next_regime(
-                    y, held, fired={0}, senses=regime.senses
-                )
+                return self._select_next_regime(y, held, {0}, regime.senses)
             case GuardKind.GRIP:
                 return self._end_slide(y, regime, held)
 
@@ -183,20 +178,17 @@ class RollingDisk:
         y = last.end
         y[V1] = 0.0
         y[V2] = 0.0
-        then = self._select_next_regime(y, held | {0}, senses=regime.senses)
+        then = self._select_next_regime(y, held | {0}, (), regime.senses)
         return then._replace(steps=(last, *then.steps))
 
-    def _select_next_regime(
-        self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)
-    ) -> Switch:
+    def _select_next_regime(self, y, at_zero, fired, senses) -> Switch:
         at_zero = frozenset(at_zero)
-        fired = frozenset(fired)
         regime, step = next_regime(
             y,
             self.law,
             self.loads,
             at_zero,
-            fired,
+            frozenset(fired),
             senses,
             self._grazing_slide_from_rest,
         )
@@ -239,7 +231,7 @@ class RollingDisk:
             y[V1] = 0.0
             y[V2] = 0.0
             held |= {0}
-        then = self._select_next_regime(y, held, senses=senses)
+        then = self._select_next_regime(y, held, (), senses)
         return then._replace(steps=(step, *then.steps))
 
     def _lifts_off(self, step: Step) -> Switch:

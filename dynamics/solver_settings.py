@@ -17,6 +17,12 @@ MAX_AUDIBLE_FREQUENCY = 20e3
 """Upper limit of hearing [Hz]."""
 MIN_SOLVED_INCLINATION = 1e-10
 """Smallest inclination at which a motion is solved [rad]."""
+MIN_RELEVANT_SHARE = 0.01
+"""Fraction of the dissipated power from which the motion includes an air film or a table.
+
+The motion also includes a table whose modes store this fraction of the energy of the
+disk.
+"""
 
 
 class AccuracyLevel(NamedTuple):

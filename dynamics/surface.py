@@ -18,12 +18,6 @@ Density = Annotated[float, Ge(1e-3), Le(1e6)]
 LossFactor = Annotated[float, Ge(0), Le(1)]
 DEFAULT_LOSS_FACTOR = 0.02
 """Default loss factor of a table."""
-MIN_TWO_WAY_SHARE = 0.01
-"""Threshold of two-way coupling.
-
-Coupling begins when the table modes store this fraction of the energy of the disk, or
-absorb this fraction of the dissipated power.
-"""
 
 
 class Tabletop:

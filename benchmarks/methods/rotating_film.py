@@ -29,7 +29,7 @@ class RotatingFilmMesh(FilmMesh):
         nearest: float = 7.0,
         parity: int = 0,
     ):
-        super().__init__(cells, height, nearest, parity)
+        super().__init__(cells, height, nearest=nearest, parity=parity)
         a, b = np.asarray(self.basis.global_coordinates())
         t = np.exp(a) + 1j * np.sinh(b)
         around = 1j * self.points * np.conj(-2 / t**2)

@@ -553,7 +553,7 @@ LIMITS = {
         "rad",
     ),
     "film_knudsen": ("dynamics.film.activation", "MAX_KNUDSEN_NUMBER", ""),
-    "film_share": ("dynamics.film.activation", "MIN_FILM_SHARE", ""),
+    "film_share": ("dynamics.solver_settings", "MIN_RELEVANT_SHARE", ""),
     "rolling_curvature": (
         "dynamics.compliant.model_selection",
         "MAX_ROLLING_CURVATURE",

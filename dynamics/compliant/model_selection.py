@@ -32,8 +32,6 @@ CONTACT_LOSS_RMS = 0.3
 MAX_ROLLING_CURVATURE = 0.25
 """Rms curvature of the unevenness, divided by that of the tilted rim, above which
 rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
-PREDICTION_INCLINATION_COUNT = 16
-"""Number of inclinations at which the vibration is predicted."""
 
 
 class ModelChoice(NamedTuple):
@@ -142,7 +140,7 @@ def predicted_vibration(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
     """
     beta, speed = steady_motions(scene)
     if scene.roughness is None:
-        return beta, np.zeros(PREDICTION_INCLINATION_COUNT)
+        return beta, np.zeros(len(beta))
     weight = scene.disk.weight
     return beta, predicted_rms(
         law_table(scene), scene.roughness, beta, weight, speed
@@ -193,15 +191,16 @@ def steady_motions(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
 
 
 def settling_inclinations(scene: "MotionScene") -> np.ndarray:
-    """Return PREDICTION_INCLINATION_COUNT inclinations [rad], release to end.
+    """Return 16 inclinations [rad] from the release to the end.
 
     The motion ends at its final inclination, or where the air film supports the disk.
     """
+    count = 16
     first = radians(scene.release.inclination_deg)
     last = max(
         final_contact_inclination(scene), min(airborne_inclination(scene), first / 2)
     )
-    return np.geomspace(first, last, PREDICTION_INCLINATION_COUNT)
+    return np.geomspace(first, last, count)
 
 
 def steady_precession_rate(scene: "MotionScene", beta: float) -> float:

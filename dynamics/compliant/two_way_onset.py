@@ -15,7 +15,8 @@ from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.dissipation import resistance_of
 from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
-from dynamics.surface import MIN_TWO_WAY_SHARE, ModesSurface
+from dynamics.solver_settings import MIN_RELEVANT_SHARE
+from dynamics.surface import ModesSurface
 
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
@@ -49,17 +50,17 @@ def table_reaction(scene: "MotionScene", modes: Any) -> TableReaction:
     position of the centre at the release, with the weight as force.
     """
     beta, energy, power = table_energy_power_shares(scene, modes)
-    more = np.flatnonzero((energy > MIN_TWO_WAY_SHARE) | (power > MIN_TWO_WAY_SHARE))
+    more = np.flatnonzero((energy > MIN_RELEVANT_SHARE) | (power > MIN_RELEVANT_SHARE))
     if not len(more):
         reason = (
-            f"its energy and wave drag remain below {MIN_TWO_WAY_SHARE:.0%} of those of disk "
+            f"its energy and wave drag remain below {MIN_RELEVANT_SHARE:.0%} of those of disk "
             f"and friction"
         )
         return TableReaction(False, 0.0, reason)
     since = more[0]
-    what = "energy" if energy[since] > MIN_TWO_WAY_SHARE else "wave drag"
+    what = "energy" if energy[since] > MIN_RELEVANT_SHARE else "wave drag"
     reference = "disk's" if what == "energy" else "friction's"
-    reason = f"its {what} exceeds {MIN_TWO_WAY_SHARE:.0%} of the {reference} below {beta[since]:.2g} rad"
+    reason = f"its {what} exceeds {MIN_RELEVANT_SHARE:.0%} of the {reference} below {beta[since]:.2g} rad"
     wrong = reason_against_two_way(scene)
     return TableReaction(not wrong, float(beta[since]), reason, wrong)
 

@@ -14,13 +14,12 @@ from dynamics.film.wedge import Film, film_under
 from dynamics.kinematics import energy
 from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
+from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from dynamics.steady_motion import max_steady_inclination, steady_omega
 
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
-MIN_FILM_SHARE = 0.01
-"""Fraction of the dissipated power above which the film is included in the motion."""
 MAX_KNUDSEN_NUMBER = 100.0
 """Knudsen number (mean free path divided by mean gap) at which a motion with a film
 ends.
@@ -28,8 +27,6 @@ ends.
 It is the upper limit of the tables of the kinetic theory of Fukui & Kaneko (1990).
 There, a model with wall slip alone underestimates the air flow by a factor of 3.4.
 """
-ONSET_INCLINATION_COUNT = 200
-"""Number of inclinations at which quasi-steady motion is evaluated."""
 
 
 class FilmDecision(NamedTuple):
@@ -42,7 +39,7 @@ class FilmDecision(NamedTuple):
     reason : str
         Reason for the decision.
     time : float
-        Predicted time [s] at which the film starts to dissipate MIN_FILM_SHARE of the
+        Predicted time [s] at which the film starts to dissipate MIN_RELEVANT_SHARE of the
         power.
     inclination : float
         Inclination [rad] at this time.
@@ -89,11 +86,13 @@ def decide_film(scene: "MotionScene") -> FilmDecision:
             inclination,
         )
     forecast = (
-        f"it is predicted to dissipate {MIN_FILM_SHARE:.0%} of the power from {time:.3g} s on, "
+        f"it is predicted to dissipate {MIN_RELEVANT_SHARE:.0%} of the power from {time:.3g} s on, "
         f"below {inclination:.2g} rad"
     )
     if not isfinite(time):
-        reason = f"its predicted share of the power remains below {MIN_FILM_SHARE:.0%}"
+        reason = (
+            f"its predicted share of the power remains below {MIN_RELEVANT_SHARE:.0%}"
+        )
         return FilmDecision(None, reason, time)
     # Impacts bring a rattling disk to rest earlier than predicted
     if time >= numerics.time_limit and numerics.contact != "many":
@@ -167,7 +166,7 @@ def _film_onset(
     release: Release,
     end: float,
 ) -> tuple[float, float]:
-    """Return the time [s] and inclination [rad] at which MIN_FILM_SHARE is reached.
+    """Return the time [s] and inclination [rad] at which MIN_RELEVANT_SHARE is reached.
 
     They are predicted by quasi-steady motion that starts with the energy of the
     release, or from the steepest steady motion if that energy is larger.
@@ -185,9 +184,9 @@ def _film_onset(
         [[0.0], np.cumsum(np.diff(-energies) * (1 / power[1:] + 1 / power[:-1]) / 2)]
     )
     index = np.argmax(
-        (film_power >= MIN_FILM_SHARE * power) & (energies <= release_energy)
+        (film_power >= MIN_RELEVANT_SHARE * power) & (energies <= release_energy)
     )
-    if film_power[index] < MIN_FILM_SHARE * power[index]:
+    if film_power[index] < MIN_RELEVANT_SHARE * power[index]:
         return inf, 0.0
     delay = time[index] - np.interp(-release_energy, -energies, time)
     return float(max(delay, 0.0) * disk.time_unit), float(beta[index])
@@ -212,15 +211,16 @@ def airborne_inclination(scene: "MotionScene") -> float:
 def _quasi_steady_descent(
     law: DiskConstants, disk: Disk, air: Air, dissipation: Dissipation, end: float
 ) -> tuple[Any, ...]:
-    """Return quasi-steady motion at decreasing inclinations (ONSET_INCLINATION_COUNT,).
+    """Return quasi-steady motion at 200 decreasing inclinations.
 
     The results are the film, the inclinations [rad], and the dimensionless omega_3,
     energy, power dissipated by the film, and total power.
     """
+    inclination_count = 200
     film = film_under(disk, air, law.bowl / disk.radius)
     others = resistance_of(dissipation, disk)
     steepest = 0.9 * max_steady_inclination(law.h, law.K, law.fillet)
-    beta = np.geomspace(steepest, min(end, steepest / 2), ONSET_INCLINATION_COUNT)
+    beta = np.geomspace(steepest, min(end, steepest / 2), inclination_count)
     omega = np.array([steady_omega(b, law) for b in beta]).T
     energies = energy(beta, omega, (0.0, 0.0), law)
     film_power = film.rotation_and_fall_powers(beta, omega)[0]

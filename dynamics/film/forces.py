@@ -15,9 +15,6 @@ SLIP_MOBILITY_PER_KNUDSEN = 12.3
 
 For a falling film the increase is half as large.
 """
-INERTIA_ONSET_LAYER_RATIO = 6.3
-"""Ratio S of film to boundary-layer thickness above which inertia affects a rotating
-film."""
 
 
 def film_forces(s, nutation, rate, *constants):
@@ -41,7 +38,8 @@ def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip,
     turning, falling : float
         12 mu R^3 times I and I_n.
     inertia : float
-        (S/INERTIA_ONSET_LAYER_RATIO)^4 divided by (rate s^2)^2.
+        (S/6.3)^4 divided by (rate s^2)^2, where S is the ratio of film to boundary-layer
+        thickness. Above S = 6.3, inertia affects a rotating film.
     number : float
         Lam/COMPRESSION_ONSET_NUMBER without wall slip, divided by rate/s^2.
     ambient : float
@@ -65,7 +63,7 @@ def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip,
     lift : float
         Lift of this air, times R.
     """
-    # added to (S/INERTIA_ONSET_LAYER_RATIO)^4, because a fractional power has no series at zero
+    # added to (S/6.3)^4, because a fractional power has no series at zero
     series_offset = 1e-12
     square = s * s
     x = 0.0

@@ -72,9 +72,10 @@ class FilmMesh:
 
     def __init__(
         self,
-        cells: int = 16,
+        cells: int,
         height: Callable = wedge_gap,
-        nearest: float = 7.0,
+        *,
+        nearest: float,
         parity: int = 0,
     ):
         across = nearest * np.linspace(0, 1, cells + 1) ** 2
@@ -135,7 +136,7 @@ class FilmMesh:
         shapes,
         sigma: float = 0.0,
         inertia: complex = 0.0,
-        orders: int = 3,
+        orders: int = 0,
         slip: float = 0.0,
         heat: complex = 0.0,
     ) -> list[FilmResponse]:

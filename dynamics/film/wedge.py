@@ -17,7 +17,6 @@ from dynamics.disk import Disk
 from dynamics.equations import DiskConstants, Loads
 from dynamics.film.forces import (
     COMPRESSION_ONSET_NUMBER,
-    INERTIA_ONSET_LAYER_RATIO,
     SLIP_MOBILITY_PER_KNUDSEN,
     film_forces,
 )
@@ -116,9 +115,9 @@ def film_under(disk: Disk, air: Air, curvature: float = 0.0) -> Film:
     chi = disk.time_unit
     unit = disk.mass * R**2 / chi**2
     moment = 12 * air.viscosity * R**3 / (unit * chi)
-    layers = (
-        R**2 * air.density / (2 * air.viscosity * chi) / INERTIA_ONSET_LAYER_RATIO**2
-    )
+    # ratio S of film to boundary-layer thickness above which inertia affects a rotating film
+    inertia_onset_ratio = 6.3
+    layers = R**2 * air.density / (2 * air.viscosity * chi) / inertia_onset_ratio**2
     return Film(
         turning=ROTATION_POWER_COEFFICIENT * moment,
         falling=FALL_POWER_COEFFICIENT * moment,

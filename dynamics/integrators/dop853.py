@@ -21,7 +21,7 @@ def advance(
 ) -> Arc:
     """Integrate from y within `regime` until a guard falls, for at most `span`.
 
-    It takes at most MAX_STEPS_PER_CALL steps and is thread-safe. Raises StalledError if
+    It takes at most MAX_STEPS_PER_ARC steps and is thread-safe. Raises StalledError if
     no step is short enough.
     """
     (flow, names), parameters = compiled_flow_and_constants(

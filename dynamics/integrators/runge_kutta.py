@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit, types
 from scipy.integrate import DOP853
 
+from dynamics.hybrid import MAX_STEPS_PER_ARC
 from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.regime import V1, V2, W1, W2, W3, R
 
@@ -19,10 +20,8 @@ STAGE_WEIGHTS[12, :12] = DOP853.B
 STAGE_WEIGHTS[13:] = DOP853.A_EXTRA
 ERROR_WEIGHTS = np.zeros((2, 13))
 ERROR_WEIGHTS[:] = DOP853.E5, DOP853.E3
-BISECTION_COUNT = 54  # for the location of a guard crossing
-MAX_STEPS_PER_CALL = 1000
-MAX_GUARDS = 16
-"""Array size that is sufficient for the guards of any branch."""
+BISECTION_COUNT = int(np.finfo(float).nmant) + 2
+"""Number of bisections that locate a guard crossing in [0, 1] within rounding."""
 
 
 def dense_output_coefficients():
@@ -94,14 +93,15 @@ def step_and_error(flow, y, p, h, rates, y_end, guards):
 
 
 @njit(cache=True, error_model="numpy")
-def guard_root(flow, p, c, i, low, high):
+def guard_root(flow, p, c, i, count, low, high):
     """Return the position in [low, high] on the curve c at which guard i falls to zero.
 
-    The result is rounded to the side on which the guard is not positive.
+    The result is rounded to the side on which the guard is not positive. `count` is the
+    number of guards.
     """
+    guards = np.empty(count)
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
-    guards = np.empty(MAX_GUARDS)
     for _ in range(BISECTION_COUNT):
         middle = (low + high) / 2
         evaluate_polynomial(c, middle, y)
@@ -114,17 +114,18 @@ def guard_root(flow, p, c, i, low, high):
 
 
 @njit(cache=True, error_model="numpy")
-def guard_crossing_between(flow, p, c, count, before, now, low, high):
+def guard_crossing_between(flow, p, c, before, now, low, high):
     """Return position and index of the first guard that falls in [low, high].
 
-    If none of the `count` guards falls on the curve c, return 1, -1. `before` and `now`
-    are the guards at both ends.
+    If none falls on the curve c, return 1, -1. `before` and `now` are the guards at
+    both ends.
     """
+    count = len(now)
     place = 1.0
     fired = -1
     for i in range(count):
         if before[i] > 0 >= now[i]:
-            fall = guard_root(flow, p, c, i, low, high)
+            fall = guard_root(flow, p, c, i, count, low, high)
             if fired < 0 or fall < place:
                 place = fall
                 fired = i
@@ -132,17 +133,16 @@ def guard_crossing_between(flow, p, c, count, before, now, low, high):
 
 
 @njit(cache=True, error_model="numpy")
-def first_guard_crossing(flow, p, c, count, before):
+def first_guard_crossing(flow, p, c, before):
     """Return position and index of the first guard that falls in [0, 1] on the curve c.
 
-    If none of the `count` guards falls, return 1, -1. `before` contains the guards at 0
-    and is overwritten by their last values. A guard that is not positive at 0 cannot
-    fall.
+    If none falls, return 1, -1. `before` contains the guards at 0 and is overwritten by
+    their last values. A guard that is not positive at 0 cannot fall.
     """
     guard_evaluations_per_step = 4
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
-    now = np.empty(MAX_GUARDS)
+    now = np.empty(len(before))
     place = 1.0
     fired = -1
     for look in range(1, guard_evaluations_per_step + 1):
@@ -152,7 +152,6 @@ def first_guard_crossing(flow, p, c, count, before):
             flow,
             p,
             c,
-            count,
             before,
             now,
             (look - 1) / guard_evaluations_per_step,
@@ -181,7 +180,7 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 def integrate_dop853(flow, y, p, count, span, tolerance):
     """Integrate from y (k,) until one of `count` guards falls, for at most `span`.
 
-    It takes at most MAX_STEPS_PER_CALL steps. Returns the end times of the steps (n,),
+    It takes at most MAX_STEPS_PER_ARC steps. Returns the end times of the steps (n,),
     their Taylor coefficients (n, 8, k), the last state (k,) and the index of the guard
     (-1 if none). The integration also ends, possibly without a step, if no step is
     short enough.
@@ -190,18 +189,18 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
     step_safety = 0.9
     min_step_ratio = 0.2
     max_step_ratio = 10.0
-    times = np.empty(MAX_STEPS_PER_CALL)
-    coefficients = np.empty((MAX_STEPS_PER_CALL, 8, len(y)))
+    times = np.empty(MAX_STEPS_PER_ARC)
+    coefficients = np.empty((MAX_STEPS_PER_ARC, 8, len(y)))
     rates = np.empty((16, len(y)))
     y_end = np.empty(len(y))
-    guards = np.empty(MAX_GUARDS)
-    guard_values = np.empty(MAX_GUARDS)
+    guards = np.empty(count)
+    guard_values = np.empty(count)
     flow(y, p, rates[0], guards)
     t = 0.0
     h = max_step(y)
     n = 0
     fired = -1
-    while n < MAX_STEPS_PER_CALL and t < span and fired < 0:
+    while n < MAX_STEPS_PER_ARC and t < span and fired < 0:
         h = min(h, max_step(y), span - t)
         if not h > 1e-13 * y[R]:  # too short
             break
@@ -215,7 +214,7 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
             continue
         c = h * (DENSE_OUTPUT @ rates)
         copy_into(y, c[0])
-        place, fired = first_guard_crossing(flow, p, c, count, guards)
+        place, fired = first_guard_crossing(flow, p, c, guards)
         for j in range(8):
             copy_into(c[j] / h**j, coefficients[n, j])
         t = span if fired < 0 and h == span - t else t + place * h

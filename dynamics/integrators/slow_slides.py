@@ -18,7 +18,6 @@ from dynamics.integrators.branch_formulas import compiled_flow_and_constants
 from dynamics.integrators.codegen import compile_branch, compiled_function
 from dynamics.integrators.gauss_collocation import (
     INTEGRATE_SIGNATURE,
-    MAX_STEPS_PER_CALL,
     REST_SLIP_SPEED,
     integrate_slow_slide,
 )
@@ -79,27 +78,28 @@ def compile_polar_slip(branch):
 def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for at most `span`.
 
-    It takes at most MAX_STEPS_PER_CALL steps and ends early if the slide is no longer
-    stiff. It continues through clear reversals of the nutation. Returns None if the
-    slide is not stiff at the start, or if no step length converges. The function is
-    thread-safe.
+    It ends early if the slide is no longer stiff, and continues through clear reversals
+    of the nutation. Returns None if the slide is not stiff at the start, or if no step
+    length converges. The function is thread-safe.
     """
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
     arc = _integrate_slide(
-        y, speed, direction, regime, law, loads, r_end, span, MAX_STEPS_PER_CALL
+        y, speed, direction, regime, law, loads, r_end, span, single_step=False
     )
     return arc if len(arc.times) else None
 
 
-def advance_grazing_slide(y, nu, regime, law, loads, r_end, max_steps) -> Arc | None:
+def advance_grazing_slide(
+    y, nu, regime, law, loads, r_end, single_step: bool
+) -> Arc | None:
     """Integrate a slide that starts along nu [rad] with almost no acceleration.
 
-    It takes at most `max_steps` steps. Returns None if the slip speed returns to zero
-    before it exceeds STOP_SLIP_SPEED, since the contact does not slide then. Raises
-    StalledError if no step length converges.
+    Returns None if the slip speed returns to zero before it exceeds STOP_SLIP_SPEED,
+    since the contact does not slide then. Raises StalledError if no step length
+    converges.
     """
-    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, max_steps)
+    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, single_step)
     if not len(arc.times) and arc.guard is None:
         raise StalledError(
             f"{describe_state(y)}: the slide that starts here cannot be integrated"
@@ -107,7 +107,9 @@ def advance_grazing_slide(y, nu, regime, law, loads, r_end, max_steps) -> Arc | 
     return arc if len(arc.times) else None
 
 
-def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, max_steps):
+def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, single_step):
+    """Integrate a slide with a given slip speed and direction for a few steps, or one."""
+    max_steps = 1 if single_step else 40
     (flow, names, *of), parameters = compiled_flow_and_constants(
         compile_polar_slip, regime, law, loads, r_end
     )

@@ -12,7 +12,7 @@ from dynamics.dissipation import Resistance
 from dynamics.equations import DiskConstants
 from dynamics.film.wedge import Film, find_film
 from dynamics.guards import Guard
-from dynamics.hybrid import Arc
+from dynamics.hybrid import MAX_STEPS_PER_ARC, Arc
 from dynamics.integrators.branch_formulas import (
     branch_to_compile,
     compiled_flow_and_constants,
@@ -42,7 +42,6 @@ STATE_SYMBOLS = (
 heyoka.set_logger_level_error()
 SUCCESS = heyoka.taylor_outcome.success
 NOT_FINITE = heyoka.taylor_outcome.err_nf_state
-MAX_STEPS_PER_CALL = 1000
 
 
 class CompiledTaylor:
@@ -140,7 +139,7 @@ def advance(
 ) -> Arc:
     """Integrate from y within `regime` until a guard falls, for at most `span`.
 
-    It takes at most MAX_STEPS_PER_CALL steps and is thread-safe. A rolling disk
+    It takes at most MAX_STEPS_PER_ARC steps and is thread-safe. A rolling disk
     continues through simple reversals of a rotation. DOP853 replaces the Taylor method
     if a law is not analytic, for example a power law where the precession stops; it
     raises StalledError if its steps are too short.
@@ -165,7 +164,7 @@ def advance(
     kept = []
     regime_changes = []
     lost = [[0.0] * len(STATE_SYMBOLS)]
-    for _ in range(MAX_STEPS_PER_CALL):
+    for _ in range(MAX_STEPS_PER_ARC):
         outcome, _ = step(span - t, True)
         since = t
         t = integrator.time

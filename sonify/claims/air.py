@@ -10,7 +10,6 @@ from scipy.integrate import cumulative_trapezoid
 from dynamics import Motion, Outcome
 from dynamics.compliant.law.spin_friction import slip_arm
 from dynamics.dissipation import resistance_of
-from dynamics.film.activation import MIN_FILM_SHARE
 from dynamics.film.wedge import (
     Film,
     compressibility_number,
@@ -21,6 +20,7 @@ from dynamics.film.wedge import (
 from dynamics.observables import precession_rate
 from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
+from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
 from sonify.hearing.spectrogram import spectrogram
@@ -126,7 +126,7 @@ def air_negligible(motion: Motion, film: Film) -> Measured:
     share = np.diff(np.interp(windows, motion.t, film_work)) / np.maximum(
         np.diff(np.interp(windows, motion.t, work)), 1e-300
     )
-    late = np.flatnonzero(share >= MIN_FILM_SHARE)
+    late = np.flatnonzero(share >= MIN_RELEVANT_SHARE)
     if not len(late):
         return Measured(1.0)
     return Measured(middle[late[0]] / motion.t[-1], middle[1] / motion.t[-1])

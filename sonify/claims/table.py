@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics import Motion
-from dynamics.surface import MIN_TWO_WAY_SHARE
+from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import FINAL_INTERVAL_DURATION, rise_of, time_of_energy_share
 from sonify.claims.two_way import energy_budget, two_way_part
@@ -168,16 +168,16 @@ def table_takes_little(motion: Motion, sound: Sound, error: float):
 
 @finding(
     "The table may be neglected in the motion until the last half second",
-    f"s before the end when the modes of the table first hold {MIN_TWO_WAY_SHARE:.0%} of the energy of the disk",
+    f"s before the end when the modes of the table first hold {MIN_RELEVANT_SHARE:.0%} of the energy of the disk",
     "energies of a motion on a rigid table and of the table modes driven by its force",
     needs=("motion", "sound"),
     at_most=0.5,
 )
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float):
-    """The time before the end [s] at which the table modes first have MIN_TWO_WAY_SHARE
+    """The time before the end [s] at which the table modes first have MIN_RELEVANT_SHARE
     of the energy of the disk."""
     return time_of_energy_share(
-        motion, sound.energy_time, sound.table_energy, error, MIN_TWO_WAY_SHARE
+        motion, sound.energy_time, sound.table_energy, error, MIN_RELEVANT_SHARE
     )
 
 

@@ -22,7 +22,7 @@ from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, STATE
 from dynamics.compliant.two_way_onset import may_be_two_way, table_reaction
 from dynamics.observables import precession_rate
 from dynamics.rattling.rattling_motion import RattlingMotion
-from dynamics.surface import MIN_TWO_WAY_SHARE
+from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.air import FINAL_ENERGY_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.scene import Scene
@@ -200,7 +200,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
 
     The reference is the same disk and contact without table modes, from the onset of
     two-way coupling. The details include the advance at ten times this inclination. The
-    margin is MIN_TWO_WAY_SHARE, the energy share of the table at the onset, times the
+    margin is MIN_RELEVANT_SHARE, the energy share of the table at the onset, times the
     duration."""
     part, _ = two_way_part(motion)
     start = two_way_start(scene, part)
@@ -212,7 +212,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
         for inclination in (FLAT_INCLINATION, 10 * FLAT_INCLINATION)
     ]
     details = {"advance_at_100_urad": advance[1]}
-    return Measured(advance[0], MIN_TWO_WAY_SHARE * (t[-1] - start), details)
+    return Measured(advance[0], MIN_RELEVANT_SHARE * (t[-1] - start), details)
 
 
 @finding(

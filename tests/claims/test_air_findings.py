@@ -247,7 +247,8 @@ def test_a_fillet_weakens_the_film_and_does_not_explain_the_law_of_boundary_laye
     for beta, left in ((0.03, 0.87), (0.12, 0.85)):
         lifted = fillet * (1 - np.cos(beta)) / ((radius - fillet) * np.sin(beta))
         mesh = [
-            FilmMesh(10, height=lambda x, y, up=up: 1 + x + up) for up in (0.0, lifted)
+            FilmMesh(10, nearest=7.0, height=lambda x, y, up=up: 1 + x + up)
+            for up in (0.0, lifted)
         ]
         sharp, rounded = (
             m.linear_responses([m.points.imag], [m.points.imag])[0].works[0].real

@@ -18,7 +18,6 @@ from scipy.integrate import quad
 
 from dynamics.compliant.law.hertz_mindlin import ElasticConstants
 from dynamics.compliant.law.kalker import (
-    ASYMPTOTE_ERROR,
     AXIS_RATIOS,
     KALKER_C11,
     KALKER_C22,
@@ -323,9 +322,7 @@ def test_creep_of_a_steadily_rolling_ellipse(ratio):
     """
     x, _, dx, dy, grown = elliptical_elements(ratio, 32 if ratio == 1 else 20)
     found = np.linalg.solve(grown, np.full(len(x), dx)).sum() * dx * dy / ratio
-    assert found == pytest.approx(
-        creep_coefficients(ratio, 0.0)[0], rel=ASYMPTOTE_ERROR
-    )
+    assert found == pytest.approx(creep_coefficients(ratio, 0.0)[0], rel=0.04)
 
 
 def test_modes_know_what_a_body_yields():

@@ -17,7 +17,6 @@ from scipy.signal import welch
 
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import (
-    KNOTS_PER_BLOCK,
     SAMPLES_PER_KNOT,
     MotionBlock,
     force_per_height,
@@ -41,7 +40,7 @@ TABLE = LawTable(law=LAW)
 RADIUS, WEIGHT = LAW.disk.radius, LAW.disk.weight
 
 
-def steady(beta, rate, seconds, size=KNOTS_PER_BLOCK):
+def steady(beta, rate, seconds, size=2048):
     """Yield a steady precession in blocks."""
     last = int(seconds * rate / SAMPLES_PER_KNOT)
     speed = steady_speed(LAW, beta)
@@ -223,7 +222,7 @@ def test_blocks_change_nothing():
                 TABLE, steady(0.1, 192e3, 0.1, size), 192e3, profiles
             )
         )
-        for size in (KNOTS_PER_BLOCK, 7)
+        for size in (2048, 7)
     )
     assert np.abs(np.concatenate(whole) - np.concatenate(parts)).max() < 1e-9
 

@@ -10,7 +10,6 @@ from contact_elements import elliptical_elements
 from contact_scenes import granite
 from scipy.integrate import dblquad
 
-from dynamics.compliant.law.kalker import ASYMPTOTE_ERROR
 from dynamics.compliant.law.spin_friction import (
     pivoting_polynomials,
     slip_arm,
@@ -82,7 +81,7 @@ def test_spin_creep_of_a_steadily_rolling_ellipse(ratio):
     _, y, dx, dy, grown = elliptical_elements(ratio, 20)
     traction = np.linalg.solve(grown, -y * dx)
     found = -(y * traction).sum() * dx * dy / ratio**2
-    assert found == pytest.approx(spin_coefficient(ratio, 0.0), rel=ASYMPTOTE_ERROR)
+    assert found == pytest.approx(spin_coefficient(ratio, 0.0), rel=0.04)
 
 
 def test_the_polynomials_are_the_law():

@@ -750,7 +750,7 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(
     modes = surface_modes(scene, 20e3)
     motion = solve_motion(scene, table=modes)
     advanced = two_way.halt_comes_earlier(scene, motion)
-    monkeypatch.setattr("dynamics.compliant.two_way_onset.MIN_TWO_WAY_SHARE", 0.005)
+    monkeypatch.setattr("dynamics.compliant.two_way_onset.MIN_RELEVANT_SHARE", 0.005)
     earlier = solve_motion(scene, table=modes)
     assert earlier.switch_time < motion.switch_time - 0.5
     assert 0.1 < advanced.value < 1.0

@@ -20,8 +20,6 @@ from dynamics.numba_kernels import fingerprint, kernel, outermost
 
 SAMPLES_PER_KNOT = 16
 """Number of force samples between two knots."""
-KNOTS_PER_BLOCK = 2048
-"""Number of knots in a block of the motion."""
 FILTER_STATES = [1, 2, 4, 5]
 """Indices in the state of `LinearContact`: velocities and deflections along a_2 and a_3."""
 MAX_STEP_TURN = 2.0
@@ -63,27 +61,16 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
     edge, and by this distance minus the slip along the table. The last block ends at
     MIN_CONTACT_INCLINATION at the latest.
     """
-    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
-    knots = int(
-        np.floor(
-            (
-                min(
-                    valid,
-                    valid if stop is None else stop,
-                )
-                - start
-            )
-            * rate
-            / SAMPLES_PER_KNOT
-        )
-    )
+    knots_per_block = 2048
+    last = motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
+    if stop is not None:
+        last = min(last, stop)
+    knots = int(np.floor((last - start) * rate / SAMPLES_PER_KNOT))
     path = 0.0
     jumps = motion.jumps
-    for first in range(0, knots, KNOTS_PER_BLOCK):
-        t = start + np.arange(
-            first,
-            min(first + KNOTS_PER_BLOCK, knots) + 1,
-        ) * (SAMPLES_PER_KNOT / rate)
+    for first in range(0, knots, knots_per_block):
+        end = min(first + knots_per_block, knots)
+        t = start + np.arange(first, end + 1) * (SAMPLES_PER_KNOT / rate)
         state, force = motion.at_and_force(t)
         edge = -motion.disk.radius * state[:, 2]
         slip = state[:, 8]

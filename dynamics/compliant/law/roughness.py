@@ -18,14 +18,7 @@ from dynamics.compliant.law.height_profile import (
     profile_from_csv,
     spline_profile,
 )
-from dynamics.compliant.law.sections import (
-    CELLS_PER_WAVE,
-    MIN_WAVES_PER_PERIOD,
-    Roughness,
-)
-
-WAVE_NUMBER_COUNT = 8192
-"""Number of wavenumbers in a spectrum."""
+from dynamics.compliant.law.sections import Roughness
 
 
 def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
@@ -67,13 +60,9 @@ def check_roughness(roughness: Roughness, radius: float) -> None:
 
 def table_profile(roughness: Roughness) -> Profile:
     """Return a random height profile of the table along the path of the contact."""
-    table_cells = 2**20  # smallest number of cells
-    cell = roughness.shortest / CELLS_PER_WAVE
-    n = max(
-        table_cells,
-        2 ** int(np.ceil(np.log2(MIN_WAVES_PER_PERIOD * roughness.longest / cell))),
-    )
-    return _random_profile(roughness, n * cell, n, 0)
+    min_cells = 2**20
+    n = max(min_cells, 2 ** int(np.ceil(np.log2(roughness.table_cells))))
+    return _random_profile(roughness, n * roughness.cell, n, 0)
 
 
 def edge_profile(roughness: Roughness, radius: float) -> Profile:
@@ -82,9 +71,7 @@ def edge_profile(roughness: Roughness, radius: float) -> Profile:
     Raises ValueError if no wavelength of the spectrum fits.
     """
     period = 2 * pi * radius
-    n = next_fast_len(
-        int(np.ceil(CELLS_PER_WAVE * period / roughness.shortest)), real=True
-    )
+    n = next_fast_len(int(np.ceil(period / roughness.cell)), real=True)
     edge = replace(
         roughness,
         rms=roughness.edge_rms,
@@ -130,38 +117,38 @@ def spectral_density(
     is that of the waves that fit its circumference. Raises ValueError if a file is not
     a valid profile.
     """
+    count = 8192  # wavenumbers
     files = [
         profile_from_csv(file)
         for file in (roughness.profile, roughness.profile_edge)
         if file is not None
     ]
-    drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2 * circumference_gain(
-        roughness,
-        2 * pi * radius,
-    )
+    edge_gain = circumference_gain(roughness, 2 * pi * radius, count)
+    drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2 * edge_gain
     longest = max([p.period for p in files] + [roughness.longest] * (drawn > 0))
     shortest = min(
         [2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0)
     )
-    k = np.geomspace(2 * pi / longest, 2 * pi / shortest, WAVE_NUMBER_COUNT)
+    k = np.geomspace(2 * pi / longest, 2 * pi / shortest, count)
     power = k**-roughness.exponent * (2 * pi <= k * roughness.longest * (1 + 1e-9))
     power *= k * roughness.shortest <= 2 * pi * (1 + 1e-9)
     power *= drawn / trapezoid(power, k) if drawn else 0.0
     return k, power + sum(_measured_spectrum(profile, k) for profile in files)
 
 
-def circumference_gain(roughness: Roughness, period: float) -> float:
+def circumference_gain(roughness: Roughness, period: float, count: int) -> float:
     """Return the gain of the waves that fit a period [m]; 1 if none fits.
 
-    It is relative to an infinite profile of the same rms.
+    It is relative to an infinite profile of the same rms, whose spectrum is integrated
+    over `count` wavenumbers.
     """
     low = period / roughness.longest
     high = period / roughness.shortest
     p = roughness.exponent
     order = np.arange(max(np.ceil(low * (1 - 1e-12)), 1), high * (1 + 1e-12))
-    n = np.geomspace(low, high, WAVE_NUMBER_COUNT)
     if not len(order):
         return 1.0
+    n = np.geomspace(low, high, count)
     return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p))
 
 

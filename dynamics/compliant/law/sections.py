@@ -12,16 +12,10 @@ if TYPE_CHECKING:
 
 MAX_PROFILE_CELLS = 2**24
 """Largest number of cells in a height profile."""
-CELLS_PER_WAVE = 8
-"""Number of cells per shortest wavelength.
-
-Waves are then accurate to 3e-4 if the half-length a of the contact is at least one
-cell.
-"""
-MIN_WAVES_PER_PERIOD = 64
-"""Smallest number of longest wavelengths in the period of the table."""
 MAX_SPECTRUM_EXPONENT = 16.0
 """Largest exponent of a power spectrum."""
+LOWEST_WAVINESS_ORDER = 2
+"""Lowest order of waves around the rim; order 1 would be a tilt of the table."""
 Length = Annotated[float, Gt(0), Le(100)]
 
 
@@ -173,15 +167,27 @@ class Roughness:
                 f"roughness.exponent = {self.exponent:g}: must be from 0 to "
                 f"{MAX_SPECTRUM_EXPONENT:g}"
             )
-        if (
-            CELLS_PER_WAVE * MIN_WAVES_PER_PERIOD * self.longest
-            > MAX_PROFILE_CELLS * self.shortest
-        ):
-            most = MAX_PROFILE_CELLS / (CELLS_PER_WAVE * MIN_WAVES_PER_PERIOD)
+        if self.table_cells > MAX_PROFILE_CELLS:
+            most = MAX_PROFILE_CELLS / self.table_cells * self.longest / self.shortest
             raise ValueError(
                 f"roughness.longest = {self.longest:g}: must be at most {most:g} times shortest = "
                 f"{self.shortest:g}"
             )
+
+    @property
+    def cell(self) -> float:
+        """Length of a cell of a random profile [m].
+
+        Waves are accurate to 3e-4 if the half-length of the contact is at least one cell.
+        """
+        cells_per_wave = 8  # of the shortest wavelength
+        return self.shortest / cells_per_wave
+
+    @property
+    def table_cells(self) -> float:
+        """Number of cells required by the longest waves in the period of the table."""
+        min_waves_per_period = 64
+        return min_waves_per_period * self.longest / self.cell
 
     @property
     def edge_rms(self) -> float:
@@ -195,7 +201,7 @@ class Roughness:
 class Imperfection:
     """A rigid table with waves amplitude cos(order angle) on the contact circle."""
 
-    order: Annotated[int, Ge(2), Le(64)] = 2
+    order: Annotated[int, Ge(LOWEST_WAVINESS_ORDER), Le(64)] = LOWEST_WAVINESS_ORDER
     """Number of waves around the contact circle."""
     amplitude: Annotated[float, Gt(0), Le(1e-3)]
     """Height of the crests [m]."""

@@ -14,11 +14,12 @@ import numpy as np
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw
 from dynamics.compliant.law.profile_files import profile_columns
-from dynamics.compliant.law.sections import Imperfection, Roughness
+from dynamics.compliant.law.sections import (
+    LOWEST_WAVINESS_ORDER,
+    Imperfection,
+    Roughness,
+)
 from dynamics.disk import Disk
-
-LOWEST_WAVINESS_ORDER = 2
-"""Lowest order of the waves around the rim; order 1 would be a tilt of the table."""
 
 
 def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:

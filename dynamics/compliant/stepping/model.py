@@ -34,11 +34,6 @@ from dynamics.solver_settings import ACCURACY_LEVELS
 
 STEPS_PER_CALL = 2**15
 """Number of steps in one call of the time loop, unless a row has more."""
-NODES_PER_RATE_CHECK = 10
-"""Number of table nodes between those at which the required step rate is computed.
-
-Linear interpolation between these is accurate to 2e-4.
-"""
 END_REASONS = {
     EndReason.LIES_FLAT: "the inclination reached its final value, below which the contact is "
     "not a single ellipse",
@@ -197,11 +192,12 @@ class CompliantModel:
         )
 
     @cached_property
-    def _required_rate_at_nodes(self) -> np.ndarray:
-        """Required step rates (n,) [1/s] at every NODES_PER_RATE_CHECK-th table node."""
-        return required_step_rate(
-            self.table.law, self.table.inclinations[::NODES_PER_RATE_CHECK]
-        )
+    def _required_rates(self) -> tuple[np.ndarray, np.ndarray]:
+        """Sines (n,) of inclinations, and the step rates (n,) [1/s] that they require."""
+        table = self.table
+        node_step = 10  # linear interpolation between every tenth is accurate to 2e-4
+        rates = required_step_rate(table.law, table.inclinations[::node_step])
+        return np.exp(table.grid[::node_step]), rates
 
     def with_half_time_step(self) -> "CompliantModel":
         """Return the model with half the time step."""
@@ -326,11 +322,8 @@ class CompliantModel:
 
     def _check_step_rate(self, y: np.ndarray) -> None:
         """Raise ValueError if the phase of a resonance changes too much in one step."""
-        fastest = np.interp(
-            np.hypot(*y[STATE.axis : STATE.axis + 2]),
-            np.exp(self.table.grid[::NODES_PER_RATE_CHECK]),
-            self._required_rate_at_nodes,
-        )
+        sine = np.hypot(*y[STATE.axis : STATE.axis + 2])
+        fastest = np.interp(sine, *self._required_rates)
         if fastest > self.rate:
             raise ValueError(
                 f"rate = {self.rate:g}: too low for the stiffness of the contact, must be at least "

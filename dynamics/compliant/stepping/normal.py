@@ -41,12 +41,8 @@ from dynamics.compliant.stepping.contact_energy import (
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.numba_kernels import kernel
 
-FORCE_TOLERANCE = 1e-12
-"""Tolerance of the normal force, divided by the sum of force and weight."""
 MAX_ITERATIONS = 40
 """Largest number of iterations for the normal force in one step."""
-MAX_STATIONARY_DISPLACEMENT = 1e-10
-"""Displacement per step [m] below which the contact is considered stationary."""
 
 
 @kernel
@@ -63,19 +59,22 @@ def rotation_change(n0, n1, n2, b0, b1, b2):
 
 
 @kernel
+def contact_moves(displacement):
+    """Return False if the contact is stationary in a step with this displacement [m]."""
+    max_stationary_displacement = 1e-10
+    return abs(displacement) > max_stationary_displacement
+
+
+@kernel
 def height_at_step_end(profile, path, moved, half, before):
     """Return the height after a step, which is unchanged if the contact is stationary."""
-    return (
-        mean_height(profile, path + moved, half)
-        if abs(moved) > MAX_STATIONARY_DISPLACEMENT
-        else before
-    )
+    return mean_height(profile, path + moved, half) if contact_moves(moved) else before
 
 
 @kernel
 def mean_slope(y0, y1, dx):
     """Return the mean slope of heights along a path; 0 if the contact is stationary."""
-    return (y1 - y0) / dx if abs(dx) > MAX_STATIONARY_DISPLACEMENT else 0.0
+    return (y1 - y0) / dx if contact_moves(dx) else 0.0
 
 
 @kernel

@@ -31,11 +31,7 @@ from dynamics.compliant.stepping.contact_energy import (
     law_slope,
     mean_force,
 )
-from dynamics.compliant.stepping.normal import (
-    FORCE_TOLERANCE,
-    MAX_ITERATIONS,
-    rotation_change,
-)
+from dynamics.compliant.stepping.normal import MAX_ITERATIONS, rotation_change
 from dynamics.compliant.stepping.rim_modes import twist_rate
 from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
 from dynamics.compliant.stepping.table_modes import (
@@ -85,6 +81,8 @@ def step_normal_with_modes(
     max_rolling_turn = 0.3
     # relative change of the stiffness in one step, above which it changes after the step
     max_stiffness_change = 0.25
+    # tolerance of the normal force, divided by the sum of force and weight, and of the axis
+    tolerance = 1e-12
     m = constants.mass
     J = constants.diametral_inertia
     R = constants.core_radius
@@ -221,9 +219,9 @@ def step_normal_with_modes(
         error = max(0.0, damped_force) - N
         if (
             iterations_left < MAX_ITERATIONS - 1
-            and abs(error) <= FORCE_TOLERANCE * (N + weight)
-            and axis_error < FORCE_TOLERANCE
-            and abs(g - previous_g) <= FORCE_TOLERANCE * R * (N + weight)
+            and abs(error) <= tolerance * (N + weight)
+            and axis_error < tolerance
+            and abs(g - previous_g) <= tolerance * R * (N + weight)
         ):
             break
         stiffness_slope = K1 * (r0 / 2 + r1)

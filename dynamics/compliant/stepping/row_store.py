@@ -7,9 +7,6 @@ import numpy as np
 
 from dynamics.numba_kernels import outermost
 
-INTERPOLATION_ROWS = 6
-"""Number of rows that determine an interpolating polynomial."""
-
 
 class RowStore:
     """Rows (n, width) of doubles in a temporary file, which limits memory use.
@@ -43,11 +40,11 @@ class RowStore:
 def interpolate_rows(rows, x, derivative):
     """Return values (k, width) at row positions x (k,), or their derivatives by x.
 
-    They are those of the polynomial through the nearest rows. Each value depends only
-    on its own position.
+    They are those of the polynomial of degree 5 through the six nearest rows. Each
+    value depends only on its own position.
     """
     n, width = rows.shape
-    nodes = min(INTERPOLATION_ROWS, n)
+    nodes = min(6, n)
     out = np.zeros((x.size, width))
     weight = np.empty(nodes)
     for k in range(x.size):

@@ -26,8 +26,6 @@ from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
 """Number of points in a scan of the whole rim for minima of the gap."""
-MAX_GAP_MINIMA = 4
-"""Largest number of minima of the gap that are tracked."""
 
 
 class ContactLayout(NamedTuple):
@@ -46,7 +44,7 @@ class ContactLayout(NamedTuple):
     twist_angle: int
     """Rotation of the disk about its axis [rad]."""
     minimum_angles: int
-    """Directions of the minima of the gap (MAX_GAP_MINIMA) [rad]."""
+    """Directions of the minima of the gap [rad]; the last entries."""
 
 
 CONTACT, _ = first_indices(ContactLayout)
@@ -132,6 +130,7 @@ def modes_at_rest(
 
 def _at_rest(coefficients, knots_x, knots_y, **constants):
     """Return `ContactModes` whose amplitudes and velocities are zero."""
+    max_gap_minima = 4  # number of minima of the gap that are tracked
     m = len(constants["stiffness"])
     return ContactModes(
         coefficients,
@@ -139,7 +138,7 @@ def _at_rest(coefficients, knots_x, knots_y, **constants):
         knots_y,
         **constants,
         state=np.zeros((m, len(MODE_STATE))),
-        contact=np.zeros(CONTACT.minimum_angles + MAX_GAP_MINIMA),
+        contact=np.zeros(CONTACT.minimum_angles + max_gap_minima),
     )
 
 
@@ -320,7 +319,7 @@ def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
 
 @kernel
 def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
-    """Scan the whole rim for minima of the gap; store up to MAX_GAP_MINIMA of them.
+    """Scan the whole rim for minima of the gap; store as many as there is space for.
 
     A minimum near the contact is replaced by the contact.
     """
@@ -331,6 +330,7 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
     level_scan_interval = 256  # steps between two scans on a nearly level table
     bent_scan_interval = 16  # steps between two scans on a bent table
     R = constants.core_radius
+    max_count = len(waves.contact) - CONTACT.minimum_angles
     highest = -np.inf
     lowest = np.inf
     count = 0
@@ -352,7 +352,7 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
         highest = max(highest, risen)
         lowest = min(lowest, risen)
         value = risen + R * down
-        if n > 1 and current >= previous and current > value and count < MAX_GAP_MINIMA:
+        if n > 1 and current >= previous and current > value and count < max_count:
             turn = angle_between(
                 waves.contact[CONTACT.angle],
                 2 * np.pi * (n - 1) / RIM_SCAN_POINTS,
