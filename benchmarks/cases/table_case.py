@@ -19,7 +19,6 @@ from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.disk import Friction
 from dynamics.observables import precession_rate
 from dynamics.surface import ModesSurface, SurfaceMode
@@ -203,7 +202,7 @@ def two_way_disk(
     *_, last = model.run(y, n, n / steps, waves=waves)
     found = columns(model, last.state[-1:])
     omega = float(precession_rate(found)[0])
-    z = waves.state[:, MODE_STATE.amplitude] @ [1, 1j] * mode.modal_mass**-0.5
+    z = waves.amplitude @ [1, 1j] * mode.modal_mass**-0.5
     within = np.cos(inclination) - disk.aspect * np.sin(
         inclination
     )  # the contact is inside the circle of the mode

@@ -166,7 +166,7 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     bowl_energy = fixed.bowl_stiffness / 2 * offset
     return (
         moved / 2
-        + model.constants.weight * (y[2] - y[STATE.table_rise])
+        + fixed.weight * y[2]
         + bowl_energy
         + y[STATE.table_mode_energy]
         + y[STATE.disk_mode_energy]

@@ -74,12 +74,9 @@ def test_resonances_of_the_prototype():
     springs = prototype(contact, on_rounded_edge(contact, beta))
     free = on_springs(rigid_mode_shapes(contact.disk, beta), stiffness_matrix(springs))
     assert free[:, 3:] == pytest.approx(column("free"), rel=1e-4)
-    for name, impedance in (("relaxed", np.inf), ("on_plate", 26456.0)):
-        found = resonances(
-            linear_contact(contact.disk, beta, springs, column("speed"), 0.0, impedance)
-        )
-        assert found.frequency == pytest.approx(column(name)[:, 0], rel=1e-3)
-        assert found.loss_factor == pytest.approx(column(name)[:, 1], rel=1e-2)
+    found = resonances(linear_contact(contact.disk, beta, springs, column("speed")))
+    assert found.frequency == pytest.approx(column("relaxed")[:, 0], rel=1e-3)
+    assert found.loss_factor == pytest.approx(column("relaxed")[:, 1], rel=1e-2)
 
 
 def test_one_resonance_rings_and_rises():

@@ -30,7 +30,7 @@ from dynamics.compliant.state_conversion import (
     preloaded_compliant_state,
 )
 from dynamics.compliant.stepping.model import ContactLosses
-from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
+from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.table_modes import CONTACT, store_table_shapes
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.compliant.two_way_onset import (
@@ -90,8 +90,8 @@ def test_the_gap_is_that_of_the_geometry(elastic):
     k = model.constants
     for _ in model.run(y, 10, 0.05, waves=waves):
         lowest, _ = rim_point(y, k, waves.contact[CONTACT.angle])
-        amplitude = waves.state[:, MODE_STATE.amplitude]
-        table = amplitude @ waves.state[:, MODE_STATE.shape_before]
+        amplitude = waves.amplitude
+        table = amplitude @ waves.shape_before
         assert y[STATE.gap] == pytest.approx(lowest - table, abs=1e-14)  # [m]
 
 
@@ -107,7 +107,7 @@ def test_the_contact_changes_sides_with_a_disk_that_tilts_through_flat(elastic):
     momentum *= 0.05
     momentum -= 2.0 * k.diametral_inertia * np.array([-tilting[1], tilting[0]])
     angles = np.linspace(0, 2 * np.pi, 240)
-    shapes = np.zeros(len(waves.state))
+    shapes = np.zeros(len(waves.amplitude))
     for _ in range(60):
         list(model.run(y, 1, 1 / model.rate, waves=waves))
         gaps = []
@@ -116,7 +116,7 @@ def test_the_contact_changes_sides_with_a_disk_that_tilts_through_flat(elastic):
             store_table_shapes(
                 waves, *place, np.zeros((3, 4)), np.zeros((3, 4)), shapes
             )
-            gaps.append(lowest - waves.state[:, MODE_STATE.amplitude] @ shapes)
+            gaps.append(lowest - waves.amplitude @ shapes)
         assert y[STATE.gap] == pytest.approx(min(gaps), abs=1e-8)  # [m]
     assert first @ y[STATE.axis : STATE.axis + 2] < 0
 

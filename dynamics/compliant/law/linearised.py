@@ -115,7 +115,6 @@ def linear_contact(
     springs: ContactSprings,
     speed: ArrayLike = 0.0,
     damping: ArrayLike = 0.0,
-    impedance: float = np.inf,
     flexibility: np.ndarray = RIGID_FLEXIBILITY,
     fillet: float = 0.0,
 ) -> LinearContact:
@@ -134,8 +133,6 @@ def linear_contact(
         relax: q_t' = u_t - q_t V/l.
     damping : float or (k,) array
         Damping c along the normal [N s/m].
-    impedance : float
-        Impedance Z of the table [N s/m] in q_z' = u_z - z' + N'/Z.
     flexibility : (k, 3, 3) array
         Flexibility F of the disk [m/N].
     fillet : float
@@ -143,8 +140,8 @@ def linear_contact(
 
     Notes
     -----
-    With G = (1 + F k)^-1, q' = G (u - q V/l - (z' - N'/Z) e_3) and p = -k q - G^T c
-    q_z' e_3, to first order in c.
+    With G = (1 + F k)^-1, q' = G (u - q V/l - z' e_3) and p = -k q - G^T c q_z' e_3, to
+    first order in c.
     """
     W = mobility(disk, inclination, fillet)
     stiff = stiffness_matrix(springs)
@@ -158,14 +155,9 @@ def linear_contact(
     C = lost[:, :, None] * stretch[:, 2:]
     D = lost * rise[:, 2:]
     C[:, :, 3:] -= stiff
-    share = 1 / (1 + D[:, 2:] / impedance)
-    C = C - D[:, :, None] * (share * C[:, 2])[:, None] / impedance
-    D = D * share
-    A = np.concatenate(
-        [W @ C, stretch - rise[:, :, None] * C[:, 2:] / impedance], axis=1
-    )
+    A = np.concatenate([W @ C, stretch], axis=1)
     acceleration = (W @ D[:, :, None])[:, :, 0]
-    B = np.concatenate([acceleration, rise * (1 - D[:, 2:] / impedance)], axis=1)
+    B = np.concatenate([acceleration, rise], axis=1)
     return LinearContact(A, B, C, D)
 
 

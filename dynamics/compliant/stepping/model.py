@@ -119,8 +119,6 @@ class CompliantModel:
         s/m].
     profiles : (Profile, Profile)
         Heights of table and edge.
-    impedance : float
-        Impedance of the table [N s/m].
     modes : modal.SurfaceModes, optional
         Modes of the table, for two-way coupling.
     disk_modes : RimModes
@@ -145,7 +143,6 @@ class CompliantModel:
     powers: tuple[tuple[float, float], ...] = ()
     viscous: tuple[float, float] = (0.0, 0.0)
     profiles: tuple[Profile, Profile] = (SMOOTH_PROFILE, SMOOTH_PROFILE)
-    impedance: float = np.inf
     modes: Any = None
     disk_modes: RimModes = NO_RIM_MODES
     imperfection: Imperfection | None = None
@@ -177,7 +174,7 @@ class CompliantModel:
         units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
         air = np.multiply(self.film or np.zeros(len(units)), units)
         extra = *bowl, has_spin_friction, self.friction_is_fitted
-        values = *body, *friction, self.impedance, *self.viscous, *air, *extra
+        values = *body, *friction, *self.viscous, *air, *extra
         return ModelConstants(*map(float, values))
 
     @cached_property

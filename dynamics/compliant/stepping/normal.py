@@ -1,4 +1,4 @@
-"""Normal part of a time step: gravity, contact energy and loss, table impedance.
+"""Normal part of a time step: gravity, contact energy and loss.
 
 The scheme conserves or dissipates energy for every step length. Let v and L be the
 velocity and the angular momentum, n the axis, J1 and J2 the moments of inertia, e =
@@ -9,22 +9,20 @@ velocity and the angular momentum, n the axis, J1 and J2 the moments of inertia,
 Then |n| is constant. With w~ = L~/J1 + e (L.n)~ n~ the kinetic energy changes by
 exactly h (F.v~ + T.w~), since d(L.n) = h T.n~.
 
-The gap is G = z - R s + H (1 - c) - w - z_t(path) - z_r(edge) with s = |n_xy| =
-sin(beta), where R and H are those of the circle of the centres of the fillet. Its
-energy is U = 2/5 K(s) (-G)^2.5. The difference quotients N = -dU/dG, g = dU/ds, m_t =
-dz_t/dpath and m_r = dz_r/dedge, with f = R - H (s0 + s1)/(c0 + c1), satisfy exactly
+The gap is G = z - R s + H (1 - c) - z_t(path) - z_r(edge) with s = |n_xy| = sin(beta),
+where R and H are those of the circle of the centres of the fillet. Its energy is U =
+2/5 K(s) (-G)^2.5. The difference quotients N = -dU/dG, g = dU/ds, m_t = dz_t/dpath and
+m_r = dz_r/dedge, with f = R - H (s0 + s1)/(c0 + c1), satisfy exactly
 
-    dU = -N dG + g ds,    dG = dz - f ds - dw - m_t dpath - m_r dedge.
+    dU = -N dG + g ds,    dG = dz - f ds - m_t dpath - m_r dedge.
 
 The path lengths advance by dpath = h (t.v~ + a.w~) and dedge = h b.w~. The force N (e3
 - m_t t) and the torque (N f + g)/s~ n~_xy x n~ - N (m_t a + m_r b) therefore do the
-work -dU - N dw, and kinetic energy + m g z + U is conserved.
+work -dU, and kinetic energy + m g z + U is conserved.
 
 The contact loss increases N by the factor 1 - c dG/h, and N is never negative. Both
-dissipate energy: c N (dG)^2/h, or the remaining U when the contact opens. The table
-moves by dw = -h (N - m g)/Z and supports the weight, so that the potential energy is m
-g (z - w) and h (N - m g)^2/Z is radiated. The balance holds once the scalar equation
-for N is solved.
+dissipate energy: c N (dG)^2/h, or the remaining U when the contact opens. The balance
+holds once the scalar equation for N is solved.
 """
 
 import numpy as np
@@ -127,7 +125,6 @@ def step_normal(y, constants, law, table, rim, h):
     weight = constants.weight
     step_over_2m = h / (2 * m)
     step_over_2J = h / (2 * J)
-    table_yield = h / constants.table_impedance
     inverse_inertia = 1 / J
     e = 1 / constants.axial_inertia - 1 / J
     n0 = y[6]
@@ -266,9 +263,7 @@ def step_normal(y, constants, law, table, rim, h):
             * law.intervals_per_unit
             / s1
         )
-        dgap = (
-            h * V2 + table_yield * (N - weight) - arm * ds - (zt1 - zt0) - (zr1 - zr0)
-        )
+        dgap = h * V2 - arm * ds - (zt1 - zt0) - (zr1 - zr0)
         r1 = approach_root(gap0 + dgap)
         elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
         error = max(0.0, elastic_force * (1 - loss * dgap)) - N
@@ -282,9 +277,7 @@ def step_normal(y, constants, law, table, rim, h):
         W = 1 / m + (arm * A2) ** 2 / (4 * J)
         stiffness = K1 * (r0 / 2 + r1)
         correction = error / (
-            1
-            + stiffness * (h * h / 4 * W + table_yield / 2)
-            + h * h / 2 * loss * elastic_force * W
+            1 + stiffness * (h * h / 4 * W) + h * h / 2 * loss * elastic_force * W
         )
         correction = max(correction, -N)
         mt = mean_slope(zt0, zt1, dpath)
@@ -324,7 +317,7 @@ def step_normal(y, constants, law, table, rim, h):
     q1 = b2 * A0 - b0 * A2
     q2 = b0 * A1 - b1 * A0
     ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
-    dgap += h * (V2 - previous_V2) + table_yield * correction - arm * ds
+    dgap += h * (V2 - previous_V2) - arm * ds
     u += law.intervals_per_unit * ds / s1
     elastic_force = (
         (K0 + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
@@ -332,7 +325,6 @@ def step_normal(y, constants, law, table, rim, h):
         * mean_force(r0, approach_root(gap0 + dgap), gap0, gap0 + dgap)
     )
     y[STATE.contact_loss] += (elastic_force - N) * dgap
-    y[STATE.table_loss] += table_yield * (N - weight) ** 2
     y[0] += h * V0
     y[1] += h * V1
     y[2] += h * V2
@@ -347,7 +339,6 @@ def step_normal(y, constants, law, table, rim, h):
     y[11] = 2 * M2 - L2
     y[STATE.table_path] += dpath
     y[STATE.edge_path] += dedge
-    y[STATE.table_rise] -= table_yield * (N - weight)
     y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
     y[STATE.gap_changes + 1] = y[STATE.gap_changes]
     y[STATE.gap_changes] = dgap + (zt1 - zt0) + (zr1 - zr0)

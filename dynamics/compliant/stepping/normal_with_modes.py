@@ -33,7 +33,7 @@ from dynamics.compliant.stepping.contact_energy import (
 )
 from dynamics.compliant.stepping.normal import MAX_ITERATIONS, rotation_change
 from dynamics.compliant.stepping.rim_modes import twist_rate
-from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
+from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.table_modes import (
     CONTACT,
     advance_modes,
@@ -290,12 +290,9 @@ def jump_to_contact(y, constants, modes, angle, height):
     lowest = (
         y[2] - constants.core_radius * down + constants.core_depth * (1 - y[8]) - height
     )
-    for m in range(len(modes.state)):
-        modes.state[m, MODE_STATE.shape_before] = modes.state[m, MODE_STATE.shape_after]
-        lowest -= (
-            modes.state[m, MODE_STATE.amplitude]
-            * modes.state[m, MODE_STATE.shape_after]
-        )
+    for m in range(len(modes.amplitude)):
+        modes.shape_before[m] = modes.shape_after[m]
+        lowest -= modes.amplitude[m] * modes.shape_after[m]
     y[STATE.gap] = lowest
     y[STATE.roughness_heights] = height
     y[STATE.roughness_heights + 1] = 0.0
@@ -372,12 +369,12 @@ def add_kinetic_energy(y, constants, modes, work):
     missing = change - work
     mode_energy = 0.0
     if missing > 0:
-        for m in range(len(modes.state)):
-            mode_energy += modes.state[m, MODE_STATE.velocity] ** 2 / 2
+        for m in range(len(modes.amplitude)):
+            mode_energy += modes.velocity[m] ** 2 / 2
     if mode_energy > 0:
         scale = np.sqrt(max(0.0, 1 - missing / mode_energy))
-        for m in range(len(modes.state)):
-            modes.state[m, MODE_STATE.velocity] *= scale
+        for m in range(len(modes.amplitude)):
+            modes.velocity[m] *= scale
         missing -= min(missing, mode_energy)
     y[STATE.contact_loss] -= missing
     y[STATE.energy_deficit] += max(missing, 0.0)

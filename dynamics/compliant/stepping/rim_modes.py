@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.numba_kernels import kernel
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 
@@ -114,13 +113,10 @@ def evaluate_rim_ripple(modes, angle, down, up, out):
     """Write the rim lowering at the end of a step and two angular derivatives to `out`."""
     out[0:3] = 0.0
     rim = modes.rim
-    first = len(modes.state) - len(rim)
+    first = len(modes.amplitude) - len(rim)
     for m in range(len(rim)):
         n = rim[m, RIM_COLUMNS.order]
-        moved = (
-            modes.state[first + m, MODE_STATE.amplitude]
-            + modes.state[first + m, MODE_STATE.free_change]
-        )
+        moved = modes.amplitude[first + m] + modes.free_change[first + m]
         lowers = moved * (
             down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial]
         )

@@ -34,8 +34,6 @@ class StateLayout(NamedTuple):
     """Path length of the contact on the table [m]."""
     edge_path: int
     """Path length of the contact on the edge of the disk [m]."""
-    table_rise: int
-    """Rise of the table under the contact [m]."""
     normal_force: int
     """Normal force in the last step [N]."""
     previous_forces: Pair
@@ -118,8 +116,6 @@ class ModelConstants(NamedTuple):
     arm_nutation: float
     arm_rolling: float
     arm_pivoting: float
-    table_impedance: float
-    """[N s/m]"""
     viscous_moment: float
     """Moment divided by angular velocity [N m s]."""
     viscous_force: float
@@ -140,19 +136,3 @@ class ModelConstants(NamedTuple):
     """1 if slip and creep in the contact replace arm_pivoting, else 0."""
     friction_is_fitted: float
     """1 if the friction was fitted to a rough disk and includes its losses, else 0."""
-
-
-class ModeState(NamedTuple):
-    """Column indices of the state of the modes."""
-
-    amplitude: int
-    velocity: int
-    shape_before: int
-    """Mode shape at the contact at the start of the step."""
-    shape_after: int
-    """Mode shape at the contact at the end of the step."""
-    free_change: int
-    """Change of the amplitude in a step without contact force."""
-
-
-MODE_STATE, _ = first_indices(ModeState)

@@ -21,7 +21,7 @@ from dynamics.compliant.stepping.rim_modes import (
     rim_shapes,
     store_rim_shapes,
 )
-from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE, first_indices
+from dynamics.compliant.stepping.state_layout import STATE, first_indices
 from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
@@ -69,12 +69,16 @@ class ContactModes(NamedTuple):
         Constants k [1/s^2] and c [1/s] of the modes.
     compliance : (m,) array
         1/(1 + h c/2 + h^2 k/4) for the step h.
-    state : (m, 5) array
-        State of the modes; see `ModeState`.
+    rim : (d, 6) array
+        Fields of the `RimModes` of the disk.
+    amplitude, velocity : (m,) arrays
+        State of the modes.
+    shape_before, shape_after : (m,) arrays
+        Mode shapes at the contact at the start and at the end of the step.
+    free_change : (m,) array
+        Change of the amplitudes in a step without contact force.
     contact : array
         Data of the contact; see `ContactLayout`.
-    rim : (d, 6) array
-        Fields of `RimModes`.
     """
 
     coefficients: np.ndarray
@@ -85,14 +89,16 @@ class ContactModes(NamedTuple):
     stiffness: np.ndarray
     damping: np.ndarray
     compliance: np.ndarray
-    state: np.ndarray
-    contact: np.ndarray
     rim: np.ndarray
+    amplitude: np.ndarray
+    velocity: np.ndarray
+    shape_before: np.ndarray
+    shape_after: np.ndarray
+    free_change: np.ndarray
+    contact: np.ndarray
 
 
-def modes_at_rest(
-    modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES
-) -> ContactModes:
+def modes_at_rest(modes, h: float, body: RimModes) -> ContactModes:
     """Return table modes (`modal.SurfaceModes`) and disk modes at rest for steps h [s].
 
     Without table modes, there are no disk modes.
@@ -137,7 +143,11 @@ def _at_rest(coefficients, knots_x, knots_y, **constants):
         knots_x,
         knots_y,
         **constants,
-        state=np.zeros((m, len(MODE_STATE))),
+        amplitude=np.zeros(m),
+        velocity=np.zeros(m),
+        shape_before=np.zeros(m),
+        shape_after=np.zeros(m),
+        free_change=np.zeros(m),
         contact=np.zeros(CONTACT.minimum_angles + max_gap_minima),
     )
 
@@ -161,25 +171,27 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
         * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
     )
     spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
-    waves = modes_at_rest()._replace(
-        coefficients=np.ascontiguousarray(spline.c.T[:, :, None]),
-        knots_x=spline.t,
-        knots_y=spline.t,
+    waves = _at_rest(
+        np.ascontiguousarray(spline.c.T[:, :, None]),
+        spline.t,
+        spline.t,
+        place=np.zeros(2),
         table_is_fixed=0.0,
         stiffness=np.zeros(1),
         damping=np.zeros(1),
         compliance=np.zeros(1),
-        state=np.eye(1, len(MODE_STATE)),  # unit amplitude
+        rim=np.column_stack(NO_RIM_MODES),
     )
+    waves.amplitude[:] = 1.0
     waves.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
     store_table_shapes(
         waves,
         *(reach * a),
         np.zeros((3, 4)),
         np.zeros((3, 4)),
-        waves.state[:, MODE_STATE.shape_before],
+        waves.shape_before,
     )
-    y[2] += waves.state[0, MODE_STATE.shape_before]
+    y[2] += waves.shape_before[0]
     return waves
 
 
@@ -269,10 +281,7 @@ def table_deflection(waves, x, y, bx, by, out):
             row = waves.coefficients[i + a, j + b]
             value = 0.0
             for m in range(row.size):
-                value += row[m] * (
-                    waves.state[m, MODE_STATE.amplitude]
-                    + waves.state[m, MODE_STATE.free_change]
-                )
+                value += row[m] * (waves.amplitude[m] + waves.free_change[m])
             out[0] += bx[0, a] * by[0, b] * value
             out[1] += bx[1, a] * by[0, b] * value
             out[2] += bx[0, a] * by[1, b] * value
@@ -429,14 +438,14 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
         y + reach * s,
         scratch[0:3, 0:4],
         scratch[3:6, 0:4],
-        waves.state[:, MODE_STATE.shape_after],
+        waves.shape_after,
     )
     store_rim_shapes(
         waves.rim,
         contact_angle - waves.contact[CONTACT.twist_angle],
         n0 * c + n1 * s,
         n2,
-        waves.state[:, MODE_STATE.shape_after],
+        waves.shape_after,
     )
     rim_field[:] = 0.0
     add_rim_heights(*rough, reach, R, angle_between(last, contact_angle), rim_field)
@@ -446,10 +455,10 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
 @kernel
 def predict_free_motion(waves, h):
     """Store the change of each amplitude in a step without contact force."""
-    for m in range(len(waves.state)):
-        q = waves.state[m, MODE_STATE.amplitude]
-        v = waves.state[m, MODE_STATE.velocity]
-        waves.state[m, MODE_STATE.free_change] = (
+    for m in range(len(waves.amplitude)):
+        q = waves.amplitude[m]
+        v = waves.velocity[m]
+        waves.free_change[m] = (
             h * waves.compliance[m] * (v - h / 2 * waves.stiffness[m] * q)
         )
 
@@ -461,22 +470,13 @@ def mode_work_sums(waves, h):
     E = 0.0
     P = 0.0
     S = 0.0
-    for m in range(len(waves.state)):
-        mean = (
-            waves.state[m, MODE_STATE.shape_before]
-            + waves.state[m, MODE_STATE.shape_after]
-        ) / 2
-        change = (
-            waves.state[m, MODE_STATE.shape_after]
-            - waves.state[m, MODE_STATE.shape_before]
-        )
+    for m in range(len(waves.amplitude)):
+        mean = (waves.shape_before[m] + waves.shape_after[m]) / 2
+        change = waves.shape_after[m] - waves.shape_before[m]
         compliance = h * h / 2 * waves.compliance[m] * mean
-        D += mean * waves.state[m, MODE_STATE.free_change]
+        D += mean * waves.free_change[m]
         E += compliance * mean
-        P += change * (
-            waves.state[m, MODE_STATE.amplitude]
-            + waves.state[m, MODE_STATE.free_change] / 2
-        )
+        P += change * (waves.amplitude[m] + waves.free_change[m] / 2)
         S += change * compliance / 2
     return D, E, P, S
 
@@ -489,21 +489,13 @@ def advance_modes(waves, N, h):
     """
     lost = 0.0
     total = 0.0
-    first = len(waves.state) - len(waves.rim)
-    for m in range(len(waves.state)):
-        mean = (
-            waves.state[m, MODE_STATE.shape_before]
-            + waves.state[m, MODE_STATE.shape_after]
-        ) / 2
-        change = (
-            waves.state[m, MODE_STATE.free_change]
-            - h * h / 2 * waves.compliance[m] * mean * N
-        )
-        waves.state[m, MODE_STATE.amplitude] += change
-        waves.state[m, MODE_STATE.velocity] = (
-            2 * change / h - waves.state[m, MODE_STATE.velocity]
-        )
-        waves.state[m, MODE_STATE.shape_before] = waves.state[m, MODE_STATE.shape_after]
+    first = len(waves.amplitude) - len(waves.rim)
+    for m in range(len(waves.amplitude)):
+        mean = (waves.shape_before[m] + waves.shape_after[m]) / 2
+        change = waves.free_change[m] - h * h / 2 * waves.compliance[m] * mean * N
+        waves.amplitude[m] += change
+        waves.velocity[m] = 2 * change / h - waves.velocity[m]
+        waves.shape_before[m] = waves.shape_after[m]
         total += waves.damping[m] * change * change / h
         if m < first:
             lost = total
@@ -515,10 +507,10 @@ def mode_energies(waves):
     """Return the energies of the table modes and of the disk modes [J]."""
     energy = 0.0
     total = 0.0
-    first = len(waves.state) - len(waves.rim)
-    for m in range(len(waves.state)):
-        q = waves.state[m, MODE_STATE.amplitude]
-        v = waves.state[m, MODE_STATE.velocity]
+    first = len(waves.amplitude) - len(waves.rim)
+    for m in range(len(waves.amplitude)):
+        q = waves.amplitude[m]
+        v = waves.velocity[m]
         total += (v * v + waves.stiffness[m] * q * q) / 2
         if m < first:
             energy = total
@@ -531,7 +523,7 @@ def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
     Each mode is excited by the Fourier series of its shape around the rim, without free
     vibration.
     """
-    if modes is None or not len(waves.state):
+    if modes is None or not len(waves.amplitude):
         return
     constants = model.constants
     n = y[STATE.axis : STATE.angular_momentum]
@@ -573,8 +565,9 @@ def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
         / (k + c * rate + rate**2)
     )
     waves.contact[CONTACT.angle] = start
-    waves.state[:, MODE_STATE.amplitude] = responses.sum(axis=0).real
-    waves.state[:, MODE_STATE.velocity] = (rate * responses).sum(axis=0).real
-    waves.state[:, MODE_STATE.shape_before] = shapes[0]
+    amplitude = responses.sum(axis=0).real
+    waves.amplitude[:] = amplitude
+    waves.velocity[:] = (rate * responses).sum(axis=0).real
+    waves.shape_before[:] = shapes[0]
     y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(waves)
-    y[2] += waves.state[:, MODE_STATE.amplitude] @ shapes[0]
+    y[2] += amplitude @ shapes[0]

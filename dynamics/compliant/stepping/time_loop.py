@@ -76,7 +76,7 @@ def _step_rows(
     slip = 0
     forces[:] = 0.0
     scratch = np.zeros((8, 6))
-    has_modes = len(modes.state) > 0
+    has_modes = len(modes.amplitude) > 0
     steps_per_force = (
         steps_per_row * len(rows) // len(forces)
     )  # number of steps in each mean force
