@@ -276,7 +276,3 @@ def separation_acceleration(beta, w1, w2, w3, law, loads=NO_LOADS) -> float:
     J2 = law.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
     return (e - law.fillet) * w1 * w1 - f * free - (law.K + 4) / 4 + loads.G3
-
-
-solve_contact = equations_of_motion(math.sin, math.cos)
-"""Solver of the balance laws for Python floats."""

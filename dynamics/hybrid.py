@@ -229,17 +229,15 @@ def run_events(
     path : Path
         The solution.
     guard : str or None
-        The guard that ended it; EVENT_CASCADE after more than `max_switches_at_once`
-        regime changes at one instant, STALLED after a `StalledError` (which is
+        The guard that ended it; EVENT_CASCADE after more than 100 regime changes at one
+        instant, STALLED after a `StalledError` (which is
         re-raised at time 0), None at the end of `span`.
     """
-    # Largest number of regime changes at one instant
-    max_switches_at_once = 100
     path = Path()
     start = system.begin(y)
     _append_steps(path, start)
     try:
-        return path, _integrate(system, path, start, span, watch, max_switches_at_once)
+        return path, _integrate(system, path, start, span, watch)
     except StalledError:
         if not path.t:
             raise
@@ -252,9 +250,9 @@ def _integrate(
     switch: Switch,
     span: float,
     watch: Callable[[float, list[Any]], None],
-    max_switches_at_once: int,
 ) -> str | None:
     """Extend a path from a switch to its end; return the guard that ended it."""
+    max_switches_at_once = 100
     switches_at_once = 0
     while path.t < span:
         start = path.t

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from dynamics.kinematics import contact_arms
-from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W2, W3, R
+from dynamics.regime import FLOAT_FORMULAS, R, angular_velocity, slip_velocity
 
 
 class SlipAcceleration(NamedTuple):
@@ -49,18 +49,14 @@ class SlipAcceleration(NamedTuple):
     def aligned_direction_near(self, angle: float) -> float | None:
         """Return one of `aligned_directions` within 1 rad of `angle` [rad], or None."""
         found = self._aligned_direction_from(angle)
-        if found is None or abs(found - angle) > 1:
-            found = min(
-                self.aligned_directions(),
-                key=lambda other: abs(_wrapped_angle(other - angle)),
-                default=None,
-            )
-            return (
-                None
-                if found is None or abs(_wrapped_angle(found - angle)) > 1
-                else found
-            )
-        return found
+        if found is not None and abs(found - angle) <= 1:
+            return found
+
+        def distance(other):
+            return abs(_wrapped_angle(other - angle))
+
+        near = (other for other in self.aligned_directions() if distance(other) <= 1)
+        return min(near, key=distance, default=None)
 
     def aligned_directions(self) -> list[float]:
         """Return the slip directions [rad] that are parallel to their acceleration."""
@@ -118,22 +114,22 @@ def _wrapped_angle(angle):
 
 def slip_acceleration(y, branch, senses, law) -> SlipAcceleration:
     """Return the slip acceleration of a sliding branch at state y."""
-    r = y[R]
-    omega = (r * y[W1], r * y[W2], r * y[W3])
-    slip = (r * y[V1], r * y[V2])
+    beta = y[R] * y[R]
+    omega = angular_velocity(y)
+    slip = slip_velocity(y)
     loads, law = FLOAT_FORMULAS.loads_and_arms(y, slip, branch, law)
-    lever = contact_arms(math.cos(r * r), math.sin(r * r), law.h, law.fillet)[1]
+    lever = contact_arms(math.cos(beta), math.sin(beta), law.h, law.fillet)[1]
     side = math.copysign(1.0, lever)  # the sign for which the inertia is positive
 
     def pushed(c, s):
         contact = FLOAT_FORMULAS.solve(
-            r * r, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads
+            beta, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads
         )
         return contact.inertia, contact.inertia * complex(contact.du1, contact.du2)
 
-    (a, k) = pushed(0.0, 0.0)
-    (_, across) = pushed(1.0, 0.0)
-    (inertia, along) = pushed(0.0, side)
+    a, k = pushed(0.0, 0.0)
+    _, across = pushed(1.0, 0.0)
+    inertia, along = pushed(0.0, side)
     across = across - k
     along = side * (along - k)
     return SlipAcceleration(

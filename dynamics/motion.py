@@ -538,6 +538,21 @@ class MotionBase:
         )
 
 
+def times_within(t: ArrayLike, end: float) -> np.ndarray:
+    """Return times t (k,) [s] as an array.
+
+    Raises ValueError for times outside a motion that lasts from 0 to `end` [s].
+    """
+    t = np.atleast_1d(np.asarray(t, dtype=float))
+    if t.ndim > 1:
+        raise ValueError(
+            f"t must be a scalar or one-dimensional array of times [s], not of shape {t.shape}"
+        )
+    if t.size and not (t.min() >= 0 and t.max() <= end * (1 + 1e-14)):
+        raise ValueError(f"t must be within the motion, 0 to {end:.9g} s")
+    return t
+
+
 def read_only(array: ArrayLike) -> np.ndarray:
     """Make an array read-only and return it."""
     array = np.asarray(array)

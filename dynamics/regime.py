@@ -20,7 +20,6 @@ from dynamics.equations import (
     equations_of_motion,
 )
 from dynamics.guards import ALL_GUARDS, AXES, STOP_SLIP_SPEED, Guard, GuardArguments
-from dynamics.guards import MAX_FALL_RATE as MAX_FALL_RATE
 from dynamics.kinematics import centre_velocity, contact_place, precession_rate
 from dynamics.pivoting import pivoting_arm
 
@@ -94,6 +93,18 @@ def contact_axis_rates(beta, w1, w2, w3, sin, cos):
     return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
 
 
+def angular_velocity(y) -> tuple[Any, Any, Any]:
+    """Return the angular velocity omega along e_1, e_2, e_3 at a state y."""
+    r = y[R]
+    return r * y[W1], r * y[W2], r * y[W3]
+
+
+def slip_velocity(y) -> tuple[Any, Any]:
+    """Return the slip velocity u along a_1, a_2 at a state y."""
+    r = y[R]
+    return r * y[V1], r * y[V2]
+
+
 def rotation_rates(y) -> tuple[float, float, float]:
     """Return omega.a_i/r, i = 1 to 3, at a state y of floats."""
     return contact_axis_rates(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
@@ -101,9 +112,10 @@ def rotation_rates(y) -> tuple[float, float, float]:
 
 def describe_state(y) -> str:
     """Return a description of a state for error messages."""
-    r = y[R]
-    omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
-    return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
+    omega = ", ".join(f"{w:.6g}" for w in angular_velocity(y))
+    slip = ", ".join(f"{u:.6g}" for u in slip_velocity(y))
+    inclination = y[R] * y[R]
+    return f"inclination {inclination:.6g} rad, dimensionless omega ({omega}), slip ({slip})"
 
 
 def restart_quadratures(y, keep_position: bool):
@@ -148,28 +160,22 @@ class FlowFormulas:
 
     def contact(self, y, branch: Branch, senses, law: DiskConstants) -> Contact:
         """Solve the balance laws at state y with the slip direction of y."""
-        r = y[R]
-        u1 = 0.0
-        u2 = 0.0
-        c = 0.0
-        s = 0.0
+        slip = (0.0, 0.0)
+        direction = (0.0, 0.0)
         if branch.sliding:
-            u1 = r * y[V1]
-            u2 = r * y[V2]
-            if (
-                branch.can_grip
-            ):  # without friction the direction is not needed, and undefined at rest
+            slip = slip_velocity(y)
+            if branch.can_grip:
+                # without friction the direction is not needed, and undefined at rest
                 speed = self.scaled_slip_speed(y)
-                c = y[V1] / speed
-                s = y[V2] / speed
-        return self.contact_along(y, (u1, u2), (c, s), branch, senses, law)
+                direction = (y[V1] / speed, y[V2] / speed)
+        return self.contact_along(y, slip, direction, branch, senses, law)
 
     def contact_along(
         self, y, slip, direction, branch: Branch, senses, law: DiskConstants
     ) -> Contact:
         """Solve the balance laws at state y with a given slip direction."""
         r = y[R]
-        omega = (r * y[W1], r * y[W2], r * y[W3])
+        omega = angular_velocity(y)
         loads, law = self.loads_and_arms(y, slip, branch, law)
         return self.solve(
             r * r,
@@ -188,7 +194,7 @@ class FlowFormulas:
     ) -> tuple[Loads, DiskConstants]:
         """Return the loads at state y, and the constants with k3 from spin friction."""
         r = y[R]
-        omega = (r * y[W1], r * y[W2], r * y[W3])
+        omega = angular_velocity(y)
         loads = (
             branch.loads(r * r, omega, slip, law, self) if branch.loads else NO_LOADS
         )
@@ -225,10 +231,10 @@ class FlowFormulas:
         r = y[R]
         w1 = y[W1]
         beta = r * r
-        omega = (r * y[W1], r * y[W2], r * y[W3])
+        omega = angular_velocity(y)
         sin_a = self.cos(beta)
         cos_a = self.sin(beta)
-        slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
+        slip = slip_velocity(y) if branch.sliding else (0.0, 0.0)
         place = contact_place(sin_a, cos_a, law.h, law.fillet)
         v1, v2 = centre_velocity(slip, omega, place)
         rate = precession_rate(omega[2], cos_a)

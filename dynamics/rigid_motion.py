@@ -22,6 +22,7 @@ from dynamics.motion import (
     Transition,
     piece_ends_and_middles,
     read_only,
+    times_within,
 )
 from dynamics.piecewise_polynomial import PiecewisePolynomials
 from dynamics.regime import (
@@ -271,16 +272,8 @@ class RigidMotion(MotionBase):
 
     def _time_and_piece(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return times t (k,) [s] in time units, and the indices (k,) of their pieces."""
-        t = np.atleast_1d(np.asarray(t, dtype=float))
-        if t.ndim > 1:
-            raise ValueError(
-                f"t must be a scalar or one-dimensional array of times [s], not of shape {t.shape}"
-            )
+        t = times_within(t, self.t[-1])
         tau = t / self.disk.time_unit
-        end = self.path.x[-1]
-        if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
-            duration = end * self.disk.time_unit
-            raise ValueError(f"t must be within the motion, 0 to {duration:.9g} s")
         piece = np.searchsorted(self.t[:-1], t, side="right") - 1
         # The rounded quotient may lie outside the piece.
         return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece

@@ -7,7 +7,7 @@ from operator import add
 
 from dynamics.dissipation import OwnLaw, Resistance
 from dynamics.equations import DiskConstants
-from dynamics.guards import AXES, LIFT_OFF, STOP_SLIP_SPEED, GuardKind, guard_named
+from dynamics.guards import LIFT_OFF, STOP_SLIP_SPEED, GuardKind, guard_named
 from dynamics.hybrid import MAX_STEPS_PER_ARC, Arc, StalledError, Step, Switch
 from dynamics.integrators.slow_slide_criterion import is_stiff
 from dynamics.regime import (
@@ -206,27 +206,22 @@ class RollingDisk:
         Otherwise the guard of this rotation would be negative at the end of the step.
         """
         _, stuck, senses = step.regime
-        arms = (self.law.k1, self.law.k2, self.law.k3)
+        turning = [i for i in range(3) if self.law.arms[i] > 0 and not stuck[i]]
 
         def guards(y):
-            turns = zip(AXES, arms, stuck, senses, rotation_rates(y), strict=True)
-            return {
-                axis: sense * turn
-                for axis, arm, held, sense, turn in turns
-                if arm > 0 and not held
-            }
+            turns = rotation_rates(y)
+            return {i: senses[i] * turns[i] for i in turning}
 
         end, axis = first_guard_zero(step, guards)
         step = step._replace(duration=end)
-        if (
-            self._contact(step.end, step.regime).Phi <= 0
-        ):  # a negative guard cannot fall through zero
+        if self._contact(step.end, step.regime).Phi <= 0:
+            # a negative guard cannot fall through zero
             return self._lifts_off(step)
         y = step.end
         if axis is None:
             return Switch(step.regime, y, (step,))
-        y = with_rotation_zero(y, AXES.index(axis))
-        held = {*at_zero, AXES.index(axis) + 1} - {0}
+        y = with_rotation_zero(y, axis)
+        held = {*at_zero, axis + 1} - {0}
         if math.hypot(y[V1], y[V2]) < STOP_SLIP_SPEED:
             y[V1] = 0.0
             y[V2] = 0.0

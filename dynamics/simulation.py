@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
+from functools import partial
 from importlib import import_module
 from typing import Any
 
@@ -16,7 +16,13 @@ from dynamics.film.activation import final_inclination, non_contact_loads
 from dynamics.hybrid import EVENT_CASCADE, STALLED, Arc, Path, StalledError, run_events
 from dynamics.motion import Motion, Outcome, Transition, read_only
 from dynamics.piecewise_polynomial import PiecewisePolynomials
-from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W3, R, Regime
+from dynamics.regime import (
+    FLOAT_FORMULAS,
+    R,
+    Regime,
+    angular_velocity,
+    slip_velocity,
+)
 from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, initial_state
 from dynamics.scene_constants import scene_constants
@@ -124,9 +130,9 @@ def simulate(
         raise ValueError(f"loads: a user-defined law requires {needed}")
     from dynamics.compliant.switched_motion import solve_switched
 
-    def solve_on_rigid_table(first_part: MotionScene) -> Motion:
-        return _solve_with_table(first_part, watch, None, None)
-
+    solve_on_rigid_table = partial(
+        _solve_with_table, watch=watch, loads=None, modes=None
+    )
     return solve_switched(scene, found.inclination, solve_on_rigid_table, watch, modes)
 
 
@@ -229,10 +235,9 @@ def outcome_after_guard(guard: str | None, y: Any, system: RollingDisk) -> Outco
     """
     min_film_share = 0.01  # of the weight
     if guard == guards.LIFT_OFF and system.loads:
-        r = y[R]
-        omega = tuple(r * w for w in y[W1 : W3 + 1])
-        slip = (r * y[V1], r * y[V2])
-        film_lift = system.loads(r * r, omega, slip, system.law, FLOAT_FORMULAS).G3
+        beta = y[R] * y[R]
+        motion = angular_velocity(y), slip_velocity(y)
+        film_lift = system.loads(beta, *motion, system.law, FLOAT_FORMULAS).G3
         weight = (system.law.K + 4) / 4
         if film_lift > min_film_share * weight:
             return Outcome.AIRBORNE
@@ -241,9 +246,8 @@ def outcome_after_guard(guard: str | None, y: Any, system: RollingDisk) -> Outco
 
 def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> None:
     """Compile the flows that most motions of a scene need, in background threads."""
-    if resolved_integrator_name(scene.numerics.integrator) != "taylor" or is_compliant(
-        scene
-    ):
+    integrator = resolved_integrator_name(scene.numerics.integrator)
+    if integrator != "taylor" or contact_model(scene) in ("full", "many"):
         return
     from dynamics.integrators import taylor
 
@@ -252,11 +256,6 @@ def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> No
     for sliding in (False, True) if can_slide else (False,):
         regime = Regime(sliding, (False,) * 3, (1.0,) * 3)
         taylor.compile_in_background(regime, system.law, system.loads, system.tolerance)
-
-
-def is_compliant(scene: MotionScene) -> bool:
-    """Return True if the elastic contact of a scene is solved in full."""
-    return contact_model(scene) in ("full", "many")
 
 
 def contact_model(scene: MotionScene) -> str:
@@ -283,11 +282,7 @@ def rigid_contact_system(scene: MotionScene, loads: OwnLaw | None) -> RollingDis
 def chosen_integrator(name: str) -> tuple[str, Callable[..., Arc]]:
     """Return the resolved name of an integrator, and its function `advance`."""
     name = resolved_integrator_name(name)
-    modules = {
-        "taylor": "dynamics.integrators.taylor",
-        "dop853": "dynamics.integrators.dop853",
-    }
-    return name, import_module(modules[name]).advance
+    return name, import_module(f"dynamics.integrators.{name}").advance
 
 
 def _rigid_motion_from_path(
@@ -301,14 +296,10 @@ def _rigid_motion_from_path(
     regime_of_piece = np.repeat(
         [regimes.index(regime) for regime, _ in path.regimes], counts
     )
-    name_of = cache(str)
-    transitions = []
-    for crossing in path.crossings:
-        t = crossing.t * disk.time_unit
-        before = name_of(crossing.before)
-        transitions.append(
-            Transition(t, before, name_of(crossing.after), crossing.guard)
-        )
+    transitions = [
+        Transition(t * disk.time_unit, str(before), str(after), guard)
+        for t, before, after, guard in path.crossings
+    ]
     return RigidMotion(
         disk=disk,
         law=system.law,

@@ -26,8 +26,10 @@ from dynamics.regime import (
     Branch,
     R,
     Regime,
+    angular_velocity,
     describe_state,
     rotation_rates,
+    slip_velocity,
 )
 
 CONSISTENCY_TOLERANCE = 1e-12
@@ -131,11 +133,12 @@ def with_rotation_zero(y, i):
 
 def _leaves_plane(y, law, loads) -> bool:
     """Return True if a free disk would leave the plane, or just touch it."""
-    r = y[R]
-    omega = (r * y[W1], r * y[W2], r * y[W3])
-    slip = (r * y[V1], r * y[V2])
-    applied = loads(r * r, omega, slip, law, FLOAT_FORMULAS) if loads else NO_LOADS
-    return separation_acceleration(r * r, *omega, law, applied) > -CONSISTENCY_TOLERANCE
+    beta = y[R] * y[R]
+    omega = angular_velocity(y)
+    applied = NO_LOADS
+    if loads:
+        applied = loads(beta, omega, slip_velocity(y), law, FLOAT_FORMULAS)
+    return separation_acceleration(beta, *omega, law, applied) > -CONSISTENCY_TOLERANCE
 
 
 def _candidate_regimes(y, law, at_zero, leaving, senses):
@@ -240,9 +243,9 @@ def contact_at_release(
 
 def _contact_sliding_along(y, angle, regime, branch, law):
     """Solve the balance laws for a contact that starts to slide along `angle` [rad]."""
-    slip = (y[R] * y[V1], y[R] * y[V2])
+    direction = (math.cos(angle), math.sin(angle))
     return FLOAT_FORMULAS.contact_along(
-        y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
+        y, slip_velocity(y), direction, branch, regime.senses, law
     )
 
 

@@ -48,6 +48,7 @@ from dynamics.motion import (
     Outcome,
     Transition,
     read_only,
+    times_within,
 )
 from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
@@ -127,11 +128,6 @@ class CompliantMotion(MotionBase):
         return self.model.table.law.disk
 
     @property
-    def loads(self) -> Film | None:
-        """The air film that acts on the disk, or None."""
-        return self.model.film
-
-    @property
     def film(self) -> Film | None:
         """The air film that acts on the disk, or None."""
         return self.model.film
@@ -152,33 +148,32 @@ class CompliantMotion(MotionBase):
         return f"discrete gradient, {self.model.rate:.4g} steps/s"
 
     @property
+    def _row_duration(self) -> float:
+        """Time between two rows [s]."""
+        return FORCES_PER_ROW * self.dt
+
+    @property
     def _end(self) -> float:
-        return (len(self.rows) - 1) * FORCES_PER_ROW * self.dt
+        return (len(self.rows) - 1) * self._row_duration
 
     @cached_property
     def t(self) -> np.ndarray:
         """Breakpoints (n,) [s]: changes of regime, and times between small precessions."""
         max_piece_turn = 0.25  # largest precession in one piece [rad]
         turned = np.append(0.0, np.cumsum(np.abs(np.diff(self.rows[:, 0]))))
-        nodes = np.unique(
-            np.append(
-                np.unique(turned // max_piece_turn, return_index=True)[1],
-                len(turned) - 1,
-            )
-        )
+        first_of_piece = np.unique(turned // max_piece_turn, return_index=True)[1]
+        nodes = np.append(first_of_piece, len(turned) - 1)
         changes = [event.t for event in self.transitions]
-        return read_only(
-            np.unique(np.concatenate([nodes * (FORCES_PER_ROW * self.dt), changes]))
-        )
+        return read_only(np.unique(np.append(nodes * self._row_duration, changes)))
 
     def at(self, t: ArrayLike) -> np.ndarray:
         """Return the COLUMNS (k, 11) at times t (k,) [s].
 
         Raises ValueError for times outside the motion.
         """
-        x = self._row_positions(t)
-        state = interpolate_rows(self.rows, x, False)[:, : len(COLUMNS)]
-        state[:, -1] = self._interpolate_linearly(x)[:, LOSS_COLUMNS].sum(axis=1)
+        rows = interpolate_rows(self.rows, self._row_positions(t), False)
+        state = rows[:, : len(COLUMNS)]
+        state[:, -1] = self.lost_by_cause(t).sum(axis=1)
         return state
 
     def force(self, t: ArrayLike) -> np.ndarray:
@@ -204,25 +199,16 @@ class CompliantMotion(MotionBase):
         """
         # Number of intervals in the mean of the force over half a turn
         load_window_parts = 24
-        turn = self._turn_duration(t)
-        edges = (
-            np.asarray(t)
-            + np.linspace(-0.25, 0.25, load_window_parts + 1)[:, None] * turn
-        )
-        impulse = interpolate_rows(
-            self.impulses,
-            self._row_positions(np.clip(edges, 0, self._end).ravel()) * FORCES_PER_ROW,
-            False,
-        )[:, 2]
-        lasts = np.diff(np.clip(edges, 0, self._end), axis=0)
-        hann = (
-            np.sin(np.pi * (np.arange(load_window_parts) + 0.5) / load_window_parts)[
-                :, None
-            ]
-            ** 2
-        )
+        offset = np.linspace(-0.25, 0.25, load_window_parts + 1)[:, None]
+        edges = np.asarray(t) + offset * self._turn_duration(t)
+        edges = np.clip(edges, 0, self._end)
+        place = self._row_positions(edges.ravel()) * FORCES_PER_ROW
+        impulse = interpolate_rows(self.impulses, place, False)[:, 2]
+        phase = np.pi * (np.arange(load_window_parts) + 0.5) / load_window_parts
+        hann = np.sin(phase)[:, None] ** 2
         changes = np.diff(impulse.reshape(edges.shape), axis=0)
-        return (hann * changes).sum(axis=0) / (hann * lasts).sum(axis=0)
+        durations = np.diff(edges, axis=0)
+        return (hann * changes).sum(axis=0) / (hann * durations).sum(axis=0)
 
     def steady_nutation(self, t: ArrayLike) -> np.ndarray:
         """Return omega_1 (k,) [rad/s] at t (k,) [s] without contact vibration.
@@ -257,20 +243,18 @@ class CompliantMotion(MotionBase):
         # than a hundredth
         max_overtone = 2
         turning = np.abs(precession_rate(state)) / (2 * np.pi)
-        highest = np.maximum(
-            FORCE_HARMONICS * turning,
-            max_overtone
-            * self.contact_resonance(np.maximum(state[:, 1], MIN_CONTACT_INCLINATION)),
-        )
+        beta = np.maximum(state[:, 1], MIN_CONTACT_INCLINATION)
+        overtone = max_overtone * self.contact_resonance(beta)
+        highest = np.maximum(FORCE_HARMONICS * turning, overtone)
         return np.minimum(highest, FORCE_RATE / 2)
 
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return the total energy (k,) [J] at times t (k,) [s]."""
-        return self._interpolate_linearly(self._row_positions(t))[:, ENERGY_COLUMN]
+        return self._stored_at(t)[:, ENERGY_COLUMN]
 
     def lost_by_cause(self, t: ArrayLike) -> np.ndarray:
         """Return the energy (k, 7) [J] lost to each of CAUSES up to times t (k,) [s]."""
-        return self._interpolate_linearly(self._row_positions(t))[:, LOSS_COLUMNS]
+        return self._stored_at(t)[:, LOSS_COLUMNS]
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s]."""
@@ -279,20 +263,16 @@ class CompliantMotion(MotionBase):
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES, the mean of a row."""
         first = np.minimum(self._row_positions(t).astype(int), len(self.rows) - 2)
-        power = (
-            self.rows[first + 1, LOSS_COLUMNS] - self.rows[first, LOSS_COLUMNS]
-        ) / (FORCES_PER_ROW * self.dt)
-        return dict(zip(CAUSES, power.T, strict=True))
+        lost = self.rows[first + 1, LOSS_COLUMNS] - self.rows[first, LOSS_COLUMNS]
+        return dict(zip(CAUSES, lost.T / self._row_duration, strict=True))
 
     def table_energy(self, t: ArrayLike) -> np.ndarray:
         """Return the energy (k,) [J] of coupled table modes at times t (k,) [s]."""
-        return self._interpolate_linearly(self._row_positions(t))[
-            :, TABLE_ENERGY_COLUMN
-        ]
+        return self._stored_at(t)[:, TABLE_ENERGY_COLUMN]
 
     def disk_mode_energy(self, t: ArrayLike) -> np.ndarray:
         """Return the energy (k,) [J] of coupled disk modes at times t (k,) [s]."""
-        return self._interpolate_linearly(self._row_positions(t))[:, DISK_ENERGY_COLUMN]
+        return self._stored_at(t)[:, DISK_ENERGY_COLUMN]
 
     def largest_regain(self) -> float:
         """Return the largest decrease [J] of the energy lost to one cause; see `Motion`."""
@@ -339,12 +319,11 @@ class CompliantMotion(MotionBase):
         The square root of the inclination is extrapolated from its last decade to zero.
         """
         decade = self._last_decade
-        r = np.sqrt(self.rows[[decade, -1], 1])
-        t = np.array([decade, len(self.rows) - 1]) * FORCES_PER_ROW * self.dt
-        if self.outcome is not Outcome.SETTLED or not r[0] > r[1]:
+        before, last = np.sqrt(self.rows[[decade, -1], 1])
+        if self.outcome is not Outcome.SETTLED or not before > last:
             return self._end
-        duration = t[1] - t[0]
-        return float(t[1] + r[1] * duration / (r[0] - r[1]))
+        duration = self._end - decade * self._row_duration
+        return float(self._end + last * duration / (before - last))
 
     @property
     def fell_flat(self) -> bool:
@@ -368,17 +347,13 @@ class CompliantMotion(MotionBase):
 
         Raises ValueError for times outside the motion.
         """
-        t = np.atleast_1d(np.asarray(t, dtype=float))
-        if t.ndim > 1:
-            raise ValueError(
-                f"t must be a scalar or one-dimensional array of times [s], not of shape {t.shape}"
-            )
-        if t.size and not (t.min() >= 0 and t.max() <= self._end * (1 + 1e-14)):
-            raise ValueError(f"t must be within the motion, 0 to {self._end:.9g} s")
-        return np.minimum(t / (FORCES_PER_ROW * self.dt), len(self.rows) - 1)
+        return np.minimum(
+            times_within(t, self._end) / self._row_duration, len(self.rows) - 1
+        )
 
-    def _interpolate_linearly(self, x: np.ndarray) -> np.ndarray:
+    def _stored_at(self, t: ArrayLike) -> np.ndarray:
         """Interpolate rows (k, 21) linearly, which preserves energy balances."""
+        x = self._row_positions(t)
         first = np.minimum(x.astype(int), len(self.rows) - 2)
         before = self.rows[first]
         after = self.rows[first + 1]
@@ -394,8 +369,8 @@ def _is_within(spans: np.ndarray, t: ArrayLike) -> np.ndarray:
 
 def solve_compliant_motion(
     scene: "MotionScene",
-    watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
-    surface_modes: Any = None,
+    watch: Callable[[float, float, str], None],
+    surface_modes: Any,
     begin: tuple[np.ndarray, np.ndarray] | None = None,
     max_energy: float = np.inf,
 ) -> CompliantMotion:
@@ -429,17 +404,16 @@ def solve_compliant_motion(
         insufficient to bend it.
     """
     modes = surface_modes if is_two_way(scene) else None
-    radius = scene.disk.radius
-    if is_two_way(scene) and modes is None:
-        raise ValueError("surface.action = 'motion': requires surface_modes")
-    if (
-        modes is not None
-        and (sag := modes.compliance(radius) * scene.disk.weight) > radius
-    ):
-        raise ImpossibleContactError(
-            f"linear theory does not apply: the weight of the disk would bend the table by "
-            f"{sag:.3g} m, more than the radius of the disk, {radius:g} m"
-        )
+    if is_two_way(scene):
+        if modes is None:
+            raise ValueError("surface.action = 'motion': requires surface_modes")
+        radius = scene.disk.radius
+        sag = modes.compliance(radius) * scene.disk.weight
+        if sag > radius:
+            raise ImpossibleContactError(
+                f"linear theory does not apply: the weight of the disk would bend the table by "
+                f"{sag:.3g} m, more than the radius of the disk, {radius:g} m"
+            )
     model = compliant_model(scene, modes)
     final_inclination = (
         FLAT_INCLINATION
@@ -477,6 +451,7 @@ def simulate_from(
     steps_per_row = max(1, round(model.rate / FORCE_RATE)) * FORCES_PER_ROW
     y = preloaded_compliant_state(model, state, force)
     dt = steps_per_row / FORCES_PER_ROW / model.rate
+    row_duration = FORCES_PER_ROW * dt
     waves = model.supporting_modes(y)
     limit_energy(model, y, max_energy)
     stored = _stored_columns(model, y[None])
@@ -488,17 +463,15 @@ def simulate_from(
     for piece in model.run(
         y,
         steps_per_row,
-        max(stop, 2 * FORCES_PER_ROW * dt),
+        max(stop, 2 * row_duration),
         final_inclination,
         FORCES_PER_ROW,
         waves,
     ):
         steps = np.vstack([0 * impulse[-1:], piece.force * dt])
         impulse = impulse[-1] + np.cumsum(steps, axis=0)
-        stored = _unwrap_precession(
-            np.vstack([stored[-1:], _stored_columns(model, piece.state)]),
-            FORCES_PER_ROW * dt,
-        )
+        stored = np.vstack([stored[-1:], _stored_columns(model, piece.state)])
+        _unwrap_precession(stored, row_duration)
         rows.append(stored[1:])
         impulses.append(impulse[1:])
         slides.append(piece.slips)
@@ -508,33 +481,31 @@ def simulate_from(
     written = rows.rows()
     flights = losses.rows()
     if len(written) < 2:
-        bent = "the table bends so far that the disk touches it elsewhere"
-        raise ImpossibleContactError(
-            f"no first step: {END_REASONS[piece.end_reason] if model.modes is None else bent}"
-        )
+        why = END_REASONS[piece.end_reason]
+        if model.modes is not None:
+            why = "the table bends so far that the disk touches it elsewhere"
+        raise ImpossibleContactError(f"no first step: {why}")
     end = np.flatnonzero(written[:, 1] >= final_inclination)[-1]
-    if (
-        piece.end_reason == EndReason.IS_AIRBORNE
-    ):  # the motion ends at the loss of contact
-        end = int(flights[-1, 0] / (FORCES_PER_ROW * dt))
+    if piece.end_reason == EndReason.IS_AIRBORNE:
+        # the motion ends at the loss of contact
+        end = int(flights[-1, 0] / row_duration)
         flights = flights[:-1]
     written = written[: max(end, 1) + 1]
+    last = len(written) - 1
     motion = CompliantMotion(
         model=model,
         dt=dt,
-        impulses=impulses.rows()[: FORCES_PER_ROW * (len(written) - 1) + 1],
+        impulses=impulses.rows()[: FORCES_PER_ROW * last + 1],
         rows=written,
         slides=slides.rows(),
-        contact_losses=ContactLosses(
-            flights[flights[:, 0] < (len(written) - 1) * FORCES_PER_ROW * dt]
-        ),
+        contact_losses=ContactLosses(flights[flights[:, 0] < last * row_duration]),
         max_friction_excess=float(y[STATE.friction_excess]),
         outcome=OUTCOME_OF_END[piece.end_reason],
     )
     return replace(motion, outcome=Outcome.FELL) if motion.fell_flat else motion
 
 
-def compliant_model(scene: "MotionScene", modes: Any = None) -> CompliantModel:
+def compliant_model(scene: "MotionScene", modes: Any) -> CompliantModel:
     """Return the model of a scene, coupled to the `modes` of its table if given."""
     dissipation = scene.dissipation
     disk = scene.disk
@@ -581,10 +552,9 @@ def _stored_columns(model: CompliantModel, y: np.ndarray) -> np.ndarray:
     )
 
 
-def _unwrap_precession(rows: np.ndarray, dt: float) -> np.ndarray:
-    """Make the precession continuous over rows (k, 21) that are dt [s] apart."""
+def _unwrap_precession(rows: np.ndarray, dt: float) -> None:
+    """Make the precession continuous over rows (k, 21) that are dt [s] apart, in place."""
     rate = precession_rate(rows)
     step = np.diff(rows[:, 0])
     step -= 2 * np.pi * np.rint((step - (rate[1:] + rate[:-1]) / 2 * dt) / (2 * np.pi))
     rows[1:, 0] = rows[0, 0] + np.cumsum(step)
-    return rows

@@ -8,7 +8,12 @@ from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
-from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE, STATE_SIZE
+from dynamics.compliant.stepping.state_layout import (
+    ENERGY_LOSSES,
+    SPANS,
+    STATE,
+    STATE_SIZE,
+)
 from dynamics.film.forces import squeezed_air_energy
 from dynamics.switching import ImpossibleContactError
 
@@ -45,7 +50,7 @@ def preloaded_compliant_state(
     f1, f2, N = (0.0, 0.0, law.disk.weight) if force is None else force
     R = law.disk.radius
     place = law.place(beta)
-    (J1, J2) = inertias(law.disk)
+    J1, J2 = inertias(law.disk)
     c = model.table.columns(np.array([beta]))[0]
     a1 = np.array([np.cos(theta), np.sin(theta), 0.0])
     a2 = np.array([-np.sin(theta), np.cos(theta), 0.0])
@@ -64,35 +69,28 @@ def preloaded_compliant_state(
             / c[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]]
         )
     y = np.zeros(STATE_SIZE)
-    y[STATE.roughness_heights : STATE.roughness_heights + 2] = [
+    y[SPANS.roughness_heights] = [
         mean_height(p, -R * state[2], c[LAW_COLUMNS.half_length])
         for p in model.profiles
     ]
-    y[0], y[1] = state[3:5]
+    y[:2] = state[3:5]
     fixed = model.constants
     y[2] = (
         fixed.core_radius * np.sin(beta)
         - 2 * fixed.core_depth * np.sin(beta / 2) ** 2
         - delta
-        + y[STATE.roughness_heights : STATE.roughness_heights + 2].sum()
+        + y[SPANS.roughness_heights].sum()
     )
-    y[STATE.velocity : STATE.axis] = slip @ [a1, a2] + np.cross(
+    y[SPANS.velocity] = slip @ [a1, a2] + np.cross(
         w1 * a1 + w2 * n + w3 * e3,
         place.depth * n + place.radius * e3,
     )
-    y[STATE.axis : STATE.angular_momentum] = n
-    y[STATE.angular_momentum : STATE.spring_stretch] = (
-        J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
-    )
-    y[STATE.spring_stretch : STATE.spring_stretch + 2] = deflection * [
-        -1,
-        1,
-    ]  # along t = -a_1, d = a_2
-    y[STATE.spring_stiffness : STATE.spring_stiffness + 2] = c[
-        LAW_COLUMNS.stiffness_1 : LAW_COLUMNS.stiffness_2 + 1
-    ]
+    y[SPANS.axis] = n
+    y[SPANS.angular_momentum] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    y[SPANS.spring_stretch] = deflection * [-1, 1]  # along t = -a_1, d = a_2
+    y[SPANS.spring_stiffness] = c[LAW_COLUMNS.stiffness_1 : LAW_COLUMNS.stiffness_2 + 1]
     y[STATE.normal_force] = N
-    y[STATE.previous_forces : STATE.previous_forces + 2] = N
+    y[SPANS.previous_forces] = N
     y[STATE.gap] = -delta
     y[[STATE.table_path, STATE.edge_path]] = -R * state[2]
     y[STATE.squeezed_air_energy] = squeezed_air_energy(
@@ -117,8 +115,8 @@ def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> N
     if excess <= 0:
         return
     still = y.copy()
-    still[STATE.velocity : STATE.axis] = 0.0
-    still[STATE.angular_momentum : STATE.spring_stretch] = 0.0
+    still[SPANS.velocity] = 0.0
+    still[SPANS.angular_momentum] = 0.0
     kinetic = max_energy + excess - float(energy(model, still[None])[0])
     if excess >= kinetic:
         raise ImpossibleContactError(
@@ -126,8 +124,8 @@ def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> N
             f"energy of {kinetic:.3g} J"
         )
     slower = np.sqrt(1 - excess / kinetic)
-    y[STATE.velocity : STATE.axis] *= slower
-    y[STATE.angular_momentum : STATE.spring_stretch] *= slower
+    y[SPANS.velocity] *= slower
+    y[SPANS.angular_momentum] *= slower
 
 
 def inclination(y: np.ndarray) -> np.ndarray:
@@ -143,11 +141,11 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     modes, disk modes and squeezed air. It is zero for a disk at rest flat on the table.
     """
     y = np.ascontiguousarray(y.T)
-    (J1, J2) = inertias(model.table.law.disk)
     disk = model.table.law.disk
-    v = y[STATE.velocity : STATE.axis]
-    n = y[STATE.axis : STATE.angular_momentum]
-    L = y[STATE.angular_momentum : STATE.spring_stretch]
+    J1, J2 = inertias(disk)
+    v = y[SPANS.velocity]
+    n = y[SPANS.axis]
+    L = y[SPANS.angular_momentum]
     moved = (
         disk.mass * (v * v).sum(axis=0)
         + (L * L).sum(axis=0) / J1
@@ -157,10 +155,7 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     moved += (
         0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
     )
-    moved += (
-        y[STATE.spring_stiffness : STATE.spring_stiffness + 2]
-        * y[STATE.spring_stretch : STATE.spring_stretch + 2] ** 2
-    ).sum(axis=0)
+    moved += (y[SPANS.spring_stiffness] * y[SPANS.spring_stretch] ** 2).sum(axis=0)
     fixed = model.constants
     offset = (y[0] + fixed.bowl_x) ** 2 + (y[1] + fixed.bowl_y) ** 2
     bowl_energy = fixed.bowl_stiffness / 2 * offset
@@ -180,7 +175,7 @@ def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     The precession is in (-pi, pi].
     """
     disk = model.table.law.disk
-    (J1, J2) = inertias(model.table.law.disk)
+    J1, J2 = inertias(disk)
     beta = inclination(y)
     y = np.ascontiguousarray(y.T)
     place = model.table.law.place(beta)
@@ -188,9 +183,9 @@ def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     c = np.cos(beta)
     d0 = y[STATE.axis] / s
     d1 = y[STATE.axis + 1] / s
-    L = y[STATE.angular_momentum : STATE.spring_stretch]
+    L = y[SPANS.angular_momentum]
     w1 = (L[0] * d1 - L[1] * d0) / J1
-    w2 = (y[STATE.axis : STATE.angular_momentum] * L).sum(axis=0) / J2
+    w2 = (y[SPANS.axis] * L).sum(axis=0) / J2
     w3 = (L[2] * s - (L[0] * d0 + L[1] * d1) * c) / J1
     u1 = y[3] * d1 - y[4] * d0 - place.radius * w2 + place.depth * w3
     u2 = y[3] * d0 + y[4] * d1 + place.e * w1

@@ -14,7 +14,7 @@ import pytest
 from scenes import scene, whirling
 
 from dynamics import Air, Outcome, OwnLaw, simulate
-from dynamics.equations import DiskConstants, Loads, disk_constants, solve_contact
+from dynamics.equations import DiskConstants, Loads, disk_constants
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
@@ -95,7 +95,7 @@ def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
     )
     roll = (False,) * 4, (1.0,) * 3
     one, other = (
-        solve_contact(
+        FLOAT_FORMULAS.solve(
             beta, *omega, 0.0, 0.0, 0.0, 0.0, *roll[0], *roll[1], law, applied
         )
         for applied in (loads, Loads(M1=-about_contact, M3=loads.M3))

@@ -9,7 +9,7 @@ from dynamics import MotionScene, Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
-from dynamics.regime import MAX_FALL_RATE
+from dynamics.guards import MAX_FALL_RATE
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
 

@@ -342,9 +342,9 @@ def _compile_filter(version):
     """Compile the filter with a fingerprint of its sources as part of the cache key."""
 
     @outermost
-    def filter_block(x, z, knots, A, B, drive, h, table, rim):
+    def filter_block(*arguments):
         version  # noqa: B018 -- part of the key of the cached machine code
-        return _filter_steps(x, z, knots, A, B, drive, h, table, rim)
+        return _filter_steps(*arguments)
 
     return filter_block
 

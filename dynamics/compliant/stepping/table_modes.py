@@ -21,7 +21,7 @@ from dynamics.compliant.stepping.rim_modes import (
     rim_shapes,
     store_rim_shapes,
 )
-from dynamics.compliant.stepping.state_layout import STATE, first_indices
+from dynamics.compliant.stepping.state_layout import SPANS, STATE, first_indices
 from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
@@ -526,35 +526,17 @@ def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
     if modes is None or not len(waves.amplitude):
         return
     constants = model.constants
-    n = y[STATE.axis : STATE.angular_momentum]
+    n = y[SPANS.axis]
     s = np.hypot(n[0], n[1])
     start = np.arctan2(n[1], n[0])
     reach = constants.core_radius * n[2] - constants.core_depth * s
-    turning = (
-        (
-            np.cross(
-                y[STATE.angular_momentum : STATE.spring_stretch],
-                n,
-            )[:2]
-            / constants.diametral_inertia
-        )
-        @ np.array([-n[1], n[0]])
-        / s**2
-    )
+    axis_rate = np.cross(y[SPANS.angular_momentum], n) / constants.diametral_inertia
+    turning = axis_rate[:2] @ np.array([-n[1], n[0]]) / s**2
     angle = start + 2 * np.pi * np.arange(RIM_SCAN_POINTS) / RIM_SCAN_POINTS
-    east, north = (waves.table_is_fixed * y[:2] + modes.place)[
-        :, None
-    ] + reach * np.array([np.cos(angle), np.sin(angle)])
-    shapes = np.hstack(
-        [
-            modes.at(east, north),
-            rim_shapes(
-                model.disk_modes,
-                angle,
-                np.arctan2(s, n[2]),
-            ),
-        ]
-    )
+    centre = waves.table_is_fixed * y[:2] + modes.place
+    east, north = centre[:, None] + reach * np.array([np.cos(angle), np.sin(angle)])
+    below = rim_shapes(model.disk_modes, angle, np.arctan2(s, n[2]))
+    shapes = np.hstack([modes.at(east, north), below])
     rate = 1j * turning * np.fft.fftfreq(RIM_SCAN_POINTS, 1 / RIM_SCAN_POINTS)[:, None]
     k = waves.stiffness
     c = waves.damping

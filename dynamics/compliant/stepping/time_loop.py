@@ -62,7 +62,43 @@ def _step_rows(
     forces,
     events,
 ):
-    """Fill the rows; see `step_motion`."""
+    """Advance the state y and fill `rows`, one after every `steps_per_row` steps.
+
+    Parameters
+    ----------
+    y : (STATE_SIZE,) array
+        State, which is advanced.
+    steps_before : int
+        Number of steps since the start of the motion.
+    constants : ModelConstants
+        Constants of the model.
+    powers : (n, 2) array
+        Power laws (c [W s^b], b) of the precession rate.
+    law : LawCubics
+        Tabulated contact law.
+    table, rim : Profile
+        Height profiles of table and edge.
+    modes : ContactModes
+        Modes of table and disk, which are advanced.
+    h : float
+        Length of a step [s].
+    final_sine : float
+        Sine of the inclination at which the motion ends.
+    rows : (n, STATE_SIZE) array
+        Output: the states.
+    forces : (n p, 3) array
+        Output: mean forces on the disk along t, d and the normal [N], p per row.
+    events : tuple
+        Output: flights (f, 3), with start, end [s] and height [m] of each loss of
+        contact, and slips (g, 2), with start and end [s]. The first event may have
+        started before the call; an event without an end (NaN) continues.
+
+    Returns
+    -------
+    tuple of int
+        Reason for the return, and the numbers of filled rows, ended flights and
+        ended slips.
+    """
     # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
     # With several waves the contact is not unique, and the disk would rattle forever.
     rest_duration = 0.02
@@ -221,76 +257,10 @@ def _compile_step_motion(version):
     """Compile `step_motion` with a fingerprint of its sources as part of the cache key."""
 
     @outermost
-    def step_motion(
-        y,
-        steps_before,
-        constants,
-        powers,
-        law,
-        table,
-        rim,
-        modes,
-        h,
-        steps_per_row,
-        final_sine,
-        rows,
-        forces,
-        events,
-    ):
-        """Advance the state y and fill `rows`, one after every `steps_per_row` steps.
-
-        Parameters
-        ----------
-        y : (STATE_SIZE,) array
-            State, which is advanced.
-        steps_before : int
-            Number of steps since the start of the motion.
-        constants : ModelConstants
-            Constants of the model.
-        powers : (n, 2) array
-            Power laws (c [W s^b], b) of the precession rate.
-        law : LawCubics
-            Tabulated contact law.
-        table, rim : Profile
-            Height profiles of table and edge.
-        modes : ContactModes
-            Modes of table and disk, which are advanced.
-        h : float
-            Length of a step [s].
-        final_sine : float
-            Sine of the inclination at which the motion ends.
-        rows : (n, STATE_SIZE) array
-            Output: the states.
-        forces : (n p, 3) array
-            Output: mean forces on the disk along t, d and the normal [N], p per row.
-        events : tuple
-            Output: flights (f, 3), with start, end [s] and height [m] of each loss of
-            contact, and slips (g, 2), with start and end [s]. The first event may have
-            started before the call; an event without an end (NaN) continues.
-
-        Returns
-        -------
-        tuple of int
-            Reason for the return, and the numbers of filled rows, ended flights and
-            ended slips.
-        """
+    def step_motion(*arguments):
+        """Call `_step_rows`."""
         version  # noqa: B018 -- part of the key of the cached machine code
-        return _step_rows(
-            y,
-            steps_before,
-            constants,
-            powers,
-            law,
-            table,
-            rim,
-            modes,
-            h,
-            steps_per_row,
-            final_sine,
-            rows,
-            forces,
-            events,
-        )
+        return _step_rows(*arguments)
 
     return step_motion
 
