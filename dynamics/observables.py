@@ -45,25 +45,25 @@ def nutation_peaks(
     min_prominence = 0.005  # as a fraction of the weight
     min_relative_prominence = 0.5  # relative to the median of the neighbours
     neighbour_count = 11
-    flat = np.flatnonzero(motion.at(piece_ends_and_middles(motion))[:, 1] <= 0)
-    t = piece_ends_and_middles(motion)[: flat[0] if len(flat) else None]
-    load = free_rolling_load(motion.disk, motion.at(t))
-    peaks, found = find_peaks(load[:-1], prominence=min_prominence)
+
+    def load_at(t):
+        return free_rolling_load(motion.disk, motion.at(t))
+
+    t = piece_ends_and_middles(motion)
+    flat = np.flatnonzero(motion.at(t)[:, 1] <= 0)
+    t = t[: flat[0] if len(flat) else None]
+    peaks, found = find_peaks(load_at(t)[:-1], prominence=min_prominence)
     prominences = found["prominences"]
-    peaks = t[
-        peaks[
-            prominences
-            >= min_relative_prominence * median_filter(prominences, neighbour_count)
-        ]
-    ]
+    usual = median_filter(prominences, neighbour_count)
+    peaks = t[peaks[prominences >= min_relative_prominence * usual]]
     if len(peaks) < 2:
         return peaks
     gaps = np.diff(peaks)
     reach = np.minimum(np.append(gaps[0], gaps), np.append(gaps, gaps[-1])) / 8
     reach = np.minimum(reach, np.minimum(peaks - t[0], t[-1] - peaks))
-    before = free_rolling_load(motion.disk, motion.at(peaks - reach))
-    there = free_rolling_load(motion.disk, motion.at(peaks))
-    after = free_rolling_load(motion.disk, motion.at(peaks + reach))
+    before = load_at(peaks - reach)
+    there = load_at(peaks)
+    after = load_at(peaks + reach)
     bend = before - 2 * there + after
     round_ = bend < 0
     shift = np.zeros(len(peaks))
@@ -216,8 +216,10 @@ def precession_rate(state: np.ndarray) -> np.ndarray:
 
 def slip_start_times(motion: Motion) -> np.ndarray:
     """Return the times (j,) [s] at which rolling changes to sliding."""
-    times = []
-    for event in motion.transitions:
-        if event.before.startswith("roll") and event.after.startswith("slide"):
-            times.append(event.t)
-    return np.array(times)
+    return np.array(
+        [
+            event.t
+            for event in motion.transitions
+            if event.before.startswith("roll") and event.after.startswith("slide")
+        ]
+    )

@@ -186,32 +186,35 @@ class RigidMotion(MotionBase):
         half_length = np.diff(self.t) / 2
         offset = half_length / np.sqrt(3)
         nodes = np.column_stack([middle - offset, middle + offset])
-        state, force = self.at_and_force(nodes.ravel())
-        powers = {"slip": -np.sum(force[:, :2] * state[:, 8:10], axis=1)}
-        if self.film:
-            powers["film"] = film_powers(self.disk, self.film, state).sum(axis=0)
         lost = {}
-        for cause, power in powers.items():
+        for cause, power in self._known_powers(
+            *self.at_and_force(nodes.ravel())
+        ).items():
             work = power.reshape(nodes.shape).sum(axis=1) * half_length
             lost[cause] = np.append(0.0, np.cumsum(work))
         moments = self.state[:, 10] - sum(lost.values())
-        return (
-            dict.fromkeys(CAUSES, np.zeros(len(self.t))) | lost | {"moments": moments}
-        )
+        nothing = dict.fromkeys(CAUSES, np.zeros(len(self.t)))
+        return nothing | lost | {"moments": moments}
+
+    def _known_powers(
+        self, state: np.ndarray, force: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Return the powers (k,) [W] dissipated by sliding friction and by the film."""
+        powers = {"slip": -np.sum(force[:, :2] * state[:, 8:10], axis=1)}
+        if self.film:
+            powers["film"] = film_powers(self.disk, self.film, state).sum(axis=0)
+        return powers
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
         tau, piece = self._time_and_piece(t)
         y = self.path(tau, piece)
-        state = self._columns(y)
-        force = self._force(y, piece)
-        slip = -np.sum(force[:, :2] * state[:, 8:10], axis=1)
-        film = np.zeros(len(tau))
-        if self.film:
-            film = film_powers(self.disk, self.film, state).sum(axis=0)
-        moments = self._power(y, piece) - slip - film
-        powers = dict.fromkeys(CAUSES, np.zeros(len(tau)))
-        return powers | {"slip": slip, "film": film, "moments": moments}
+        known = self._known_powers(self._columns(y), self._force(y, piece))
+        moments = self._power(y, piece)
+        for power in known.values():
+            moments = moments - power
+        nothing = dict.fromkeys(CAUSES, np.zeros(len(tau)))
+        return nothing | known | {"moments": moments}
 
     def _power(self, y: np.ndarray, piece: np.ndarray) -> np.ndarray:
         """Return the dissipated power (k,) [W] at states y (11, k) in the pieces (k,)."""
@@ -223,10 +226,8 @@ class RigidMotion(MotionBase):
 
     def largest_regain(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
-        return (
-            largest_decrease(self.path.c[..., DISSIPATED], self.path.x)
-            * self._unit_of_energy
-        )
+        lost = self.path.c[..., DISSIPATED]
+        return largest_decrease(lost, self.path.x) * self._unit_of_energy
 
     def friction_excess(self) -> float:
         """Return `Motion.friction_excess`, evaluated at the midpoints of the pieces."""

@@ -33,16 +33,13 @@ class RotatingFilmMesh(FilmMesh):
         a, b = np.asarray(self.basis.global_coordinates())
         t = np.exp(a) + 1j * np.sinh(b)
         around = 1j * self.points * np.conj(-2 / t**2)
-        self._around = {
-            "first": around.real * np.cosh(b),
-            "second": around.imag * np.exp(a),
-        }
+        self._around = np.array([around.real * np.cosh(b), around.imag * np.exp(a)])
         corners = self.basis.mesh.p[:, self.basis.mesh.t]
         sizes = np.ptp(corners, axis=1)[:, :, None] * self._measure
         rate = sum(
             np.abs(turn) / size
             for turn, size in zip(
-                self._around.values(),
+                self._around,
                 sizes,
                 strict=True,
             )
@@ -154,12 +151,9 @@ class RotatingFilmMesh(FilmMesh):
         # may oscillate below zero near the contact.
         min_driving_pressure = 0.01
         p, h = (self.basis.interpolate(field) for field in (P, self._node_height))
-        along, around = (
-            np.array([*parts.values()]) for parts in (self._metric, self._around)
-        )
-        along = self.height**3 * along
-        turn = around / self._measure
-        around = Lam * self.height * around
+        along = self.height**3 * np.array(self._metric)
+        turn = self._around / self._measure
+        around = Lam * self.height * self._around
         source = falling * self.height * self._measure
         spread = (
             Lam

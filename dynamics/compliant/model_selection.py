@@ -63,11 +63,8 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         "full", "surface.action = 'motion': the table is coupled to the disk"
     )
     if scene.contact.law == "rigid":
-        return (
-            coupled
-            if is_two_way(scene)
-            else ModelChoice("rigid", "contact.law = 'rigid'")
-        )
+        rigid = ModelChoice("rigid", "contact.law = 'rigid'")
+        return coupled if is_two_way(scene) else rigid
     kappa, rattles_at = greatest_curvature_number(scene)
     uneven = kappa > MAX_ROLLING_CURVATURE
     if uneven:
@@ -142,9 +139,8 @@ def predicted_vibration(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
     if scene.roughness is None:
         return beta, np.zeros(len(beta))
     weight = scene.disk.weight
-    return beta, predicted_rms(
-        law_table(scene), scene.roughness, beta, weight, speed
-    ) / weight
+    rms = predicted_rms(law_table(scene), scene.roughness, beta, weight, speed)
+    return beta, rms / weight
 
 
 def roughness_energy_share(scene: "MotionScene") -> float:
@@ -158,13 +154,9 @@ def roughness_energy_share(scene: "MotionScene") -> float:
     disk = scene.disk
     law = scene_constants(scene)
     loads = non_contact_loads(scene)
-    (beta, speed) = steady_motions(scene)
-    exists = np.array(
-        [
-            abs(steady_precession_rate(scene, b) - flat_precession_rate(disk, b)) > 0
-            for b in beta
-        ]
-    )
+    beta, speed = steady_motions(scene)
+    flat = np.array([flat_precession_rate(disk, b) for b in beta])
+    exists = np.array([steady_precession_rate(scene, b) for b in beta]) != flat
     beta = beta[exists]
     speed = speed[exists]
     rough = predicted_power(law_table(scene), scene.roughness, beta, disk.weight, speed)
@@ -174,13 +166,8 @@ def roughness_energy_share(scene: "MotionScene") -> float:
         * disk.radius**2
         / disk.time_unit**3
     )
-    return float(
-        trapezoid(
-            rough / (rough + friction),
-            -beta,
-        )
-        / np.ptp(beta)
-    )  # the energy is proportional to beta
+    # the energy is proportional to beta
+    return float(trapezoid(rough / (rough + friction), -beta) / np.ptp(beta))
 
 
 def steady_motions(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
@@ -211,9 +198,8 @@ def steady_precession_rate(scene: "MotionScene", beta: float) -> float:
     disk = scene.disk
     ratio = scene.contact.rolling_fillet(disk) / disk.radius
     try:
-        return (
-            steady_precession(beta, disk.aspect, disk.gyration, ratio) / disk.time_unit
-        )
+        rate = steady_precession(beta, disk.aspect, disk.gyration, ratio)
+        return rate / disk.time_unit
     except (ValueError, ZeroDivisionError):
         return flat_precession_rate(disk, beta)
 

@@ -142,21 +142,20 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     """
     y = np.ascontiguousarray(y.T)
     disk = model.table.law.disk
-    J1, J2 = inertias(disk)
+    fixed = model.constants
     v = y[SPANS.velocity]
     n = y[SPANS.axis]
     L = y[SPANS.angular_momentum]
     moved = (
         disk.mass * (v * v).sum(axis=0)
-        + (L * L).sum(axis=0) / J1
-        + (1 / J2 - 1 / J1) * (L * n).sum(axis=0) ** 2
+        + (L * L).sum(axis=0) / fixed.diametral_inertia
+        + fixed.inverse_inertia_excess * (L * n).sum(axis=0) ** 2
     )
     x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
     moved += (
         0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
     )
     moved += (y[SPANS.spring_stiffness] * y[SPANS.spring_stretch] ** 2).sum(axis=0)
-    fixed = model.constants
     offset = (y[0] + fixed.bowl_x) ** 2 + (y[1] + fixed.bowl_y) ** 2
     bowl_energy = fixed.bowl_stiffness / 2 * offset
     return (

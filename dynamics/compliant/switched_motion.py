@@ -93,9 +93,8 @@ class SwitchedMotion(MotionBase):
     @property
     def parts(self) -> tuple[MotionPart, ...]:
         """The passive part and the coupled part."""
-        return MotionPart(0.0, self.passive_part), MotionPart(
-            self.switch_time, self.coupled_part
-        )
+        coupled = MotionPart(self.switch_time, self.coupled_part)
+        return MotionPart(0.0, self.passive_part), coupled
 
     @property
     def film(self) -> Film | None:
@@ -125,11 +124,8 @@ class SwitchedMotion(MotionBase):
     @cached_property
     def t(self) -> np.ndarray:
         """Breakpoints (n,) [s] of the solution."""
-        return read_only(
-            np.concatenate(
-                [self.passive_part.t, self.switch_time + self.coupled_part.t[1:]]
-            )
-        )
+        later = self.switch_time + self.coupled_part.t[1:]
+        return read_only(np.append(self.passive_part.t, later))
 
     @property
     def t_end(self) -> float:
@@ -154,20 +150,10 @@ class SwitchedMotion(MotionBase):
     @cached_property
     def contact_losses(self) -> ContactLosses:
         """Losses of contact in both parts."""
-        later = self.coupled_part.contact_losses.array + np.array(
-            [self.switch_time, 0, 0]
-        )
-        return ContactLosses(
-            np.vstack(
-                [
-                    np.reshape(
-                        list(self.passive_part.contact_losses),
-                        (-1, 3),
-                    ),
-                    later,
-                ]
-            )
-        )
+        earlier = np.reshape(list(self.passive_part.contact_losses), (-1, 3))
+        shift = np.array([self.switch_time, 0, 0])
+        later = self.coupled_part.contact_losses.array + shift
+        return ContactLosses(np.vstack([earlier, later]))
 
     @cached_property
     def _column_offset(self) -> np.ndarray:
@@ -176,11 +162,8 @@ class SwitchedMotion(MotionBase):
         begin = self.coupled_part.at(0.0)[0]
         offset = np.zeros(len(end))
         offset[[0, 2]] = (end - begin)[[0, 2]]
-        offset[-1] = (
-            end[-1]
-            + self.passive_part.energy(self.switch_time)[0]
-            - self.coupled_part.energy(0.0)[0]
-        )
+        energy = self.passive_part.energy(self.switch_time)[0]
+        offset[-1] = end[-1] + energy - self.coupled_part.energy(0.0)[0]
         return offset
 
     def _time_since_switch(self, t: np.ndarray) -> np.ndarray:
@@ -189,14 +172,13 @@ class SwitchedMotion(MotionBase):
         Rounding does not move a time beyond the end of the coupled part.
         """
         since = t - self.switch_time
-        return np.where(
-            t <= self.t[-1], np.minimum(since, self.coupled_part.t[-1]), since
-        )
+        within = np.minimum(since, self.coupled_part.t[-1])
+        return np.where(t <= self.t[-1], within, since)
 
     def _evaluate_in_parts(self, name: str, t: ArrayLike) -> np.ndarray:
         """Evaluate the method `name` of the part that contains each time t (k,) [s]."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
-        late = t >= self.switch_time
+        late = self._is_late(t)
         early = getattr(self.passive_part, name)(t[~late])
         later = getattr(self.coupled_part, name)(self._time_since_switch(t[late]))
         out = np.empty((len(t), *early.shape[1:]), dtype=np.result_type(early, later))
@@ -204,10 +186,21 @@ class SwitchedMotion(MotionBase):
         out[late] = later
         return out
 
+    def _evaluate_both_parts(self, name: str, t: ArrayLike) -> tuple[Any, Any]:
+        """Evaluate the method `name` of both parts, each at its time closest to t (k,) [s]."""
+        t = np.atleast_1d(np.asarray(t, dtype=float))
+        since = np.maximum(self._time_since_switch(t), 0.0)
+        early = getattr(self.passive_part, name)(np.minimum(t, self.switch_time))
+        return early, getattr(self.coupled_part, name)(since)
+
+    def _is_late(self, t: ArrayLike) -> np.ndarray:
+        """Return a mask of the times t (k,) [s] in the coupled part."""
+        return np.atleast_1d(t) >= self.switch_time
+
     def at(self, t: ArrayLike) -> np.ndarray:
         """Return the COLUMNS (k, 11) at times t (k,) [s]."""
-        late = np.atleast_1d(t) >= self.switch_time
-        return self._evaluate_in_parts("at", t) + late[:, None] * self._column_offset
+        late = self._is_late(t)[:, None]
+        return self._evaluate_in_parts("at", t) + late * self._column_offset
 
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return friction along a_1, a_2 and normal force (k, 3) [N] at t (k,) [s]."""
@@ -230,39 +223,19 @@ class SwitchedMotion(MotionBase):
 
         The energy difference at the switch is not attributed to a cause.
         """
-        t = np.atleast_1d(np.asarray(t, dtype=float))
-        early = self.passive_part.energy_lost(np.minimum(t, self.switch_time))
-        late = self.coupled_part.energy_lost(
-            np.maximum(self._time_since_switch(t), 0.0)
-        )
+        early, late = self._evaluate_both_parts("energy_lost", t)
         return {cause: early[cause] + late[cause] for cause in CAUSES}
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
-        t = np.atleast_1d(np.asarray(t, dtype=float))
-        early = self.passive_part.dissipation(np.minimum(t, self.switch_time))
-        late = self.coupled_part.dissipation(
-            np.maximum(self._time_since_switch(t), 0.0)
-        )
-        return {
-            cause: np.where(
-                t < self.switch_time,
-                early[cause],
-                late[cause],
-            )
-            for cause in CAUSES
-        }
+        early, late = self._evaluate_both_parts("dissipation", t)
+        is_late = self._is_late(t)
+        return {cause: np.where(is_late, late[cause], early[cause]) for cause in CAUSES}
 
     def table_energy(self, t: ArrayLike) -> np.ndarray:
         """Return the energy (k,) [J] of the table modes at t (k,) [s]; 0 before the switch."""
-        late = np.atleast_1d(t) >= self.switch_time
-        return np.where(
-            late,
-            self.coupled_part.table_energy(
-                np.maximum(self._time_since_switch(np.atleast_1d(t)), 0.0)
-            ),
-            0.0,
-        )
+        since = np.maximum(self._time_since_switch(np.atleast_1d(t)), 0.0)
+        return np.where(self._is_late(t), self.coupled_part.table_energy(since), 0.0)
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the names (k,) of the regimes at times t (k,) [s]."""
@@ -270,22 +243,18 @@ class SwitchedMotion(MotionBase):
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11)."""
-        late = (
-            state[:, -1] >= self._column_offset[-1]
-        )  # the dissipated energy never decreases
-        return np.where(
-            late, self.coupled_part.bandwidth(state), self.passive_part.bandwidth(state)
-        )
+        # the dissipated energy never decreases
+        late = state[:, -1] >= self._column_offset[-1]
+        early = self.passive_part.bandwidth(state)
+        return np.where(late, self.coupled_part.bandwidth(state), early)
 
     def largest_regain(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
-        decrease_at_switch = float(
-            self.passive_part.at(self.switch_time)[0, -1] - self._column_offset[-1]
-        )
+        before = self.passive_part.at(self.switch_time)[0, -1]
         return max(
             self.passive_part.largest_regain(),
             self.coupled_part.largest_regain(),
-            decrease_at_switch,
+            float(before - self._column_offset[-1]),
         )
 
     def friction_excess(self) -> float:

@@ -59,32 +59,23 @@ def decide_film(scene: "MotionScene") -> FilmDecision:
     air = scene.air
     if air.film == "none":
         return FilmDecision(None, "air.film = 'none'")
+    acts = air.film == "acts"
     disk = scene.disk
     dissipation = scene.dissipation
-    numerics = scene.numerics
-    if air.film == "auto" and (why := _film_free_reason(disk, air, dissipation)):
-        return FilmDecision(None, why)
-    if rarefied := _rarefaction_warning(disk, air, scene.release):
-        if air.film == "acts":
-            raise ValueError(
-                f"{rarefied}; set air.film = 'none', or increase the pressure or the inclination"
-            )
-        return FilmDecision(None, rarefied)
-    time, inclination = _film_onset(
-        scene_constants(scene),
-        disk,
-        air,
-        dissipation,
-        scene.release,
-        numerics.stopping_inclination(disk),
-    )
-    if air.film == "acts":
-        return FilmDecision(
-            film_under(disk, air, scene.surface.curvature),
-            "air.film = 'acts'",
-            time,
-            inclination,
+    why = "" if acts else _film_free_reason(disk, air, dissipation)
+    why = why or _rarefaction_warning(disk, air, scene.release)
+    if why and acts:
+        raise ValueError(
+            f"{why}; set air.film = 'none', or increase the pressure or the inclination"
         )
+    if why:
+        return FilmDecision(None, why)
+    law = scene_constants(scene)
+    end = scene.numerics.stopping_inclination(disk)
+    time, inclination = _film_onset(law, disk, air, dissipation, scene.release, end)
+    film = film_under(disk, air, scene.surface.curvature)
+    if acts:
+        return FilmDecision(film, "air.film = 'acts'", time, inclination)
     forecast = (
         f"it is predicted to dissipate {MIN_RELEVANT_SHARE:.0%} of the power from {time:.3g} s on, "
         f"below {inclination:.2g} rad"
@@ -95,11 +86,9 @@ def decide_film(scene: "MotionScene") -> FilmDecision:
         )
         return FilmDecision(None, reason, time)
     # Impacts bring a rattling disk to rest earlier than predicted
-    if time >= numerics.time_limit and numerics.contact != "many":
+    if time >= scene.numerics.time_limit and scene.numerics.contact != "many":
         return FilmDecision(None, f"{forecast}, after the time limit", time)
-    return FilmDecision(
-        film_under(disk, air, scene.surface.curvature), forecast, time, inclination
-    )
+    return FilmDecision(film, forecast, time, inclination)
 
 
 def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:

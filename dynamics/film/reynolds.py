@@ -90,18 +90,12 @@ class FilmMesh:
         self._dx = (2 if parity else 1) * self.basis.dx
         self.points = 2 / t - 1
         self.area = 4 / np.abs(t) ** 4 * dX * dY * self._dx
-        self._metric = {"first": dY / dX, "second": dX / dY}
+        self._metric = (dY / dX, dX / dY)
         self._measure = 4 / np.abs(t) ** 4 * dX * dY
         self.height = height(self.points.real, self.points.imag)
         each = [shape[0] for shape in self.basis.basis]
-        self._shapes = (
-            np.array([np.hstack([*s.grad, np.asarray(s)]) for s in each], complex)
-            .swapaxes(
-                0,
-                1,
-            )
-            .copy()
-        )
+        parts = [np.hstack([*s.grad, np.asarray(s)]) for s in each]
+        self._shapes = np.array(parts, complex).swapaxes(0, 1).copy()
         a, b = self.basis.doflocs
         self.nodes = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1
         self._wave_cache: dict = {}
@@ -114,10 +108,9 @@ class FilmMesh:
         count = len(self._inner)
         place = np.full(self.basis.N, -1)
         place[self._inner] = np.arange(count)
-        row, column = (
-            place[self.basis.element_dofs.T][at]
-            for at in (np.s_[:, :, None], np.s_[:, None, :])
-        )
+        places = place[self.basis.element_dofs.T]
+        row = places[:, :, None]
+        column = places[:, None, :]
         key, self._slot = np.unique(
             np.where((row < 0) | (column < 0), count**2, column * count + row),
             return_inverse=True,
@@ -198,7 +191,7 @@ class FilmMesh:
         pressure at the rim. The second matrix (w, w) is the reduction of the outflow if
         the pressure at the rim equals each wave.
         """
-        (pairs, matrix) = self._stiffness(mobility, storage)
+        pairs, matrix = self._stiffness(mobility, storage)
         inner = self._inner
         waves = self._waves(orders)
         p = np.hstack(
@@ -218,10 +211,10 @@ class FilmMesh:
         other = np.conj(self.nodes)[:, None] ** np.abs(n)
         waves = np.where(n > 0, other, z)
         mirrored = np.where(n > 0, z, other)
-        self._wave_cache[orders] = (
-            (waves + self.parity * mirrored) / 2 if self.parity else waves
-        )
-        return self._wave_cache[orders]
+        if self.parity:
+            waves = (waves + self.parity * mirrored) / 2
+        self._wave_cache[orders] = waves
+        return waves
 
     def _stiffness(self, mobility, storage):
         """Assemble the bilinear form int m grad p . grad q + storage p q dA.
@@ -230,7 +223,7 @@ class FilmMesh:
         A form of scikit-fem would be evaluated pair by pair, which would take longer
         than the solution.
         """
-        first, second = self._metric.values()
+        first, second = self._metric
         fields = np.hstack(
             [mobility * first, mobility * second, storage * self._measure]
         ) * np.tile(self._dx, 3)

@@ -6,7 +6,7 @@ closed-form fits to the results, and tests/film/test_film_constants.py compares 
 """
 
 from collections.abc import Iterable
-from itertools import islice
+from itertools import islice, repeat
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -84,8 +84,7 @@ class Film(NamedTuple):
     @property
     def compiled_form(self) -> "Film":
         """The film with None as a placeholder for each run-time parameter."""
-        gap = None if self.bowl else 0.0
-        return Film(None, None, None, None, None, None, gap)
+        return self.with_parameters(repeat(None))
 
     @property
     def runtime_parameters(self) -> tuple[float, ...]:

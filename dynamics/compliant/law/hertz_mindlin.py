@@ -105,17 +105,18 @@ class ContactLaw:
         return f"must be at least {brentq(self._width_excess, 1e-12, largest):.3g}"
 
     def _width_excess(self, fillet: float) -> Any:
-        """Return the excess [m] of `_half_width` over its limit for a fillet."""
+        """Return the excess [m] of the half-width b over its limit for a fillet.
+
+        The half-width of an upright disk is the largest in a motion.
+        """
         # ratio of half-width to fillet up to which the bodies are similar to half spaces
         max_width_ratio = 1 / 3
-        return self._half_width(fillet) - max_width_ratio * fillet
-
-    def _half_width(self, fillet: float) -> Any:
-        """Return the half-width b [m] for an upright disk, the largest in a motion."""
-        q, D, _ = _ellipse(self.disk.radius / fillet)
-        return q * (
-            self.disk.weight * D * self.disk.radius / (np.pi * self.modulus)
-        ) ** (1 / 3)
+        disk = self.disk
+        q, D, _ = _ellipse(disk.radius / fillet)
+        half_length = (disk.weight * D * disk.radius / (np.pi * self.modulus)) ** (
+            1 / 3
+        )
+        return q * half_length - max_width_ratio * fillet
 
     @property
     def rolling_fillet(self) -> float:
@@ -161,14 +162,8 @@ class ContactLaw:
     def stiffness(self, inclination: ArrayLike) -> np.ndarray:
         """Return K (k,) [N/m^1.5] in N = K delta^1.5; Johnson (1985), (4.26)."""
         _, D, F = self.ellipse(inclination)
-        return (
-            2
-            * np.pi
-            / 3
-            * self.modulus
-            * np.sqrt(D / (3 * self.curvature(inclination)))
-            / F**1.5
-        )
+        root = np.sqrt(D / (3 * self.curvature(inclination)))
+        return 2 * np.pi / 3 * self.modulus * root / F**1.5
 
     def stiffness_slope(self, inclination: ArrayLike) -> np.ndarray:
         """Return dK/d(beta) = -K D/(6 F) d(ln A)/d(beta) at inclinations (k,)."""
@@ -200,24 +195,20 @@ class ContactLaw:
         """
         q, D, F = self.ellipse(inclination)
         a, b = self.semi_axes(inclination, load)
-        k1, k2 = (
-            2
-            * np.pi
-            * a
-            / sum(
+
+        def stiffness(J):
+            return (2 * np.pi * a) / sum(
                 ((1 - m.poisson) * F + m.poisson * J) / m.shear
                 for m in (self.body, self.table)
             )
-            for J in (D / 3, F - D / 3)
-        )
-        C = creep_coefficients(q, self.equivalent_material.poisson)
-        length = [
-            self.equivalent_material.shear * a * b * c / k
-            for c, k in zip(C, (k1, k2), strict=True)
-        ]
-        return ContactSprings(
-            k1, k2, 1.5 * load / self.approach(inclination, load), *length
-        )
+
+        k1 = stiffness(D / 3)
+        k2 = stiffness(F - D / 3)
+        kn = 1.5 * load / self.approach(inclination, load)
+        both = self.equivalent_material
+        C1, C2 = creep_coefficients(q, both.poisson)
+        shear_area = both.shear * a * b
+        return ContactSprings(k1, k2, kn, shear_area * C1 / k1, shear_area * C2 / k2)
 
 
 def _ellipse(radii: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -35,14 +35,9 @@ def creep_coefficients(ratio, poisson):
     0.1 the asymptote is scaled to match the table.
     """
     ratio = np.asarray(ratio, dtype=float)
-    return tuple(
-        _interpolate(
-            table,
-            side,
-            ratio,
-            poisson,
-        )
-        for side, table in enumerate((KALKER_C11, KALKER_C22))
+    return (
+        _interpolate(KALKER_C11, 0, ratio, poisson),
+        _interpolate(KALKER_C22, 1, ratio, poisson),
     )
 
 
@@ -63,18 +58,14 @@ def slender_creep_coefficients(ratio, poisson):
 def _interpolate(table, side, ratio, poisson):
     """Return C11 (`side` 0) or C22 (`side` 1) from its table or its asymptote."""
     rows = [np.interp(ratio, AXIS_RATIOS, AXIS_RATIOS * row) / ratio for row in table]
-    inside = 1 / sum(
-        _lagrange_polynomial(i, poisson) / row for i, row in enumerate(rows)
-    )
-    first = 1 / sum(
-        _lagrange_polynomial(i, poisson) / row[0] for i, row in enumerate(table)
-    )
-    excess = first / slender_creep_coefficients(AXIS_RATIOS[0], poisson)[side] - 1
-    outside = slender_creep_coefficients(
-        np.minimum(ratio, AXIS_RATIOS[0]),
-        poisson,
-    )[side] * (1 + excess * ratio / AXIS_RATIOS[0])
-    return np.where(ratio < AXIS_RATIOS[0], outside, inside)
+    weights = [_lagrange_polynomial(i, poisson) for i in range(len(table))]
+    inside = 1 / sum(weight / row for weight, row in zip(weights, rows, strict=True))
+    smallest = AXIS_RATIOS[0]
+    first = 1 / sum(weight / row[0] for weight, row in zip(weights, table, strict=True))
+    excess = first / slender_creep_coefficients(smallest, poisson)[side] - 1
+    slender = slender_creep_coefficients(np.minimum(ratio, smallest), poisson)[side]
+    outside = slender * (1 + excess * ratio / smallest)
+    return np.where(ratio < smallest, outside, inside)
 
 
 def _lagrange_polynomial(i, x):

@@ -119,14 +119,10 @@ def linear_contact_force_blocks(
     for block in blocks:
         knots, A, B, drive = _coefficients(table, block, rate)
         if np.isnan(z):
-            z = sum(
-                mean_height(p, s, knots[0, 0])
-                for p, s in zip(
-                    profiles,
-                    (block.path[0], block.edge[0]),
-                    strict=True,
-                )
-            )
+            half_length, path, edge = knots[0, :3]
+            table_profile, rim_profile = profiles
+            z = mean_height(table_profile, path, half_length)
+            z += mean_height(rim_profile, edge, half_length)
         out, x, z = _compiled_filter(x, z, knots, A, B, drive, 1 / rate, *profiles)
         yield out
 
@@ -140,9 +136,8 @@ def _coefficients(table, block, rate):
     """
     rolls = block.rolls[1:] & block.rolls[:-1]
     speed = np.diff(block.path) / np.diff(block.t)
-    inclination, load = (
-        (at[1:] + at[:-1]) / 2 for at in (block.inclination, block.load)
-    )
+    inclination = (block.inclination[1:] + block.inclination[:-1]) / 2
+    load = (block.load[1:] + block.load[:-1]) / 2
     system = table.linear_contact(inclination, load, speed, rolls)
     A = system.A[:, FILTER_STATES][:, :, FILTER_STATES]
     B = system.B[:, FILTER_STATES]
@@ -200,24 +195,15 @@ def predicted_power(
     It is the mean of N' dz/dt with the height z, computed as the integral of the
     spectrum of z times omega Im(N'/z).
     """
-    (k, heights) = spectral_density(roughness, table.law.disk.radius)
+    k, heights = spectral_density(roughness, table.law.disk.radius)
     powers = []
     for steady in np.broadcast(inclination, load, np.abs(speed)):
-        motion_point = np.reshape(steady, (3, 1))
-        a = table.springs(*motion_point[:2])[1]
-        response = force_per_height(
-            table.linear_contact(*motion_point), k * motion_point[2]
-        )
-        powers.append(
-            trapezoid(
-                heights
-                * ellipse_window(k * a) ** 2
-                * k
-                * motion_point[2]
-                * response.imag,
-                k,
-            )
-        )
+        beta, force, velocity = np.reshape(steady, (3, 1))
+        a = table.springs(beta, force)[1]
+        system = table.linear_contact(beta, force, velocity)
+        response = force_per_height(system, k * velocity).imag
+        power = heights * ellipse_window(k * a) ** 2 * k * velocity * response
+        powers.append(trapezoid(power, k))
     return np.array(powers)
 
 
@@ -237,26 +223,12 @@ def predicted_spectrum(
     beta, force, velocity = np.array([[inclination], [load], [speed]])
     a = table.springs(beta, force)[1]
     system = table.linear_contact(beta, force, velocity, rolls)
-    k = 2 * np.pi * frequency / abs(speed)
-    heights = (
-        np.interp(
-            k, *spectral_density(roughness, table.law.disk.radius), left=0.0, right=0.0
-        )
-        * ellipse_window(k * a) ** 2
-    )
-    return (
-        heights
-        * np.abs(
-            force_per_height(
-                system,
-                2 * np.pi * frequency,
-            )
-        )
-        ** 2
-        * 2
-        * np.pi
-        / abs(speed)
-    )
+    omega = 2 * np.pi * frequency
+    k = omega / abs(speed)
+    spectrum = spectral_density(roughness, table.law.disk.radius)
+    heights = np.interp(k, *spectrum, left=0.0, right=0.0) * ellipse_window(k * a) ** 2
+    response = np.abs(force_per_height(system, omega))
+    return heights * response**2 * 2 * np.pi / abs(speed)
 
 
 def force_per_height(system, omega):

@@ -64,10 +64,18 @@ def spectral_amplitudes(roughness: Roughness, rms: float, radius: float) -> np.n
             f"longest fits {rim:g} m"
         )
     order = np.arange(first, highest_order + 1)
+    size, phase = random_waves(roughness, rms, order)
+    return np.concatenate([np.zeros(first), size * np.exp(1j * phase)])
+
+
+def random_waves(
+    roughness: Roughness, rms: float, order: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the amplitudes (n,) [m] and random phases (n,) [rad] of waves (n,) by order."""
     size = order ** (-roughness.exponent / 2)
     size *= sqrt(2) * rms / sqrt(np.sum(size**2))
     phase = np.random.default_rng(roughness.seed).uniform(0, 2 * pi, len(order))
-    return np.concatenate([np.zeros(first), size * np.exp(1j * phase)])
+    return size, phase
 
 
 def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
@@ -82,15 +90,14 @@ def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
     along = np.arange(
         ceil(period / roughness.longest), int(period / roughness.shortest) + 1
     )
-    size = along ** (-roughness.exponent / 2)
-    size *= sqrt(2) * (roughness.rms or 0.0) / sqrt(np.sum(size**2))
-    phase = np.random.default_rng(roughness.seed).uniform(0, 2 * pi, len(along))
-    count = rim_point_count(int(2 * pi * radius / roughness.shortest))
+    size, phase = random_waves(roughness, roughness.rms or 0.0, along)
+    highest_order = int(2 * pi * radius / roughness.shortest)
+    count = rim_point_count(highest_order)
     x = radius * np.cos(2 * pi * np.arange(count) / count)
     heights = np.zeros(count)
     for number, amplitude, shift in zip(along, size, phase, strict=True):
         heights += amplitude * np.cos(2 * pi * number / period * x + shift)
-    return fourier_amplitudes(heights, int(2 * pi * radius / roughness.shortest))
+    return fourier_amplitudes(heights, highest_order)
 
 
 def measured_amplitudes(file: str, radius: float) -> np.ndarray:

@@ -56,6 +56,12 @@ def law_column(law, i, u, column):
 
 
 @kernel
+def current_law(y, law, column):
+    """Return the value of a column of the law at the inclination of the state."""
+    return law_column(law, int(y[STATE.law_interval]), y[STATE.law_fraction], column)
+
+
+@kernel
 def law_slope(law, i, u, column):
     """Return the derivative of a column by the position in interval i."""
     cubics = law.cubics

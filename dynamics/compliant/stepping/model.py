@@ -160,7 +160,8 @@ class CompliantModel:
         has_spin_friction = f.arm_pivoting == "contact"
         fillet = self.table.law.rolling_fillet
         core = disk.radius - fillet, disk.thickness / 2 - fillet, fillet
-        body = disk.mass, *inertias(disk), disk.radius, *core, disk.weight
+        J1, J2 = inertias(disk)
+        body = disk.mass, J1, J2, 1 / J2 - 1 / J1, disk.radius, *core, disk.weight
         friction = (
             min(f.mu_static, MAX_FINITE_FRICTION),
             min(f.mu_dynamic, MAX_FINITE_FRICTION),

@@ -31,12 +31,14 @@ from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     approach_root,
+    current_law,
     law_column,
     law_interval,
     law_slope,
     mean_force,
 )
 from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.vectors import cross, dot, plus, times, vector
 from dynamics.numba_kernels import kernel
 
 MAX_ITERATIONS = 40
@@ -44,11 +46,10 @@ MAX_ITERATIONS = 40
 
 
 @kernel
-def rotation_change(n0, n1, n2, b0, b1, b2):
+def rotation_change(n, b):
     """Return the change m - n of the vector n that satisfies m - n = b x (m + n)."""
-    k0 = b1 * n2 - b2 * n1
-    k1 = b2 * n0 - b0 * n2
-    k2 = b0 * n1 - b1 * n0
+    k0, k1, k2 = cross(b, n)
+    b0, b1, b2 = b
     q = 2 / (1 + b0 * b0 + b1 * b1 + b2 * b2)
     m0 = q * (k0 + b1 * k2 - b2 * k1)
     m1 = q * (k1 + b2 * k0 - b0 * k2)
@@ -76,31 +77,23 @@ def mean_slope(y0, y1, dx):
 
 
 @kernel
-def midpoint_velocities(
-    N,
-    turn,
-    roll,
-    height_slope,
-    A0,
-    A1,
-    reach,
-    d0,
-    d1,
-    y,
-    step_over_2m,
-    h,
-    weight,
-):
-    """Return velocity (3) and angular momentum (3) at mid-step under the force N.
+def midpoint_velocities(y, constants, N, turn, roll, height_slope, A, reach, d0, d1, h):
+    """Return velocity and angular momentum at mid-step under the force N.
 
-    A0 and A1 are the sums of the horizontal axis components at both ends of the step.
+    A is the sum of the axes at both ends of the step.
     """
-    V0 = y[3] + step_over_2m * N * height_slope * d1
-    V1 = y[4] - step_over_2m * N * height_slope * d0
-    V2 = y[5] + step_over_2m * (N - weight)
-    M0 = y[9] + h / 2 * (turn * A1 + roll * d0)
-    M1 = y[10] + h / 2 * (roll * d1 - turn * A0)
-    return V0, V1, V2, M0, M1, y[11] - h / 2 * N * height_slope * reach
+    step_over_2m = h / (2 * constants.mass)
+    V = (
+        y[3] + step_over_2m * N * height_slope * d1,
+        y[4] - step_over_2m * N * height_slope * d0,
+        y[5] + step_over_2m * (N - constants.weight),
+    )
+    M = (
+        y[9] + h / 2 * (turn * A[1] + roll * d0),
+        y[10] + h / 2 * (roll * d1 - turn * A[0]),
+        y[11] - h / 2 * N * height_slope * reach,
+    )
+    return V, M
 
 
 @kernel
@@ -123,44 +116,30 @@ def step_normal(y, constants, law, table, rim, h):
     R = constants.core_radius
     H = constants.core_depth
     weight = constants.weight
-    step_over_2m = h / (2 * m)
     step_over_2J = h / (2 * J)
     inverse_inertia = 1 / J
-    e = 1 / constants.axial_inertia - 1 / J
-    n0 = y[6]
-    n1 = y[7]
-    n2 = y[8]
-    L0 = y[9]
-    L1 = y[10]
-    L2 = y[11]
+    e = constants.inverse_inertia_excess
+    n = vector(y, STATE.axis)
+    L = vector(y, STATE.angular_momentum)
+    L0, L1, L2 = L
     # start of the step: contact energy, stiffness K and its loss
     s0 = y[STATE.sin_inclination]
-    c0 = n2
-    axial_momentum = L0 * n0 + L1 * n1 + L2 * n2
+    c0 = n[2]
+    axial_momentum = dot(L, n)
     i = int(y[STATE.law_interval])
     u = y[STATE.law_fraction]
-    K0 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
-    loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient)
+    K0 = current_law(y, law, LAW_COLUMNS.hertz_stiffness)
     dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
-    loss /= h
-    half_length = law_column(law, i, u, LAW_COLUMNS.half_length)
+    loss = current_law(y, law, LAW_COLUMNS.loss_coefficient) / h
+    half_length = current_law(y, law, LAW_COLUMNS.half_length)
     zt0 = y[STATE.roughness_heights]
     zr0 = y[STATE.roughness_heights + 1]
     gap0 = y[STATE.gap]
     r0 = approach_root(y[STATE.gap])
     U0 = 0.4 * r0**5
     # directions d (to the contact) and t (path) at mid-step; a = reach e3 - lever d, b = -(R/s) d
-    p0, p1, p2 = rotation_change(
-        n0,
-        n1,
-        n2,
-        step_over_2J / 2 * L0,
-        step_over_2J / 2 * L1,
-        step_over_2J / 2 * L2,
-    )
-    p0 = n0 + p0
-    p1 = n1 + p1
-    p2 = n2 + p2
+    p = plus(n, rotation_change(n, times(step_over_2J / 2, L)))
+    p0, p1, p2 = p
     sp = np.sqrt(p0 * p0 + p1 * p1)
     d0 = p0 / sp
     d1 = p1 / sp
@@ -173,9 +152,7 @@ def step_normal(y, constants, law, table, rim, h):
     predicted_gap_change = (
         3 * (y[STATE.gap_changes] - y[STATE.gap_changes + 1]) + y[STATE.gap_changes + 2]
     )
-    A0 = 2 * p0
-    A1 = 2 * p1
-    A2 = 2 * p2
+    A = times(2, p)
     inverse_sine_sum = 0.5 / sp
     arm = R - H * sp / p2
     wd = (L0 * d0 + L1 * d1) * inverse_inertia + e * axial_momentum * sp
@@ -218,29 +195,18 @@ def step_normal(y, constants, law, table, rim, h):
                     0.0, K0 * mean_force(r0, r1, gap0, gap0 + dgap) * (1 - loss * dgap)
                 )
                 g = (U0 + 0.4 * r1**5) / 2 * dK
-        turn = (N * arm + g) * A2 * inverse_sine_sum / 2
+        turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
         roll = N * (mt * lever + mr * rim_lever)
-        V0, V1, V2, M0, M1, M2 = midpoint_velocities(
-            N, turn, roll, mt, A0, A1, reach, d0, d1, y, step_over_2m, h, weight
-        )
-        q0, q1, q2 = rotation_change(
-            n0,
-            n1,
-            n2,
-            step_over_2J * M0,
-            step_over_2J * M1,
-            step_over_2J * M2,
-        )
-        a0 = n0 + q0
-        a1 = n1 + q1
-        a2 = n2 + q2
-        A0 = n0 + a0
-        A1 = n1 + a1
-        A2 = n2 + a2
+        V, M = midpoint_velocities(y, constants, N, turn, roll, mt, A, reach, d0, d1, h)
+        M0, M1, M2 = M
+        q = rotation_change(n, times(step_over_2J, M))
+        a = plus(n, q)
+        a0, a1, a2 = a
+        A = plus(n, a)
         s1 = np.sqrt(a0 * a0 + a1 * a1)
         inverse_sine_sum = 1 / (s0 + s1)
         arm = R - H * (s0 + s1) / (c0 + a2)
-        ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
+        ds = (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum
         mean = (
             e
             / 4
@@ -251,10 +217,13 @@ def step_normal(y, constants, law, table, rim, h):
                 + (2 * M2 - L2) * a2
             )
         )
-        wd = (M0 * d0 + M1 * d1) * inverse_inertia + mean * (A0 * d0 + A1 * d1)
+        wd = (M0 * d0 + M1 * d1) * inverse_inertia + mean * (A[0] * d0 + A[1] * d1)
         dedge = -h * rim_lever * wd
         dpath = h * (
-            d0 * V1 - d1 * V0 + reach * (M2 * inverse_inertia + mean * A2) - lever * wd
+            d0 * V[1]
+            - d1 * V[0]
+            + reach * (M2 * inverse_inertia + mean * A[2])
+            - lever * wd
         )
         i, u = law_interval(law, s1)
         K1 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
@@ -263,7 +232,7 @@ def step_normal(y, constants, law, table, rim, h):
             * law.intervals_per_unit
             / s1
         )
-        dgap = h * V2 - arm * ds - (zt1 - zt0) - (zr1 - zr0)
+        dgap = h * V[2] - arm * ds - (zt1 - zt0) - (zr1 - zr0)
         r1 = approach_root(gap0 + dgap)
         elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
         error = max(0.0, elastic_force * (1 - loss * dgap)) - N
@@ -274,7 +243,7 @@ def step_normal(y, constants, law, table, rim, h):
         )
         previous_g = g
         g = (U0 + 0.4 * r1**5) / 2 * stiffness_slope
-        W = 1 / m + (arm * A2) ** 2 / (4 * J)
+        W = 1 / m + (arm * A[2]) ** 2 / (4 * J)
         stiffness = K1 * (r0 / 2 + r1)
         correction = error / (
             1 + stiffness * (h * h / 4 * W) + h * h / 2 * loss * elastic_force * W
@@ -289,35 +258,14 @@ def step_normal(y, constants, law, table, rim, h):
             N + weight
         )
         N += correction
-    turn = (N * arm + g) * A2 * inverse_sine_sum / 2
+    turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
     roll = N * (mt * lever + mr * rim_lever)
-    previous_V2 = V2
-    b0 = M0
-    b1 = M1
-    b2 = M2
-    V0, V1, V2, M0, M1, M2 = midpoint_velocities(
-        N,
-        turn,
-        roll,
-        mt,
-        A0,
-        A1,
-        reach,
-        d0,
-        d1,
-        y,
-        step_over_2m,
-        h,
-        weight,
-    )
-    b0 = step_over_2J * (M0 - b0)
-    b1 = step_over_2J * (M1 - b1)
-    b2 = step_over_2J * (M2 - b2)
-    q0 = b1 * A2 - b2 * A1
-    q1 = b2 * A0 - b0 * A2
-    q2 = b0 * A1 - b1 * A0
-    ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
-    dgap += h * (V2 - previous_V2) - arm * ds
+    previous_V2 = V[2]
+    V, M = midpoint_velocities(y, constants, N, turn, roll, mt, A, reach, d0, d1, h)
+    change = M[0] - M0, M[1] - M1, M[2] - M2
+    q = cross(times(step_over_2J, change), A)
+    ds = (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum
+    dgap += h * (V[2] - previous_V2) - arm * ds
     u += law.intervals_per_unit * ds / s1
     elastic_force = (
         (K0 + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
@@ -325,18 +273,11 @@ def step_normal(y, constants, law, table, rim, h):
         * mean_force(r0, approach_root(gap0 + dgap), gap0, gap0 + dgap)
     )
     y[STATE.contact_loss] += (elastic_force - N) * dgap
-    y[0] += h * V0
-    y[1] += h * V1
-    y[2] += h * V2
-    y[3] = 2 * V0 - y[3]
-    y[4] = 2 * V1 - y[4]
-    y[5] = 2 * V2 - y[5]
-    y[6] = a0 + q0
-    y[7] = a1 + q1
-    y[8] = a2 + q2
-    y[9] = 2 * M0 - L0
-    y[10] = 2 * M1 - L1
-    y[11] = 2 * M2 - L2
+    for k in range(3):
+        y[STATE.position + k] += h * V[k]
+        y[STATE.velocity + k] = 2 * V[k] - y[STATE.velocity + k]
+        y[STATE.axis + k] = a[k] + q[k]
+        y[STATE.angular_momentum + k] = 2 * M[k] - L[k]
     y[STATE.table_path] += dpath
     y[STATE.edge_path] += dedge
     y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]

@@ -26,7 +26,7 @@ from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     approach_root,
-    law_column,
+    current_law,
     law_interval,
     law_slope,
     mean_force,
@@ -43,6 +43,7 @@ from dynamics.compliant.stepping.table_modes import (
     track_contact,
 )
 from dynamics.compliant.stepping.tangential import step_tangential_at
+from dynamics.compliant.stepping.vectors import dot, plus, times, vector
 from dynamics.numba_kernels import kernel
 
 
@@ -50,12 +51,7 @@ from dynamics.numba_kernels import kernel
 def update_gap_stiffness(y, constants, modes, law):
     """Update the contact stiffness to the current inclination; see above."""
     K0 = modes.contact[CONTACT.gap_stiffness]
-    K1 = law_column(
-        law,
-        int(y[STATE.law_interval]),
-        y[STATE.law_fraction],
-        LAW_COLUMNS.hertz_stiffness,
-    )
+    K1 = current_law(y, law, LAW_COLUMNS.hertz_stiffness)
     modes.contact[CONTACT.gap_stiffness] = K1
     root = approach_root(y[STATE.gap])
     if root > 0 and K0 > 0:
@@ -63,16 +59,7 @@ def update_gap_stiffness(y, constants, modes, law):
 
 
 @kernel
-def step_normal_with_modes(
-    y,
-    constants,
-    law,
-    table,
-    rim,
-    modes,
-    scratch,
-    h,
-):
+def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
     """Advance the state y and the modes by the normal part of a step h.
 
     Returns False if the normal force has no solution.
@@ -96,65 +83,35 @@ def step_normal_with_modes(
     K1 = K0
     s0 = max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
     dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
-    loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient) / h
-    v0 = y[3]
-    v1 = y[4]
-    v2 = y[5]
-    n0 = y[6]
-    n1 = y[7]
-    n2 = y[8]
-    L0 = y[9]
-    L1 = y[10]
-    L2 = y[11]
-    p0, p1, p2 = rotation_change(
-        n0, n1, n2, step_over_2J * L0, step_over_2J * L1, step_over_2J * L2
-    )
-    a0 = n0 + p0
-    a1 = n1 + p1
-    a2 = n2 + p2
+    loss = current_law(y, law, LAW_COLUMNS.loss_coefficient) / h
+    v0, v1, v2 = vector(y, STATE.velocity)
+    n = vector(y, STATE.axis)
+    n0, n1, n2 = n
+    L = vector(y, STATE.angular_momentum)
+    a0, a1, a2 = plus(n, rotation_change(n, times(step_over_2J, L)))
     predict_free_motion(modes, h)
     previous_angle = modes.contact[CONTACT.angle]
-    twist_change = h * twist_rate(constants, n0, n1, n2, L0, L1, L2)
+    twist_change = h * twist_rate(constants, n, L)
     modes.contact[CONTACT.twist_angle] += twist_change
     table_path = y[STATE.table_path] + h * (
         v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle)
     )
-    edge_path = y[STATE.edge_path] + constants.radius * (
-        angle_between(
-            np.arctan2(n1, n0),
-            previous_angle,
-        )
-        - twist_change
-    )
-    rough = (
-        table,
-        rim,
-        table_path,
-        edge_path,
-        law_column(law, i, u, LAW_COLUMNS.half_length),
-    )
+    turned = angle_between(np.arctan2(n1, n0), previous_angle)
+    edge_path = y[STATE.edge_path] + constants.radius * (turned - twist_change)
+    half_length = current_law(y, law, LAW_COLUMNS.half_length)
+    rough = (table, rim, table_path, edge_path, half_length)
+    x0 = y[0] + h * v0
+    x1 = y[1] + h * v1
     angle, height, path_change = track_contact(
-        modes,
-        constants,
-        y[0] + h * v0,
-        y[1] + h * v1,
-        a0,
-        a1,
-        a2,
-        rough,
-        scratch,
+        modes, constants, x0, x1, a0, a1, a2, rough, scratch
     )
     turn = abs(angle_between(previous_angle, angle))
     jumped = turn > max_rolling_turn
     if jumped:
         jump_to_contact(y, constants, modes, angle, height)
         previous_angle = angle
-        v0 = y[3]
-        v1 = y[4]
-        v2 = y[5]
-        L0 = y[9]
-        L1 = y[10]
-        L2 = y[11]
+        v0, v1, v2 = vector(y, STATE.velocity)
+        L = vector(y, STATE.angular_momentum)
         predict_free_motion(modes, h)
     rise = height - y[STATE.roughness_heights] - y[STATE.roughness_heights + 1]
     D, E, P, S = mode_work_sums(modes, h)
@@ -171,9 +128,7 @@ def step_normal_with_modes(
         + y[STATE.previous_forces + 1],
     )
     gap = gap0
-    M0 = L0
-    M1 = L1
-    M2 = L2
+    M = L
     V2 = v2
     elastic_force = 0.0
     T = 0.0
@@ -189,17 +144,12 @@ def step_normal_with_modes(
         t2 = (n2 + a2) / 2
         s1 = max(np.sqrt(a0 * a0 + a1 * a1), MIN_CONTACT_INCLINATION)
         stiffening = 2 * g / (s0 + s1)
-        M0 = L0 + h / 2 * (N * (R * e1 * t2 - H * t1) + stiffening * t1 * t2)
-        M1 = L1 + h / 2 * (N * (H * t0 - R * e0 * t2) - stiffening * t0 * t2)
-        M2 = L2 + h / 2 * N * R * (e0 * t1 - e1 * t0)
-        q0, q1, q2 = rotation_change(
-            n0,
-            n1,
-            n2,
-            step_over_2J * M0,
-            step_over_2J * M1,
-            step_over_2J * M2,
+        M = (
+            L[0] + h / 2 * (N * (R * e1 * t2 - H * t1) + stiffening * t1 * t2),
+            L[1] + h / 2 * (N * (H * t0 - R * e0 * t2) - stiffening * t0 * t2),
+            L[2] + h / 2 * N * R * (e0 * t1 - e1 * t0),
         )
+        q0, q1, q2 = rotation_change(n, times(step_over_2J, M))
         axis_error = abs(n0 + q0 - a0) + abs(n1 + q1 - a1) + abs(n2 + q2 - a2)
         a0 = n0 + q0
         a1 = n1 + q1
@@ -248,16 +198,13 @@ def step_normal_with_modes(
     table, body = advance_modes(modes, N, h)
     y[STATE.table_loss] += table
     y[STATE.body_loss] += body
-    y[0] += h * v0
-    y[1] += h * v1
-    y[2] += h * V2
+    V = (v0, v1, V2)
+    a = (a0, a1, a2)
+    for k in range(3):
+        y[STATE.position + k] += h * V[k]
+        y[STATE.axis + k] = a[k]
+        y[STATE.angular_momentum + k] = 2 * M[k] - L[k]
     y[5] = 2 * V2 - v2
-    y[6] = a0
-    y[7] = a1
-    y[8] = a2
-    y[9] = 2 * M0 - L0
-    y[10] = 2 * M1 - L1
-    y[11] = 2 * M2 - L2
     y[STATE.table_path] = table_path + path_change
     y[STATE.roughness_heights] = height
     y[STATE.roughness_heights + 1] = 0.0
@@ -342,13 +289,12 @@ def stored_and_lost_energy(y):
 @kernel
 def kinetic_energy(y, constants):
     """Return the kinetic energy of the disk."""
-    spin = y[6] * y[9] + y[7] * y[10] + y[8] * y[11]
-    e = 1 / constants.axial_inertia - 1 / constants.diametral_inertia
-    turning = (
-        y[9] * y[9] + y[10] * y[10] + y[11] * y[11]
-    ) / constants.diametral_inertia + e * spin * spin
-    moving = constants.mass * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5])
-    return (moving + turning) / 2
+    v = vector(y, STATE.velocity)
+    L = vector(y, STATE.angular_momentum)
+    spin = dot(vector(y, STATE.axis), L)
+    turning = dot(L, L) / constants.diametral_inertia
+    turning += constants.inverse_inertia_excess * spin * spin
+    return (constants.mass * dot(v, v) + turning) / 2
 
 
 @kernel
@@ -364,8 +310,8 @@ def add_kinetic_energy(y, constants, modes, work):
     change = max(work, -energy) if energy > 0 else 0.0
     scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
     for i in range(3):
-        y[3 + i] = scale * y[3 + i]
-        y[9 + i] = scale * y[9 + i]
+        y[STATE.velocity + i] *= scale
+        y[STATE.angular_momentum + i] *= scale
     missing = change - work
     mode_energy = 0.0
     if missing > 0:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.stepping.vectors import dot
 from dynamics.numba_kernels import kernel
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 
@@ -87,11 +88,11 @@ def rim_shapes(body: RimModes, angle, inclination: float) -> np.ndarray:
 
 
 @kernel
-def twist_rate(constants, n0, n1, n2, L0, L1, L2):
-    """Return the twist rate [rad/s] of the disk about its axis."""
+def twist_rate(constants, n, L):
+    """Return the twist rate [rad/s] of a disk with axis n and angular momentum L."""
     J1 = constants.diametral_inertia
-    spin = n0 * L0 + n1 * L1 + n2 * L2
-    return (spin + L2) / (J1 * (1 + n2)) + (1 / constants.axial_inertia - 1 / J1) * spin
+    spin = dot(n, L)
+    return (spin + L[2]) / (J1 * (1 + n[2])) + constants.inverse_inertia_excess * spin
 
 
 @kernel

@@ -105,6 +105,8 @@ class ModelConstants(NamedTuple):
     mass: float
     diametral_inertia: float
     axial_inertia: float
+    inverse_inertia_excess: float
+    """Difference of the inverse moments of inertia about the axis and about a diameter."""
     radius: float
     core_radius: float
     """Distance [m] of the centre of the fillet from the axis."""

@@ -25,8 +25,9 @@ when no energy is stored.
 import numpy as np
 
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
-from dynamics.compliant.stepping.contact_energy import law_column
+from dynamics.compliant.stepping.contact_energy import current_law
 from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.vectors import dot, vector
 from dynamics.film.forces import film_moment_parts, squeezed_air_energy
 from dynamics.numba_kernels import kernel
 from dynamics.pivoting import friction_limited_arm
@@ -59,15 +60,11 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     H = constants.core_depth
     down = y[6] * d0 + y[7] * d1
     c = y[8]
-    i = int(y[STATE.law_interval])
-    u = y[STATE.law_fraction]
     s = max(y[STATE.sin_inclination], 1e-9)
     reach = R - down * (R * down / (1 + c) + H)
     rise = R * down + H * c + constants.fillet
     for side in range(2):
-        k = law_column(
-            law, i, u, LAW_COLUMNS.stiffness_1 if side == 0 else LAW_COLUMNS.stiffness_2
-        )
+        k = current_law(y, law, LAW_COLUMNS.stiffness_1 + side)
         q = y[STATE.spring_stretch + side]
         before = y[STATE.spring_stiffness + side]
         y[STATE.spring_stretch + side] = q * min(1.0, before / k)
@@ -75,12 +72,12 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
         y[STATE.creep_loss] += (
             before * q * q - k * y[STATE.spring_stretch + side] ** 2
         ) / 2
-    e = 1 / constants.axial_inertia - 1 / J
-    apply_resisting_moments(y, constants, powers, s, c, d0, d1, h)
+    e = constants.inverse_inertia_excess
+    apply_resisting_moments(y, constants, powers, s, d0, d1, h)
     if constants.has_spin_friction > 0:
         apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h)
     if constants.film_turning > 0:
-        apply_film(y, constants, s, c, d0, d1, reach, h)
+        apply_film(y, constants, s, d0, d1, reach, h)
     ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
     Wt = 1 / m + (reach * reach + rise * rise) / J + e * (reach * c + rise * down) ** 2
     Wd = 1 / m + rise * rise / J
@@ -91,8 +88,8 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
         ud,
         Wt,
         Wd,
-        law_column(law, i, u, LAW_COLUMNS.relaxation_length_1),
-        law_column(law, i, u, LAW_COLUMNS.relaxation_length_2),
+        current_law(y, law, LAW_COLUMNS.relaxation_length_1),
+        current_law(y, law, LAW_COLUMNS.relaxation_length_2),
         h,
     )
     # the force -p acts at the position reach d - rise e3
@@ -118,8 +115,8 @@ def apply_bowl_force(y, constants, h):
 def contact_velocity(y, constants, d0, d1, down, reach, rise):
     """Return the velocities of the disk at the contact along t and d."""
     J = constants.diametral_inertia
-    e = 1 / constants.axial_inertia - 1 / J
-    spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
+    momentum = vector(y, STATE.angular_momentum)
+    spin = constants.inverse_inertia_excess * dot(momentum, vector(y, STATE.axis))
     wd = (y[9] * d0 + y[10] * d1) / J + spin * down
     wt = (y[10] * d0 - y[9] * d1) / J
     ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * y[8]) + rise * wd
@@ -202,32 +199,18 @@ def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
 
 
 @kernel
-def apply_resisting_moments(y, constants, powers, s, c, d0, d1, h):
+def apply_resisting_moments(y, constants, powers, s, d0, d1, h):
     """Apply the resisting moments, power laws (n, 2) and viscous loads as impulses."""
     J = constants.diametral_inertia
-    e = 1 / constants.axial_inertia - 1 / constants.diametral_inertia
+    e = constants.inverse_inertia_excess
+    loss = STATE.moment_loss
     arms = constants.arm_nutation, constants.arm_rolling, constants.arm_pivoting
+    axes = (-d1, d0, 0.0), (d0, d1, 0.0), (0.0, 0.0, 1.0)
+    viscous = h * constants.viscous_moment
     for i in range(3):
-        if i == 0:
-            a0, a1, a2 = -d1, d0, 0.0
-        elif i == 1:
-            a0, a1, a2 = d0, d1, 0.0
-        else:
-            a0, a1, a2 = 0.0, 0.0, 1.0
         size = h * arms[i] * y[STATE.normal_force]
         fitted = 0.0 if i != 1 else constants.friction_is_fitted
-        apply_angular_impulse(
-            y,
-            a0,
-            a1,
-            a2,
-            size,
-            h * constants.viscous_moment,
-            J,
-            e,
-            STATE.moment_loss,
-            fitted,
-        )
+        apply_angular_impulse(y, axes[i], size, viscous, J, e, loss, fitted)
     if constants.viscous_force > 0:
         left = max(0.0, 1 - h * constants.viscous_force / constants.mass)
         horizontal_energy = constants.mass / 2 * (y[3] * y[3] + y[4] * y[4])
@@ -235,60 +218,51 @@ def apply_resisting_moments(y, constants, powers, s, c, d0, d1, h):
         y[3] = left * y[3]
         y[4] = left * y[4]
     for i in range(len(powers)):
-        a0 = -c * d0  # e_3, upwards along the diameter through the contact
-        a1 = -c * d1
-        a2 = s
-        rate = abs(y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
+        a = diameter_through_contact(y, s, d0, d1)
+        rate = abs(dot(vector(y, STATE.angular_momentum), a)) / (J * s)
         growth = 1.0 if powers[i, 1] == 1 else rate ** (powers[i, 1] - 1)
-        apply_angular_impulse(
-            y,
-            a0,
-            a1,
-            a2,
-            h * powers[i, 0] * growth / s,
-            0.0,
-            J,
-            e,
-            STATE.moment_loss,
-            constants.friction_is_fitted,
-        )
+        size = h * powers[i, 0] * growth / s
+        apply_angular_impulse(y, a, size, 0.0, J, e, loss, constants.friction_is_fitted)
+
+
+@kernel
+def diameter_through_contact(y, s, d0, d1):
+    """Return e_3, the upward unit vector along the diameter through the contact."""
+    return -y[8] * d0, -y[8] * d1, s
 
 
 @kernel
 def apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h):
     """Apply the moment by which the contact ellipse resists pivoting as an impulse."""
     J = constants.diametral_inertia
-    e = 1 / constants.axial_inertia - 1 / J
-    i = int(y[STATE.law_interval])
-    u = y[STATE.law_fraction]
-    pivoting = y[11] / J + e * y[8] * (y[6] * y[9] + y[7] * y[10] + y[8] * y[11])
+    e = constants.inverse_inertia_excess
+    spin = dot(vector(y, STATE.axis), vector(y, STATE.angular_momentum))
+    pivoting = y[11] / J + e * y[8] * spin
     slides = y[STATE.is_sliding] > 0
     speed_square = y[STATE.path_speed] ** 2
     if slides:
         ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
         speed_square = ut * ut + ud * ud
     arm = limited_arm_kernel(
-        law_column(law, i, u, LAW_COLUMNS.slip_arm),
-        law_column(law, i, u, LAW_COLUMNS.creep_moment),
+        current_law(y, law, LAW_COLUMNS.slip_arm),
+        current_law(y, law, LAW_COLUMNS.creep_moment),
         abs(pivoting),
         speed_square,
         slides,
         constants.mu_dynamic,
     )
     size = h * arm * y[STATE.normal_force]
-    apply_angular_impulse(y, 0.0, 0.0, 1.0, size, 0.0, J, e, STATE.moment_loss, 0.0)
+    upward = (0.0, 0.0, 1.0)
+    apply_angular_impulse(y, upward, size, 0.0, J, e, STATE.moment_loss, 0.0)
 
 
 @kernel
-def apply_film(y, constants, s, c, d0, d1, reach, h):
+def apply_film(y, constants, s, d0, d1, reach, h):
     """Apply drag, pressure of the fall and pressure of the compressed air as impulses."""
-    a0 = -c * d0
-    a1 = -c * d1
-    a2 = s
     J = constants.diametral_inertia
-    m = constants.mass
+    a = diameter_through_contact(y, s, d0, d1)
     # the offset avoids division by zero
-    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + 1e-30
+    rate = dot(vector(y, STATE.angular_momentum), a) / (J * s) + 1e-30
     drag, fall, lever, tip, lift = film_moment_parts_kernel(
         s,
         rate,
@@ -300,41 +274,24 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
         constants.film_slip,
         constants.film_bowl,
     )
-    apply_angular_impulse(
-        y,
-        a0,
-        a1,
-        a2,
-        0.0,
-        h * drag / (rate * s),
-        J,
-        0.0,
-        STATE.film_loss,
-        0.0,
-    )
+    drag_per_rate = h * drag / (rate * s)
+    apply_angular_impulse(y, a, 0.0, drag_per_rate, J, 0.0, STATE.film_loss, 0.0)
     lever /= constants.radius
     arm = reach - 1 / lever
-    v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
-    mobility = 1 / m + arm * arm / J
+    v, mobility = face_velocity(y, constants, arm, d0, d1)
     fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
     y[STATE.film_loss] -= fall_impulse * (v + fall_impulse * mobility / 2)
-    y[5] += fall_impulse / m
-    y[9] += arm * fall_impulse * d1
-    y[10] -= arm * fall_impulse * d0
+    push_face(y, constants, arm, fall_impulse, d0, d1)
     lift_impulse = h * lift / constants.radius
     if lift_impulse > 0:
         arm = reach - constants.radius * tip / lift
-        v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
-        mobility = 1 / m + arm * arm / J
+        v, mobility = face_velocity(y, constants, arm, d0, d1)
         speed = np.sqrt(v * v + 2 * mobility * y[STATE.squeezed_air_energy])
-        lift_impulse = min(
-            lift_impulse, (speed - v) / mobility
-        )  # limited by the stored energy
+        # limited by the stored energy
+        lift_impulse = min(lift_impulse, (speed - v) / mobility)
         work = lift_impulse * (v + lift_impulse * mobility / 2)
         y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
-        y[5] += lift_impulse / m
-        y[9] += arm * lift_impulse * d1
-        y[10] -= arm * lift_impulse * d0
+        push_face(y, constants, arm, lift_impulse, d0, d1)
     stored_energy = min(
         y[STATE.squeezed_air_energy],
         squeezed_air_kernel(
@@ -354,7 +311,26 @@ def apply_film(y, constants, s, c, d0, d1, reach, h):
 
 
 @kernel
-def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
+def face_velocity(y, constants, arm, d0, d1):
+    """Return the upward velocity of a point of the face, and its mobility [1/kg].
+
+    The point is at the distance `arm` [m] from the centre in direction d.
+    """
+    J = constants.diametral_inertia
+    v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
+    return v, 1 / constants.mass + arm * arm / J
+
+
+@kernel
+def push_face(y, constants, arm, impulse, d0, d1):
+    """Apply an upward impulse at a point of the face; see `face_velocity`."""
+    y[5] += impulse / constants.mass
+    y[9] += arm * impulse * d1
+    y[10] -= arm * impulse * d0
+
+
+@kernel
+def apply_angular_impulse(y, a, size, per_rate, J, e, cause, fitted):
     """Apply an angular impulse along the unit vector a that at most stops the rotation.
 
     The impulse is `size` + `per_rate` times the rate. With `fitted` = 1 it is reduced
@@ -363,10 +339,10 @@ def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
     """
     if size == 0 and per_rate == 0:
         return
-    n = a0 * y[6] + a1 * y[7] + a2 * y[8]
-    rate = (a0 * y[9] + a1 * y[10] + a2 * y[11]) / J + e * n * (
-        y[6] * y[9] + y[7] * y[10] + y[8] * y[11]
-    )
+    axis = vector(y, STATE.axis)
+    momentum = vector(y, STATE.angular_momentum)
+    n = dot(a, axis)
+    rate = dot(a, momentum) / J + e * n * dot(axis, momentum)
     mobility = 1 / J + e * n * n
     available_relief = (
         fitted * (y[STATE.contact_loss] + y[STATE.creep_loss])
@@ -377,7 +353,6 @@ def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
         y[STATE.relieved_friction_energy] += relief * abs(rate)
         size -= relief
     turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / mobility)
-    y[9] += turn * a0
-    y[10] += turn * a1
-    y[11] += turn * a2
+    for i in range(3):
+        y[STATE.angular_momentum + i] += turn * a[i]
     y[cause] -= turn * (rate + turn * mobility / 2)

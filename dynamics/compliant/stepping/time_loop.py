@@ -15,6 +15,7 @@ from dynamics.compliant.stepping import (
     state_layout,
     table_modes,
     tangential,
+    vectors,
 )
 from dynamics.compliant.stepping.contact_energy import update_law_interval
 from dynamics.compliant.stepping.normal import step_normal
@@ -278,5 +279,6 @@ step_motion = _compile_step_motion(
         tangential,
         table_modes,
         normal_with_modes,
+        vectors,
     )
 )
