@@ -46,7 +46,7 @@ def nutation_peaks(
     min_relative_prominence = 0.5  # relative to the median of the neighbours
     neighbour_count = 11
 
-    def load_at(t):
+    def load_at(t: np.ndarray) -> np.ndarray:
         return free_rolling_load(motion.disk, motion.at(t))
 
     t = piece_ends_and_middles(motion)

@@ -4,6 +4,7 @@ mode."""
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw
 from dynamics.compliant.law.tabulated import LawTable
@@ -43,6 +44,13 @@ class Halt(NamedTuple):
     advanced: float
 
 
+def stiffness_slope(law: ContactLaw, beta: ArrayLike) -> np.ndarray:
+    """Return dK/d(beta) = -K D/(6 F) d(ln A)/d(beta) at inclinations (k,) [rad]."""
+    _, D, F = law.ellipse(beta)
+    core = (law.disk.radius - law.rolling_fillet) / law.place(beta).radius
+    return -law.stiffness(beta) * D / (6 * F) / np.tan(beta) * core
+
+
 def steady_state(law: ContactLaw, beta: float) -> np.ndarray:
     """Return the state (11,) of steady motion with a fixed centre at inclination `beta`
     [rad].
@@ -53,7 +61,7 @@ def steady_state(law: ContactLaw, beta: float) -> np.ndarray:
     place = law.place(beta)
     lever = place.radius * np.cos(beta) - place.depth * np.sin(beta)
     approach = law.approach(beta, disk.weight)
-    torque = 0.4 * approach**2.5 * law.stiffness_slope(beta)
+    torque = 0.4 * approach**2.5 * stiffness_slope(law, beta)
     sharp = disk_constants(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
     rounded = sharp._replace(fillet=law.rolling_fillet / disk.radius)
     omega = np.divide(steady_omega(beta, rounded), disk.time_unit)

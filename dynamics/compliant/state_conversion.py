@@ -93,13 +93,14 @@ def preloaded_compliant_state(
     y[SPANS.previous_forces] = N
     y[STATE.gap] = -delta
     y[[STATE.table_path, STATE.edge_path]] = -R * state[2]
+    film = fixed.film
     y[STATE.squeezed_air_energy] = squeezed_air_energy(
         np.sin(beta),
         w3 / np.sin(beta),
-        fixed.film_number,
-        fixed.film_ambient,
-        fixed.film_slip,
-        fixed.film_bowl,
+        film.number,
+        film.ambient,
+        film.slip,
+        film.bowl,
     )
     return y
 

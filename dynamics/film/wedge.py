@@ -128,6 +128,14 @@ def film_under(disk: Disk, air: Air, curvature: float = 0.0) -> Film:
     )
 
 
+def film_in_si_units(film: Film | None, disk: Disk) -> Film:
+    """Return the constants of a film under a disk in SI units; zeros without a film."""
+    chi = disk.time_unit
+    energy = disk.mass * disk.radius**2 / chi**2
+    units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
+    return Film(*np.multiply(film or np.zeros(len(units)), units).tolist())
+
+
 def film_powers(disk: Disk, film: Film, state: np.ndarray) -> np.ndarray:
     """Return the powers (2, n) [W] dissipated by rotation and fall at states (n, 11)."""
     unit = disk.mass * disk.radius**2 / disk.time_unit**3

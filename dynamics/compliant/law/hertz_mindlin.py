@@ -165,12 +165,6 @@ class ContactLaw:
         root = np.sqrt(D / (3 * self.curvature(inclination)))
         return 2 * np.pi / 3 * self.modulus * root / F**1.5
 
-    def stiffness_slope(self, inclination: ArrayLike) -> np.ndarray:
-        """Return dK/d(beta) = -K D/(6 F) d(ln A)/d(beta) at inclinations (k,)."""
-        _, D, F = self.ellipse(inclination)
-        core = (self.disk.radius - self.rolling_fillet) / self.place(inclination).radius
-        return -self.stiffness(inclination) * D / (6 * F) / np.tan(inclination) * core
-
     def approach(self, inclination: ArrayLike, load: Any) -> np.ndarray:
         """Return the approach delta [m] under a normal force `load` [N]."""
         return (load / self.stiffness(inclination)) ** (2 / 3)
@@ -196,7 +190,7 @@ class ContactLaw:
         q, D, F = self.ellipse(inclination)
         a, b = self.semi_axes(inclination, load)
 
-        def stiffness(J):
+        def stiffness(J: np.ndarray) -> np.ndarray:
             return (2 * np.pi * a) / sum(
                 ((1 - m.poisson) * F + m.poisson * J) / m.shear
                 for m in (self.body, self.table)

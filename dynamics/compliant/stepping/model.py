@@ -29,7 +29,7 @@ from dynamics.compliant.stepping.table_modes import (
 )
 from dynamics.compliant.stepping.time_loop import EndReason, step_motion
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
-from dynamics.film.wedge import Film
+from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.solver_settings import ACCURACY_LEVELS
 
 STEPS_PER_CALL = 2**15
@@ -169,14 +169,11 @@ class CompliantModel:
             f.arm_rolling,
             0.0 if has_spin_friction else f.arm_pivoting,
         )
-        chi = disk.time_unit
         bowl = disk.weight * self.bowl_curvature, *self.bowl_place
-        energy = disk.mass * disk.radius**2 / disk.time_unit**2
-        units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
-        air = np.multiply(self.film or np.zeros(len(units)), units)
         extra = *bowl, has_spin_friction, self.friction_is_fitted
-        values = *body, *friction, *self.viscous, *air, *extra
-        return ModelConstants(*map(float, values))
+        values = *body, *friction, *self.viscous, *extra
+        film = film_in_si_units(self.film, disk)
+        return ModelConstants._make([*map(float, values), film])
 
     @cached_property
     def cubics(self) -> LawCubics:

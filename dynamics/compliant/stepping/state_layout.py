@@ -3,6 +3,8 @@
 from itertools import accumulate
 from typing import Annotated, NamedTuple, get_type_hints
 
+from dynamics.film.wedge import Film
+
 Pair = Annotated[int, 2]
 """Index of the first of two successive entries."""
 Vector = Annotated[int, 3]
@@ -97,10 +99,7 @@ ENERGY_LOSSES = slice(STATE.contact_loss, STATE.body_loss + 1)
 
 
 class ModelConstants(NamedTuple):
-    """Constants of a compliant model, in SI units.
-
-    The constants of the film are those of `film_moment_parts`.
-    """
+    """Constants of a compliant model, in SI units."""
 
     mass: float
     diametral_inertia: float
@@ -124,13 +123,6 @@ class ModelConstants(NamedTuple):
     """Moment divided by angular velocity [N m s]."""
     viscous_force: float
     """Force divided by velocity [N s/m]."""
-    film_turning: float
-    film_falling: float
-    film_inertia: float
-    film_number: float
-    film_ambient: float
-    film_slip: float
-    film_bowl: float
     bowl_stiffness: float
     """Restoring force of a concave table [N/m]."""
     bowl_x: float
@@ -140,3 +132,5 @@ class ModelConstants(NamedTuple):
     """1 if slip and creep in the contact replace arm_pivoting, else 0."""
     friction_is_fitted: float
     """1 if the friction was fitted to a rough disk and includes its losses, else 0."""
+    film: Film
+    """Constants of the air film; zeros without a film."""

@@ -76,7 +76,7 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     apply_resisting_moments(y, constants, powers, s, d0, d1, h)
     if constants.has_spin_friction > 0:
         apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h)
-    if constants.film_turning > 0:
+    if constants.film.turning > 0:
         apply_film(y, constants, s, d0, d1, reach, h)
     ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
     Wt = 1 / m + (reach * reach + rise * rise) / J + e * (reach * c + rise * down) ** 2
@@ -263,16 +263,17 @@ def apply_film(y, constants, s, d0, d1, reach, h):
     a = diameter_through_contact(y, s, d0, d1)
     # the offset avoids division by zero
     rate = dot(vector(y, STATE.angular_momentum), a) / (J * s) + 1e-30
+    film = constants.film
     drag, fall, lever, tip, lift = film_moment_parts_kernel(
         s,
         rate,
-        constants.film_turning,
-        constants.film_falling,
-        constants.film_inertia,
-        constants.film_number,
-        constants.film_ambient,
-        constants.film_slip,
-        constants.film_bowl,
+        film.turning,
+        film.falling,
+        film.inertia,
+        film.number,
+        film.ambient,
+        film.slip,
+        film.bowl,
     )
     drag_per_rate = h * drag / (rate * s)
     apply_angular_impulse(y, a, 0.0, drag_per_rate, J, 0.0, STATE.film_loss, 0.0)
@@ -292,17 +293,10 @@ def apply_film(y, constants, s, d0, d1, reach, h):
         work = lift_impulse * (v + lift_impulse * mobility / 2)
         y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
         push_face(y, constants, arm, lift_impulse, d0, d1)
-    stored_energy = min(
-        y[STATE.squeezed_air_energy],
-        squeezed_air_kernel(
-            s,
-            rate,
-            constants.film_number,
-            constants.film_ambient,
-            constants.film_slip,
-            constants.film_bowl,
-        ),
+    capacity = squeezed_air_kernel(
+        s, rate, film.number, film.ambient, film.slip, film.bowl
     )
+    stored_energy = min(y[STATE.squeezed_air_energy], capacity)
     y[STATE.film_loss] = (
         y[STATE.film_loss] + y[STATE.squeezed_air_energy] - stored_energy
     )

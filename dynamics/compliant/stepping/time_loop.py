@@ -197,7 +197,7 @@ def _step_rows(
             steps_before += 1
             if flat:
                 return EndReason.LIES_FLAT, row, flight, slip
-            if constants.film_turning > 0 and update_airborne(y, constants, h):
+            if constants.film.turning > 0 and update_airborne(y, constants, h):
                 return EndReason.IS_AIRBORNE, row, flight, slip
         if has_modes:
             update_gap_stiffness(y, constants, modes, law)
