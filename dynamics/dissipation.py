@@ -296,10 +296,8 @@ def combined_loads(*laws: Any) -> Any:
     return acting[0] if acting else None
 
 
-def resistance_of(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
+def resistance_of(dissipation: Dissipation, disk: Disk) -> Resistance | None:
     """Return the dimensionless loads of a `Dissipation`, or None if there are none."""
-    if dissipation is None:
-        return None
     chi = disk.time_unit
     inertia = disk.mass * disk.radius**2
     laws = power_laws(dissipation, disk)

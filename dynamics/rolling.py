@@ -87,7 +87,7 @@ class RollingDisk:
         """
         local, offset = restart_quadratures(y, self.law.bowl > 0)
         within = (local, regime, self.law, self.loads, self.r_end, span)
-        arc = None
+        arc: Arc | None = None
         if self._is_stiff(y, regime):
             self.announce_compilation("slow slide")
             from dynamics.integrators.slow_slides import (
@@ -95,7 +95,9 @@ class RollingDisk:
             )  # numba loads slowly
 
             arc = advance_slow_slide(*within)
-        arc = arc or self.integrate(*within, self.tolerance)
+        if arc is None:
+            self.announce_compilation(str(regime))
+            arc = self.integrate(*within, self.tolerance)
         steps = len(arc.times)
         shortest_mean_step = 1e-5 * y[R]
         if (

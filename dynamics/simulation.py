@@ -160,17 +160,15 @@ def _solve_with_table(
             raise ValueError(f"loads: a user-defined law requires {needed}")
         return solve_compliant_motion(scene, watch, modes)
     compile_in_background(scene, loads)
-    system = rigid_contact_system(scene, loads)
     progress = _Progress(scene, watch)
-    watched_system = replace(
-        system,
-        integrate=progress.announcing(system.integrate),
+    system = replace(
+        rigid_contact_system(scene, loads),
         announce_compilation=progress.announce_compilation,
     )
     start = initial_state(scene.disk, scene.release)
     time_limit = scene.numerics.time_limit / scene.disk.time_unit
     try:
-        path, guard = run_events(watched_system, start, time_limit, progress.record)
+        path, guard = run_events(system, start, time_limit, progress.record)
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
     outcome = outcome_after_guard(guard, progress.state, system)
@@ -182,14 +180,12 @@ def _solve_with_table(
         resolved_integrator_name(scene.numerics.integrator),
     )
     contact_loss_load = 1e-9  # normal force divided by the weight
-    if (
-        guard == EVENT_CASCADE
-        and motion.normal_load(motion.t[-1])[0] < contact_loss_load
-    ):
-        # Without a normal force, friction cannot hold the contact and the regimes alternate.
-        return replace(
-            motion, outcome=outcome_after_guard(guards.LIFT_OFF, progress.state, system)
-        )
+    if guard == EVENT_CASCADE:
+        load = motion.normal_load(motion.t[-1])[0]
+        if load < contact_loss_load:
+            # Without it, friction cannot hold the contact and the regimes alternate.
+            outcome = outcome_after_guard(guards.LIFT_OFF, progress.state, system)
+            return replace(motion, outcome=outcome)
     return motion
 
 
@@ -216,15 +212,6 @@ class _Progress:
         if flow not in self._announced:
             self._announced.add(flow)
             self._watch(self.t, self.inclination, f"compiling the flow of '{flow}'")
-
-    def announcing(self, integrate: Callable[..., Arc]) -> Callable[..., Arc]:
-        """Return the integrator, wrapped so that it first announces the regime."""
-
-        def announced(y: list[float], regime: Regime, *arguments: Any) -> Arc:
-            self.announce_compilation(str(regime))
-            return integrate(y, regime, *arguments)
-
-        return announced
 
 
 def outcome_after_guard(guard: str | None, y: Any, system: RollingDisk) -> Outcome:

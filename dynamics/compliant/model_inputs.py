@@ -34,8 +34,9 @@ def law_table(
     If the disk is elastic, it includes the flexibility of the edge without the modes
     below `max_moving_frequency` [Hz]. The tables are cached and shared by threads.
     """
-    key = contact_law(scene), edge_flexibility(scene), max_moving_frequency
-    return _tabulated(kind, *key)  # type: ignore[arg-type]
+    law = contact_law(scene)
+    edge = edge_flexibility(scene)
+    return _tabulated(kind, law, edge, max_moving_frequency)  # type: ignore[arg-type]
 
 
 def edge_flexibility(scene: "MotionScene") -> Any:

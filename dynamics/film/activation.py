@@ -133,15 +133,13 @@ def non_contact_loads(scene: "MotionScene", own: OwnLaw | None = None) -> Any:
     )
 
 
-def _film_free_reason(disk: Disk, air: Air, dissipation: Dissipation | None) -> str:
+def _film_free_reason(disk: Disk, air: Air, dissipation: Dissipation) -> str:
     """Return the reason why air.film = 'auto' excludes the film, or "" if it does not."""
     if not air.pressure:
         return "there is no film in a vacuum"
     if disk.shape != "solid":
         return "the model of the film is limited to solid disks"
-    if dissipation and (
-        dissipation.air_viscosity or dissipation.boundary_layer_viscosity
-    ):
+    if dissipation.air_viscosity or dissipation.boundary_layer_viscosity:
         return "the scene already includes a dissipation law for the air"
     return ""
 

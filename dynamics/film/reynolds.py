@@ -30,16 +30,14 @@ class FilmResponse(NamedTuple):
 
     Attributes
     ----------
-    pressure : (n,) array
-        Pressure at the nodes of the mesh, in units of 12 mu R^2 V/g^3.
     works : array
-        Work int p W dA/R^2 on each of the given shapes W.
+        Work int p W dA/R^2 on each of the given shapes W; p is in units of 12 mu R^2
+        V/g^3.
     rim : (2 k + 1,) array
         Outflow at the rim, int q exp(-i n theta) ds/(R^2 V), for n = 0, 1, .., k, -k,
         .., -1.
     """
 
-    pressure: np.ndarray
     works: np.ndarray
     rim: np.ndarray
 
@@ -176,9 +174,7 @@ class FilmMesh:
         rest = loads.astype(complex)
         p[:, inner] = [factors.solve(-row[inner]) for row in rest]
         rim = -(rest + self._matrix_product(pairs, p.T).T) @ self._waves(orders)
-        return [
-            FilmResponse(*answer) for answer in zip(p, p @ works.T, rim, strict=True)
-        ]
+        return [FilmResponse(*answer) for answer in zip(p @ works.T, rim, strict=True)]
 
     def rim_flow_matrices(
         self, mobility, storage, velocities, orders: int
