@@ -15,6 +15,7 @@ from dynamics.integrators import slow_slide_criterion
 from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.integrators.runge_kutta import (
     BISECTION_COUNT,
+    MAX_GUARDS,
     copy_into,
     evaluate_polynomial,
     guard_crossing_between,
@@ -40,6 +41,11 @@ for _k in range(ORDER + 1):
 """Matrix from Chebyshev coefficients on [0, 1] to powers of x; T_k(2 x - 1) = T_2k(sqrt
 x)."""
 MAX_STEP = 1.0
+STEP_TOLERANCE = 1e-12
+DIFFERENCE_ANGLE = 1e-7
+"""Step [rad] of the difference quotient in Newton's method; the iteration removes the
+error of the quotient."""
+MAX_STEPS_PER_CALL = 40
 STATE_SIZE = DISSIPATED + 1
 NUTATION_SENSE_INDEX = len(DiskConstants._fields) - 1
 """Index of the sign of nutation among the constants of a flow (branch_formulas.py)."""
@@ -51,26 +57,14 @@ is_slow = njit(cache=True, error_model="numpy")(slow_slide_criterion.is_slow)
 
 
 @njit(cache=True, error_model="numpy")
-def tilt_direction(flow, p, state, rates, guards):
-    """Write the rates after a small change of the slip direction; return its angle [rad].
-
-    Newton's method removes the error of the difference quotient.
-    """
-    angle = 1e-7
-    tilted = state.copy()
-    tilted[V2] += angle
-    flow(tilted, p, rates, guards)
-    return angle
-
-
-@njit(cache=True, error_model="numpy")
-def direction_jacobian(flow, p, states, rates, guards):
+def direction_jacobian(flow, p, states, rates, guard_values):
     """Return d(rates)/d(direction) (ORDER, STATE_SIZE) from difference quotients."""
     out = np.empty((ORDER, STATE_SIZE))
-    angle = 0.0
+    tilted = states.copy()
     for j in range(ORDER):
-        angle = tilt_direction(flow, p, states[j], out[j], guards)
-    return (out - rates) / angle
+        tilted[j, V2] += DIFFERENCE_ANGLE
+        flow(tilted[j], p, out[j], guard_values)
+    return (out - rates) / DIFFERENCE_ANGLE
 
 
 @njit(cache=True, error_model="numpy")
@@ -147,15 +141,14 @@ def solve_collocation(flow, p, y, dt, states, rates, guards):
 
 @njit(cache=True, error_model="numpy")
 def collocation_step(flow, p, y, slope, dt, states, rates, guards):
-    """Return the powers of a step from y, and its error divided by the tolerance.
+    """Return the powers of a step from y, and its error divided by STEP_TOLERANCE.
 
     The powers (ORDER + 1, STATE_SIZE) are those of x in [0, 1]. The initial guess
     follows the `slope` at y with a constant direction. `states` and `rates` (ORDER,
-    STATE_SIZE) are filled with values at the nodes, `guards` (ORDER + 1, count) with
-    those at the nodes and the end. The error is the last Chebyshev coefficient, or
+    STATE_SIZE) are filled with values at the nodes, `guards` (ORDER + 1, MAX_GUARDS)
+    with those at the nodes and the end. The error is the last Chebyshev coefficient, or
     infinite if the iteration does not converge.
     """
-    step_tolerance = 1e-12
     c = np.zeros((ORDER + 1, STATE_SIZE))
     end = np.empty(STATE_SIZE)
     for j in range(ORDER):
@@ -169,19 +162,25 @@ def collocation_step(flow, p, y, slope, dt, states, rates, guards):
     copy_into(y, c[0])
     evaluate_polynomial(c, 1.0, end)
     flow(end, p, series[0], guards[ORDER])
-    return c, dt * np.max(np.abs(series[ORDER])) / step_tolerance + 1e-30
+    return c, dt * np.max(np.abs(series[ORDER])) / STEP_TOLERANCE + 1e-30
 
 
 @njit(cache=True, error_model="numpy")
-def first_step_length(flow, p, y, slope, guards):
+def first_step_length(flow, p, y, slope):
     """Return the length, in units of r, of a first step that resolves the relaxation."""
     # largest number of relaxation times in a step that the nodes resolve
     relaxation_times_per_step = 12.0
+    tilted = y.copy()
     rates = np.empty(STATE_SIZE)
-    angle = tilt_direction(flow, p, y, rates, guards)
+    guards = np.empty(MAX_GUARDS)
+    tilted[V2] += DIFFERENCE_ANGLE
+    flow(tilted, p, rates, guards)
     return min(
         MAX_STEP,
-        relaxation_times_per_step * angle * y[V1] / (y[R] * abs(rates[V2] - slope[V2])),
+        relaxation_times_per_step
+        * DIFFERENCE_ANGLE
+        * y[V1]
+        / (y[R] * abs(rates[V2] - slope[V2])),
     )
 
 
@@ -257,19 +256,19 @@ def speed_derivative(c, x):
 
 
 @njit(cache=True, error_model="numpy")
-def first_guard_crossing(flow, p, c, before, guards):
+def first_guard_crossing(flow, p, c, count, before, guards):
     """Return position and index of the first guard that falls in [0, 1] on the curve c.
 
-    If none falls, return 1, -1. `before` contains the guards at 0, `guards` those at
-    the nodes and the end. They are also evaluated at minima of the slip speed. A guard
-    that is not positive at 0 cannot fall.
+    If none of the `count` guards falls, return 1, -1. `before` contains the guards at
+    0, `guards` those at the nodes and the end. They are also evaluated at minima of the
+    slip speed. A guard that is not positive at 0 cannot fall.
     """
     place = 1.0
     fired = -1
     low = 0.0
     y = np.empty(STATE_SIZE)
     rates = np.empty(STATE_SIZE)
-    now = np.empty(len(before))
+    now = np.empty(MAX_GUARDS)
     slope = speed_derivative(c, low)
     for look in range(ORDER + 1):
         high = COLLOCATION_NODES[look] if look < ORDER else 1.0
@@ -279,13 +278,15 @@ def first_guard_crossing(flow, p, c, before, guards):
             dip = min_speed_position(c, low, high)
             evaluate_polynomial(c, dip, y)
             flow(y, p, rates, now)
-            place, fired = guard_crossing_between(flow, p, c, before, now, low, dip)
+            place, fired = guard_crossing_between(
+                flow, p, c, count, before, now, low, dip
+            )
             if fired >= 0:
                 break
             low = dip
             before = now
         place, fired = guard_crossing_between(
-            flow, p, c, before, guards[look], low, high
+            flow, p, c, count, before, guards[look], low, high
         )
         if fired >= 0:
             break
@@ -295,7 +296,7 @@ def first_guard_crossing(flow, p, c, before, guards):
 
 
 @njit(cache=True, error_model="numpy")
-def reverse_nutation(flow, p, y, slope, before, turn):
+def reverse_nutation(flow, p, y, slope, before, count, turn):
     """Reverse the nutation; return True if it clearly continues without another event.
 
     The sign of nutation in p changes, and its rate in y is set to zero. `slope` and the
@@ -306,20 +307,20 @@ def reverse_nutation(flow, p, y, slope, before, turn):
     y[W1] = 0.0
     p[NUTATION_SENSE_INDEX] = -p[NUTATION_SENSE_INDEX]
     flow(y, p, slope, before)
-    for i in range(len(before)):
+    for i in range(count):
         if i != turn and not before[i] > 0:
             return False
     return p[NUTATION_SENSE_INDEX] * slope[W1] > min_reversal_acceleration
 
 
 @njit(cache=True, error_model="numpy")
-def step_enters_slide(before, guards, grip):
+def step_enters_slide(before, guards, count, grip):
     """Return True if a step from rest enters the slide.
 
     Each guard must be positive `before` the step or at its first node.
     """
     leads = True
-    for i in range(len(before)):
+    for i in range(count):
         leads &= before[i] > 0 or guards[0, i] > (
             -REST_SLIP_SPEED if i == grip else 0.0
         )
@@ -369,8 +370,8 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     slope = np.empty(STATE_SIZE)
     states = np.empty((ORDER, STATE_SIZE))
     rates = np.empty((ORDER, STATE_SIZE))
-    before = np.empty(count)
-    guards = np.empty((ORDER + 1, count))
+    before = np.empty(MAX_GUARDS)
+    guards = np.empty((ORDER + 1, MAX_GUARDS))
     turns = np.empty(max_steps, np.int64)
     t = 0.0
     n = 0
@@ -380,20 +381,18 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     flow(y, p, slope, before)
     rests = y[V1] == 0
     slow = rests or is_slow(y[V1], slip_times_acceleration(y, slope), mu * before[load])
-    length = (
-        first_step_from_rest
-        if rests
-        else first_step_length(flow, p, y, slope, guards[ORDER])
-    )
+    length = first_step_from_rest if rests else first_step_length(flow, p, y, slope)
     while n < max_steps and t < span and fired < 0 and slow and length >= min_step:
         dt = min(length * y[R], span - t)
         c, error = collocation_step(flow, p, y, slope, dt, states, rates, guards)
-        if not error < 1 or (rests and not step_enters_slide(before, guards, grip)):
+        if not error < 1 or (
+            rests and not step_enters_slide(before, guards, count, grip)
+        ):
             length *= (
                 0.8 * error ** (-1 / ORDER) if 1 <= error < np.inf else step_reduction
             )
             continue
-        place, fired = first_guard_crossing(flow, p, c, before, guards)
+        place, fired = first_guard_crossing(flow, p, c, count, before, guards)
         if rests and not np.max(guards[:, grip]) > STOP_SLIP_SPEED:
             fired = grip
             break
@@ -405,11 +404,13 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
         length = min(max(min_step_growth, error ** (-1 / 3)) * length, MAX_STEP)
         stay = slow_slide_hysteresis
         evaluate_polynomial(c, place, y)
-        if fired == turn >= 0 and reverse_nutation(flow, p, y, slope, before, turn):
+        if fired == turn >= 0 and reverse_nutation(
+            flow, p, y, slope, before, count, turn
+        ):
             turns[turned] = n
             turned += 1
             fired = -1
-            length = first_step_length(flow, p, y, slope, guards[ORDER])
+            length = first_step_length(flow, p, y, slope)
             stay = 1.0
         flow(y, p, slope, before)
         slow = is_slow(

@@ -20,8 +20,9 @@ STAGE_WEIGHTS[12, :12] = DOP853.B
 STAGE_WEIGHTS[13:] = DOP853.A_EXTRA
 ERROR_WEIGHTS = np.zeros((2, 13))
 ERROR_WEIGHTS[:] = DOP853.E5, DOP853.E3
-BISECTION_COUNT = int(np.finfo(float).nmant) + 2
-"""Number of bisections that locate a guard crossing in [0, 1] within rounding."""
+BISECTION_COUNT = 54  # for the location of a guard crossing
+MAX_GUARDS = 16
+"""Array size that is sufficient for the guards of any branch."""
 
 
 def dense_output_coefficients():
@@ -93,15 +94,14 @@ def step_and_error(flow, y, p, h, rates, y_end, guards):
 
 
 @njit(cache=True, error_model="numpy")
-def guard_root(flow, p, c, i, count, low, high):
+def guard_root(flow, p, c, i, low, high):
     """Return the position in [low, high] on the curve c at which guard i falls to zero.
 
-    The result is rounded to the side on which the guard is not positive. `count` is the
-    number of guards.
+    The result is rounded to the side on which the guard is not positive.
     """
-    guards = np.empty(count)
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
+    guards = np.empty(MAX_GUARDS)
     for _ in range(BISECTION_COUNT):
         middle = (low + high) / 2
         evaluate_polynomial(c, middle, y)
@@ -114,18 +114,17 @@ def guard_root(flow, p, c, i, count, low, high):
 
 
 @njit(cache=True, error_model="numpy")
-def guard_crossing_between(flow, p, c, before, now, low, high):
+def guard_crossing_between(flow, p, c, count, before, now, low, high):
     """Return position and index of the first guard that falls in [low, high].
 
-    If none falls on the curve c, return 1, -1. `before` and `now` are the guards at
-    both ends.
+    If none of the `count` guards falls on the curve c, return 1, -1. `before` and `now`
+    are the guards at both ends.
     """
-    count = len(now)
     place = 1.0
     fired = -1
     for i in range(count):
         if before[i] > 0 >= now[i]:
-            fall = guard_root(flow, p, c, i, count, low, high)
+            fall = guard_root(flow, p, c, i, low, high)
             if fired < 0 or fall < place:
                 place = fall
                 fired = i
@@ -133,16 +132,17 @@ def guard_crossing_between(flow, p, c, before, now, low, high):
 
 
 @njit(cache=True, error_model="numpy")
-def first_guard_crossing(flow, p, c, before):
+def first_guard_crossing(flow, p, c, count, before):
     """Return position and index of the first guard that falls in [0, 1] on the curve c.
 
-    If none falls, return 1, -1. `before` contains the guards at 0 and is overwritten by
-    their last values. A guard that is not positive at 0 cannot fall.
+    If none of the `count` guards falls, return 1, -1. `before` contains the guards at 0
+    and is overwritten by their last values. A guard that is not positive at 0 cannot
+    fall.
     """
     guard_evaluations_per_step = 4
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
-    now = np.empty(len(before))
+    now = np.empty(MAX_GUARDS)
     place = 1.0
     fired = -1
     for look in range(1, guard_evaluations_per_step + 1):
@@ -152,6 +152,7 @@ def first_guard_crossing(flow, p, c, before):
             flow,
             p,
             c,
+            count,
             before,
             now,
             (look - 1) / guard_evaluations_per_step,
@@ -193,8 +194,8 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
     coefficients = np.empty((MAX_STEPS_PER_ARC, 8, len(y)))
     rates = np.empty((16, len(y)))
     y_end = np.empty(len(y))
-    guards = np.empty(count)
-    guard_values = np.empty(count)
+    guards = np.empty(MAX_GUARDS)
+    guard_values = np.empty(MAX_GUARDS)
     flow(y, p, rates[0], guards)
     t = 0.0
     h = max_step(y)
@@ -214,7 +215,7 @@ def integrate_dop853(flow, y, p, count, span, tolerance):
             continue
         c = h * (DENSE_OUTPUT @ rates)
         copy_into(y, c[0])
-        place, fired = first_guard_crossing(flow, p, c, guards)
+        place, fired = first_guard_crossing(flow, p, c, count, guards)
         for j in range(8):
             copy_into(c[j] / h**j, coefficients[n, j])
         t = span if fired < 0 and h == span - t else t + place * h
