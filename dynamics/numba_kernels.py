@@ -1,9 +1,46 @@
-"""Numba decorators, and the hash of source files that validates cached machine code."""
+"""Numba decorators, and the folder of cached machine code."""
 
 from hashlib import sha256
 from pathlib import Path
+from shutil import rmtree
+from time import time
 
-from numba import njit
+from numba import config
+from numba import njit as njit  # with the cache folder that is set below
+
+
+def machine_code_folder(parent: Path) -> Path:
+    """Return the folder in `parent` for the machine code of these sources.
+
+    Numba validates cached code by the file of the outermost function alone, not by those
+    of the functions that it calls, and it cannot read an index that names a class which
+    no longer exists. Therefore each version of the sources has a folder.
+    """
+    root = Path(__file__).parents[1]
+    digest = sha256()
+    for folder in ("dynamics", "sonify/sound", "sonify/hearing"):
+        for file in sorted((root / folder).rglob("*.py")):
+            digest.update(file.relative_to(root).as_posix().encode())
+            digest.update(file.read_bytes())
+    return parent / f"kernels-{digest.hexdigest()[:12]}"
+
+
+def remove_unused_folders(folder: Path) -> None:
+    """Remove the folders of other versions that have not changed for a month."""
+    month = 30 * 86400.0  # s
+    for other in folder.parent.glob("kernels-*"):
+        if other != folder and time() - other.stat().st_mtime > month:
+            rmtree(other, ignore_errors=True)
+
+
+_parent = Path(
+    config.CACHE_DIR  # type: ignore[attr-defined]
+    or Path(__file__).with_name("__pycache__")
+)
+_folder = machine_code_folder(_parent.absolute())
+if not _folder.exists():
+    remove_unused_folders(_folder)
+config.CACHE_DIR = str(_folder)  # type: ignore[attr-defined]
 
 kernel = njit(error_model="numpy", forceinline=True)
 """Compile a function that is called by other compiled functions.
@@ -14,15 +51,3 @@ every operation is rounded as written; with it, the choice of fused operations, 
 therefore the bytes of a motion, would depend on the order of compilation."""
 outermost = njit(error_model="numpy", cache=True, nogil=True)
 """Compile a function that is called from Python and releases the GIL, with a cache."""
-
-
-def fingerprint(*modules) -> str:
-    """Return a hash of the source files of modules.
-
-    Numba keys its cache by the source file of the outermost function only. If that
-    function uses this hash as a closure variable, the key also covers the files of all
-    called functions.
-    """
-    return sha256(
-        b"".join(Path(module.__file__).read_bytes() for module in modules)
-    ).hexdigest()

@@ -41,7 +41,7 @@ class PiecewisePolynomials:
 @cache
 def _compiled_piece_values() -> Any:
     """Return `_piece_values`, compiled on the first call."""
-    from numba import njit
+    from dynamics.numba_kernels import njit
 
     return njit(cache=True, nogil=True)(_piece_values)
 

@@ -9,10 +9,11 @@ import functools
 import math
 from typing import NamedTuple
 
-from numba import cfunc, njit, types
+from numba import cfunc, types
 
 from dynamics.guards import Guard
 from dynamics.integrators.branch_formulas import rates_and_guards
+from dynamics.numba_kernels import njit
 from dynamics.regime import Branch, FlowFormulas
 
 ARRAY_TYPE = types.float64[::1]

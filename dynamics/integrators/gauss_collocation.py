@@ -7,7 +7,7 @@ direction at V2. The rate at V2 is the rate of the direction times the speed.
 """
 
 import numpy as np
-from numba import njit, types
+from numba import types
 from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
 
 from dynamics.equations import DiskConstants
@@ -20,6 +20,7 @@ from dynamics.integrators.runge_kutta import (
     evaluate_polynomial,
     guard_crossing_between,
 )
+from dynamics.numba_kernels import njit
 from dynamics.regime import DISSIPATED, STOP_SLIP_SPEED, V1, V2, W1, R
 
 ORDER = 14

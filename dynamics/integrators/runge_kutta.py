@@ -5,11 +5,12 @@ A flow (FLOW_SIGNATURE in codegen.py) computes the rates and the guards of a sta
 """
 
 import numpy as np
-from numba import njit, types
+from numba import types
 from scipy.integrate import DOP853
 
 from dynamics.hybrid import MAX_STEPS_PER_ARC
 from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
+from dynamics.numba_kernels import njit
 from dynamics.regime import V1, V2, W1, W2, W3, R
 
 STAGE_WEIGHTS = np.zeros((16, 16))

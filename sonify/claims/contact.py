@@ -331,7 +331,8 @@ def carrier_passes_recorded_peaks(expected: PredictedVibration):
     """The time [s] during which the contact resonance is within the range of the
     recorded peak."""
     # Range of the rising spectral peak recorded from the toy on granite [Hz]
-    lowest, highest = (1840.0, 2280.0)
+    recorded_rising_peak = (1840.0, 2280.0)
+    lowest, highest = recorded_rising_peak
     frequency = contact_resonance_frequency(expected)
     when = expected.t[(frequency > lowest) & (frequency < highest)]
     span = {"from": when[0], "to": when[-1]} if len(when) else {}

@@ -15,10 +15,10 @@ from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify.export.gltf import animated_model
 from sonify.export.scene_source import scene_to_export
+from sonify.extras import require_extra
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import solve_motion
 from sonify.plan.table import with_table
-from sonify.runtime.extras import require_extra
 from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene

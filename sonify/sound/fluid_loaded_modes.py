@@ -8,12 +8,12 @@ from math import pi
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.polynomial.legendre import legvander
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
 from dynamics.air import PRANDTL_NUMBER
+from dynamics.numba_kernels import njit
 from modal import Modes
 from sonify.sound.film_radiation import MAX_RIM_ORDER
 from sonify.sound.force import ContactForce

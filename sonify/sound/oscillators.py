@@ -4,7 +4,8 @@ corners."""
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
+
+from dynamics.numba_kernels import njit
 
 
 class Knots(NamedTuple):

@@ -3,8 +3,8 @@
 from functools import cached_property, partial
 
 import numpy as np
-from numba import njit
 
+from dynamics.numba_kernels import njit
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.radiation import (
     Listener,

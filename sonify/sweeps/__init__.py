@@ -1,5 +1,5 @@
 """Sweeps: run many scenes locally or on a cluster, and evaluate the results."""
 
-from sonify.runtime.extras import require_extra
+from sonify.extras import require_extra
 
 require_extra("a sweep", "pyarrow", "sweep")

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pyarrow as pa
 
-from sonify.runtime.extras import require_extra
+from sonify.extras import require_extra
 from sonify.runtime.files import OutputError, atomic_write
 from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import AbortedError

@@ -16,7 +16,7 @@ from itertools import islice
 from time import monotonic
 from typing import Any
 
-from sonify.runtime.extras import require_extra
+from sonify.extras import require_extra
 from sonify.runtime.signals import AbortedError
 from sonify.scene_errors import InputError
 from sonify.sweeps.row_processes import (

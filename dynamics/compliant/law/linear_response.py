@@ -10,13 +10,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy.integrate import trapezoid
 
-from dynamics.compliant.law import height_profile
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_height
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.tabulated import LawTable
-from dynamics.numba_kernels import fingerprint, kernel, outermost
+from dynamics.numba_kernels import kernel, outermost
 
 SAMPLES_PER_KNOT = 16
 """Number of force samples between two knots."""
@@ -123,12 +122,12 @@ def linear_contact_force_blocks(
             table_profile, rim_profile = profiles
             z = mean_height(table_profile, path, half_length)
             z += mean_height(rim_profile, edge, half_length)
-        out, x, z = _compiled_filter(x, z, knots, A, B, drive, 1 / rate, *profiles)
+        out, x, z = _filter_steps(x, z, knots, A, B, drive, 1 / rate, *profiles)
         yield out
 
 
 def _coefficients(table, block, rate):
-    """Return the coefficients of `_compiled_filter`.
+    """Return the coefficients of `_filter_steps`.
 
     Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and
     a_3. Those between knots are A (k - 1, 4, 4), B, and the deflections caused by jumps
@@ -265,7 +264,7 @@ def _propagator(A, B, h):
     return total
 
 
-@kernel
+@outermost
 def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
     """Return the force (n, 2) in a block, the last state and the last height.
 
@@ -308,17 +307,3 @@ def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
             if slides:
                 out[SAMPLES_PER_KNOT * j + i, 0] = 0.0
     return out, x, z
-
-
-def _compile_filter(version):
-    """Compile the filter with a fingerprint of its sources as part of the cache key."""
-
-    @outermost
-    def filter_block(*arguments):
-        version  # noqa: B018 -- part of the key of the cached machine code
-        return _filter_steps(*arguments)
-
-    return filter_block
-
-
-_compiled_filter = _compile_filter(fingerprint(height_profile))

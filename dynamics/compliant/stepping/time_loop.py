@@ -4,19 +4,6 @@ from enum import IntEnum, auto
 
 import numpy as np
 
-from dynamics import pivoting
-from dynamics.compliant.law import height_profile
-from dynamics.compliant.law import tabulated as table
-from dynamics.compliant.stepping import contact_energy as gap
-from dynamics.compliant.stepping import (
-    normal,
-    normal_with_modes,
-    rim_modes,
-    state_layout,
-    table_modes,
-    tangential,
-    vectors,
-)
 from dynamics.compliant.stepping.contact_energy import update_law_interval
 from dynamics.compliant.stepping.normal import step_normal
 from dynamics.compliant.stepping.normal_with_modes import (
@@ -27,8 +14,7 @@ from dynamics.compliant.stepping.normal_with_modes import (
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.table_modes import CONTACT, mode_energies
 from dynamics.compliant.stepping.tangential import apply_bowl_force, step_tangential
-from dynamics.film import forces
-from dynamics.numba_kernels import fingerprint, kernel, outermost
+from dynamics.numba_kernels import kernel, outermost
 
 FLAT_INCLINATION = 1e-5
 """Inclination [rad] below which a disk on a table with modes is considered flat."""
@@ -46,8 +32,8 @@ class EndReason(IntEnum):
     IS_AIRBORNE = auto()
 
 
-@kernel
-def _step_rows(
+@outermost
+def step_motion(
     y,
     steps_before,
     constants,
@@ -252,33 +238,3 @@ def record_flight(flights, flight, flying, gap_before, gap, t, h):
         flights[flight, 1] = t + h * gap_before / (gap_before - gap)
         return False, flight + 1
     return gap > 0, flight
-
-
-def _compile_step_motion(version):
-    """Compile `step_motion` with a fingerprint of its sources as part of the cache key."""
-
-    @outermost
-    def step_motion(*arguments):
-        """Call `_step_rows`."""
-        version  # noqa: B018 -- part of the key of the cached machine code
-        return _step_rows(*arguments)
-
-    return step_motion
-
-
-step_motion = _compile_step_motion(
-    fingerprint(
-        rim_modes,
-        forces,
-        pivoting,
-        gap,
-        normal,
-        height_profile,
-        state_layout,
-        table,
-        tangential,
-        table_modes,
-        normal_with_modes,
-        vectors,
-    )
-)

@@ -9,8 +9,8 @@ from functools import lru_cache
 from itertools import chain
 
 import numpy as np
-from numba import njit
 
+from dynamics.numba_kernels import njit
 from sonify.hearing.settling.settings import SETTLING
 
 FAMILY_CODES = {

@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from numba import njit
 
+from dynamics.numba_kernels import njit
 from sonify.hearing.settling.rate_laws import FAMILY_CODES, Law, Shape, places
 from sonify.hearing.settling.settings import SETTLING
 

@@ -7,9 +7,9 @@ frequencies and contrasts [dB]. A curve is (end [s], exponent, log2 of a)."""
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numba import njit
 from scipy.ndimage import map_coordinates
 
+from dynamics.numba_kernels import njit
 from sonify.hearing.log_spectrogram import (
     BINS_PER_OCTAVE,
     FRAME_SPACING_S,

@@ -6,9 +6,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from scipy.fft import rfft
 
+from dynamics.numba_kernels import njit
 from sonify.hearing.settling.rate_laws import Law, ShapeSet
 from sonify.hearing.settling.settings import SETTLING
 

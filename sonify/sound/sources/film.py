@@ -10,12 +10,12 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from numba import njit
 from scipy.linalg import expm
 
 from dynamics.equations import DiskConstants
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import compressibility_number
+from dynamics.numba_kernels import njit
 from dynamics.observables import precession_rate
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.regime import ARRAY_FORMULAS
