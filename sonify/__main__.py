@@ -317,10 +317,11 @@ def fit(recordings, scene, out, like, begin, end):
         for line in sentences(fits):
             click.echo(line)
         simulated = None
-        seconds = [one.measured["seconds"] for one in fits.files if one.measured]
-        if scene and seconds:
+        if scene:
             with stages.stage("simulation"):
-                simulated = simulated_numbers(fits.scene, seconds[0])
+                simulated = simulated_numbers(
+                    fits.scene, fits.files[0].measured["seconds"]
+                )
             for line in comparison_sentences(fits, simulated):
                 click.echo(line)
         click.echo(write_fits(fits, out, simulated))

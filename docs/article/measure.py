@@ -20,8 +20,9 @@ from last_seconds import store_last_seconds
 
 from sonify.chart_command import CHART_NAMES, load_chart_files
 from sonify.runtime.progress import Stages, duration_in_words
+from sonify.runtime.workers import core_count
 from sonify.sweeps.command import sweep
-from sonify.sweeps.executors import core_count, open_executor
+from sonify.sweeps.executors import open_executor
 from sonify.sweeps.store import RUNS_FILE, read_table
 from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, Sweep, load_sweep
 from sonify.sweeps.version import version

@@ -1,6 +1,5 @@
 """Fits of single recordings and of all of them together, with a test of the radius."""
 
-import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from math import inf
@@ -22,6 +21,7 @@ from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
+from sonify.runtime.workers import core_count
 from sonify.scene import Scene, from_document, load_scene
 
 
@@ -146,7 +146,7 @@ def fit(
     for one in (
         (fit_one(*task) for task in tasks)
         if len(tasks) < min_parallel_count
-        else in_worker_processes(fit_one, tasks, min(os.cpu_count() or 1, len(tasks)))
+        else in_worker_processes(fit_one, tasks, min(core_count(), len(tasks)))
     ):
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)

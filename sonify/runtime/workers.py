@@ -15,6 +15,13 @@ from queue import Empty, SimpleQueue
 from typing import Any, TypeVar
 
 
+def core_count() -> int:
+    """Return the number of CPU cores available to this process."""
+    if sys.platform == "linux":
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 class WorkerDiedError(Exception):
     """Raised if a called worker process is dead."""
 

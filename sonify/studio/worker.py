@@ -169,10 +169,8 @@ def analyse_recording(
             with stages.stage("fit") as watch:
                 fits = fit(path, from_document(document), None, watch, span)
             measured = fits.files[0].measured
-            simulated = None
-            if measured:
-                with stages.stage("simulation"):
-                    simulated = simulated_numbers(fits.scene, measured["seconds"])
+            with stages.stage("simulation"):
+                simulated = simulated_numbers(fits.scene, measured["seconds"])
             fitted = sentences(fits) + comparison_sentences(fits, simulated)
             write_fits(fits, folder, simulated)
         except RecordingError as error:

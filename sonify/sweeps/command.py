@@ -15,13 +15,13 @@ from sonify.extras import require_extra
 from sonify.runtime.files import OutputError, atomic_write
 from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import AbortedError
+from sonify.runtime.workers import core_count
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
 from sonify.sweeps.axes import Samples
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.executors import (
     Submit,
-    core_count,
     local_executor,
     open_executor,
     solve_tasks,

@@ -1,8 +1,6 @@
 """Distribution of runs among local processes or the workers of a Dask cluster."""
 
 import logging
-import os
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import (
     FIRST_COMPLETED,
@@ -18,6 +16,7 @@ from typing import Any
 
 from sonify.extras import require_extra
 from sonify.runtime.signals import AbortedError
+from sonify.runtime.workers import core_count
 from sonify.scene_errors import InputError
 from sonify.sweeps.row_processes import (
     ProcessesEndedError,
@@ -30,13 +29,6 @@ LOCAL_SCHEDULER = "local"
 """Value used instead of an address to start a local Dask scheduler with one worker."""
 WORKERS_LOST_MESSAGE = "the worker processes are lost; the finished runs are saved"
 Submit = Callable[..., "Future[dict[str, Any]]"]
-
-
-def core_count() -> int:
-    """Return the number of CPU cores available to this process."""
-    if sys.platform == "linux":
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
 
 
 @contextmanager
