@@ -145,10 +145,11 @@ def eigenmodes(
     count = estimated_mode_count(plate, highest)
     if count > MAX_MODE_COUNT:
         raise UnsolvableError(
-            f"disk.radius = {scene.disk.radius:g} m, disk.thickness = {scene.disk.thickness:g} m: "
+            f"disk.radius = {scene.disk.radius:g} m, disk.thickness = {scene.disk.thickness:g} m, "
+            f"density = {plate.density:.4g} kg/m^3, material.young = {scene.material.young:.4g} Pa: "
             f"the disk has at least about {count:.0f} modes below {highest:g} Hz, but at most "
-            f"{MAX_MODE_COUNT} can be computed; make it smaller or of a stiffer material, or "
-            f"reduce audio.sample_rate"
+            f"{MAX_MODE_COUNT} can be computed; make it smaller, lighter or of a stiffer material, "
+            f"or reduce audio.sample_rate"
         )
     accuracy = scene.numerics.accuracy
     if support.kind == "free":
