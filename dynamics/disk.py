@@ -81,7 +81,8 @@ class Disk:
 
     @property
     def gyration(self) -> float:
-        """Constant k^2 of (2.4), 1 + (inner/outer radius)^2: 1 if solid, 2 if thin."""
+        """Constant k^2 of (2.4), 1 + (inner/outer radius)^2: 1 for a solid disk, 2 for a thin
+        ring."""
         return 1.0 + (self.inner_radius / self.radius) ** 2
 
     @property

@@ -31,7 +31,7 @@ class GuardArguments(NamedTuple):
     """Arguments of the guards.
 
     They are r, omega_1/r, omega_3/r, the value of GRIP (`slip`), omega.a_i/r (`turns`),
-    the contact loads, the signs of omega.a_i, the constants of the disk, the final r,
+    the contact loads, the signs of omega.a_i, the constants of the disk, the value of r at which the motion ends,
     and the square root and cosine for the scalar type of the flow.
     """
 

@@ -70,7 +70,7 @@ class Arc(NamedTuple):
     regime_changes: tuple[tuple[int, str, Any], ...] = ()
 
     def until(self, span: float) -> "Arc":
-        """Return the part of the arc up to time `span` from its start."""
+        """Return the part of the arc up to the time `span` after its start."""
         if self.times[-1] <= span:
             return self
         n = int(np.searchsorted(self.times, span))

@@ -29,7 +29,7 @@ def steady_precession(beta: float, h: float, K: float, fillet: float = 0.0) -> f
 
 
 def contact_ratio(beta: float, h: float, fillet: float = 0.0) -> float:
-    """Return the distance of the contact from the middle plane over that from the axis.
+    """Return the ratio of the distances of the contact from the middle plane and the axis.
 
     It equals omega_2/omega_3 in rolling with a fixed centre.
     """

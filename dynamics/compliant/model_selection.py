@@ -180,7 +180,8 @@ def steady_motions(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
 def settling_inclinations(scene: "MotionScene") -> np.ndarray:
     """Return 16 inclinations [rad] from the release to the end.
 
-    The motion ends at its final inclination, or where the air film supports the disk.
+    The last one is the final inclination of the scene, or that at which the air film
+    supports the disk, if it is higher.
     """
     count = 16
     first = radians(scene.release.inclination_deg)

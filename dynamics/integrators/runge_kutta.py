@@ -180,12 +180,13 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 
 
 def integrate_dop853(flow, y, p, count, span, tolerance):
-    """Integrate from y (k,) until one of `count` guards falls, for at most `span`.
+    """Integrate from y (k,) until one of `count` guards falls through zero, for at most
+    `span`.
 
     It takes at most MAX_STEPS_PER_ARC steps. Returns the end times of the steps (n,),
     their Taylor coefficients (n, 8, k), the last state (k,) and the index of the guard
-    (-1 if none). The integration also ends, possibly without a step, if no step is
-    short enough.
+    (-1 if none). The integration also ends, possibly before the first step, if no step
+    meets the tolerance.
     """
     # Length of the next step as a fraction of the length allowed by the error
     step_safety = 0.9

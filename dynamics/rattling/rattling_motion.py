@@ -113,7 +113,7 @@ class RattlingModel(NamedTuple):
         return float(np.std(self.heights))
 
     def edge(self) -> Edge:
-        """Return the lower edge of the disk."""
+        """Return the heights and the modes of the lower edge of the disk."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
         frequency = np.sqrt(self.rim.squared)
         wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])

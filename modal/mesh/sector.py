@@ -105,7 +105,8 @@ def cartesian_nodes(nodes, radius, bottom):
 
 
 def low_patch_cells(radius, bottom, top, angle, height, size):
-    """Return the cell nodes (c, 27, 3) [m] of a disk held on a partial-height arc.
+    """Return the cell nodes (c, 27, 3) [m] of a disk held on an arc of its rim that covers
+    only part of the thickness.
 
     The disk extends between two heights [m].
 

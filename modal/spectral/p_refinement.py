@@ -40,8 +40,8 @@ class Eigenpairs:
 def solve_problem(plate, p, size, below) -> Eigenpairs:
     """Return the elastic `Eigenpairs` of one `RitzProblem` below a frequency [Hz].
 
-    The two errors of a frequency are its differences from nested bases with one radial
-    or one axial polynomial fewer.
+    The two errors of a frequency are its differences from the frequencies in nested
+    bases with one radial or one axial polynomial fewer.
     """
     limit = (2 * pi * below) ** 2
     k, m, scale = scaled_matrices(plate, p, size, 4 * limit)

@@ -13,7 +13,7 @@ from modal.spectral.axisymmetric import displacement_at_angles
 
 @dataclass(frozen=True, kw_only=True)
 class HeldSymmetryClass:
-    """Modes of one symmetry class of a disk on a patch."""
+    """Modes of one symmetry class of a disk that is held on a patch of its edge."""
 
     frequency: np.ndarray
     """Frequencies (k,) [Hz]."""

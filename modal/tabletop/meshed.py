@@ -194,9 +194,9 @@ def sample_top_face(shape, top, shortest_wave, below):
 
     The function shape(x (k,), y (k,)) -> (m, k) returns the mode shapes, and
     `shortest_wave` [m] is their shortest wavelength. The quadrature is exact for
-    polynomials of an order that exceeds the phase [rad] of a sound wave across a
-    triangle, up to a maximum. The face is evaluated with the splines, which are as
-    accurate between the nodes as nodal interpolation.
+    polynomials of an order that exceeds the change of phase [rad] of a sound wave across
+    a triangle; this order is limited. Between the nodes, the splines are as accurate as
+    nodal interpolation.
     """
     max_quadrature_order = 19
     spare_quadrature_orders = 6

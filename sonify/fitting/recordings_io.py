@@ -48,7 +48,7 @@ class Recording:
         return len(self.samples)
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield blocks (k, 1) of samples, from the sample `start` on."""
+        """Yield blocks (k, 1) of samples, beginning with sample number `start`."""
         for first in range(start, self.frames, BLOCK_SIZE):
             yield self.samples[first : first + BLOCK_SIZE, None]
 

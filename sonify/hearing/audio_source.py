@@ -74,8 +74,8 @@ class SoundFile:
         return read_mp3(self.path) if Path(self.path).suffix.lower() == ".mp3" else None
 
     def open(self) -> soundfile.SoundFile:
-        """Return the open file; a missing or wrong header of an MP3 file is
-        corrected."""
+        """Return the open file; a missing or incorrect header of an MP3 file is
+        replaced."""
         mp3 = self._mp3
         wrong = mp3 is not None and mp3.frames != mp3.announced
         return soundfile.SoundFile(BytesIO(mp3.content) if wrong else self.path)

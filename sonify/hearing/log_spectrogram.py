@@ -20,10 +20,11 @@ class LogSpectrogram:
     """Contrast (t, f) [dB] at `time` (t,) [s] and at log-spaced `frequency` (f,) [Hz],
     and its peaks.
 
-    The contrast is the level above its median over time and its mean over an octave. It
-    is limited to the range from -6 to 20 dB, so that no single frame dominates. `peaks`
-    (3, n) are ascending times [s], log2 frequencies and contrasts [dB] of the local
-    maxima of the level in each frame whose contrast exceeds 6 dB.
+    The contrast is the level minus its median over time, minus the mean of the result
+    over an octave. It is limited to the range from -6 to 20 dB, so that no single frame
+    dominates. `peaks` (3, n) are the times [s] in ascending order, log2 frequencies and
+    contrasts [dB] of the local maxima of the level in a frame, where the contrast
+    exceeds 6 dB.
     """
 
     time: np.ndarray

@@ -87,7 +87,7 @@ def describe_energy(result: "Result") -> str:
 
 
 def describe_modes(result: "Result") -> str:
-    """Return a description of the picture of the modes."""
+    """Return a description of the figure of the modes."""
     found = result.modes
     items = [
         f"{f:.0f} Hz {kind} of order {n}"

@@ -45,7 +45,7 @@ class Map:
     units: dict[str, str]
 
     def points(self) -> dict[tuple, list]:
-        """Return the values that are not missing at each point (x,) or (x, y)."""
+        """Return the non-missing values at each point (x,) or (x, y)."""
         found = defaultdict(list)
         for *place, value in zip(
             *(self.columns[name] for name in (*self.axis_names, self.drawn_column)),

@@ -50,11 +50,11 @@ def near_face_kernels(listener: Listener, disk, h: float) -> list:
 
 
 def near_rim_kernels(listener: Listener, disk, h: float) -> list:
-    """Return step response and taps for the harmonics 0, 1 and 2 of the flow out of the
-    rim.
+    """Return the step responses and their taps for a flow out of the rim that varies
+    around it as harmonic 0, 1 and 2.
 
-    The unit flows are the volume flow of unit heave, the dipole of unit tilt and, for
-    the second harmonic, the flow amplitude of unit heave."""
+    The amplitude of each flow is one unit: the volume flow of unit heave, the dipole of
+    unit tilt and, for harmonic 2, the flow amplitude of unit heave."""
     points, weights = rim_points(disk.radius, spokes=7200)
     x, y = points.T / disk.radius
     flows = (disk.radius / 2, disk.radius / 4 * x, disk.radius / 2 * (x * x - y * y))

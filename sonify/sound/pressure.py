@@ -60,7 +60,7 @@ class Track:
         return self.columns[first:last][:, self.column]
 
     def without_stems(self) -> "Track":
-        """Return this track with a copy of its own samples alone."""
+        """Return this track without its stems, with copies of the samples."""
         tracks = (self, *self.others)
         columns = np.column_stack([track.read() for track in tracks])
         first, *others = (

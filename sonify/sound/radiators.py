@@ -175,7 +175,8 @@ def _apply_taps(samples, modes, where, sharpness, mean, deviation, slopes, out):
     """Write the products of interpolated taps with samples into `out` (k, s).
 
     The samples (s, ...) contain `modes` values per instant. The taps at a fractional
-    row of the table are mean + sharpness (deviation + share slope).
+    row of the table are mean + sharpness * (deviation + share * slope), where share is
+    the fractional part of the row.
     """
     tap = np.empty(len(mean))
     for n in range(len(where)):

@@ -22,8 +22,8 @@ KA_STEP = 0.4
 
 
 class UnbaffledRatio:
-    """Ratio of the pressure radiated by each point of an unbaffled plate to that in a
-    baffle.
+    """Ratio of the pressure radiated by each point of an unbaffled plate to that of the
+    same point of a plate in a baffle.
 
     Parameters
     ----------

@@ -106,7 +106,8 @@ class Axis:
 
     @property
     def entries(self) -> list[dict[str, Any]]:
-        """The listed values, or both ends of the range, as values by key."""
+        """The listed points of the axis, or both ends of its range; each maps the keys to
+        their values."""
         return [
             dict(zip(self.keys, entry, strict=True))
             for entry in self.values or self.ends

@@ -58,8 +58,9 @@ class RowProcess:
 
 
 def solve_isolated(task: dict, limit: float) -> dict[str, Any]:
-    """Solve a task in the process of this thread within `limit` [s], and return its
-    row.
+    """Solve a task in the worker process of the calling thread, and return its row.
+
+    The task may take `limit` [s].
 
     If the process dies, the task is repeated once in a new process. If it dies again or
     the task exceeds the limit, the row contains the error."""
@@ -77,7 +78,7 @@ def solve_isolated(task: dict, limit: float) -> dict[str, Any]:
             error = f"took longer than the limit of {limit:g} s"
             return {"error": error, "seconds": limit, "version": process.version}
     if process.version is None:
-        raise ProcessesEndedError("python -m sonify.sweeps.worker_loop does not start")
+        raise ProcessesEndedError("python -m sonify.sweeps.worker_loop failed to start")
     status = process.worker.process.returncode
     error = f"the process ended with status {status} in {max_attempts} attempts"
     return {"error": error, "seconds": None, "version": process.version}

@@ -185,6 +185,6 @@ def outcomes_in_words(table: pa.Table, nominal: np.ndarray) -> str:
 
 
 def outcome_counts(outcomes: Iterable[str | None]) -> list[str]:
-    """Return the number and the name of each outcome, the most frequent first."""
+    """Return the count and name of each outcome, the most frequent first."""
     counts = Counter(filter(None, outcomes))
     return [f"{count} {name}" for name, count in counts.most_common()]

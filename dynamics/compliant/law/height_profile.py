@@ -139,8 +139,8 @@ def profile_from_csv(file, period: float | None = None) -> Profile:
     n = max(8, int(np.ceil(span / np.diff(length).min() * (1 - 1e-9))))
     if n > MAX_PROFILE_CELLS // 2:
         raise ValueError(
-            f"{file}: lengths differ by as little as {np.diff(length).min():.3g} m; "
-            f"at most {MAX_PROFILE_CELLS // 2} steps"
+            f"{file}: the smallest spacing is {np.diff(length).min():.3g} m; the profile must "
+            f"not exceed {MAX_PROFILE_CELLS // 2} times this length"
         )
     even = np.interp(np.linspace(length[0], length[-1], n + 1), length, height)
     double = 2 * span if period is None else period / max(1, round(period / (2 * span)))

@@ -129,8 +129,8 @@ def linear_contact(
     springs : Springs
         Linearised contact springs.
     speed : float or (k,) array
-        Speed V of the contact along its path [m/s], at which the tangential springs
-        relax: q_t' = u_t - q_t V/l.
+        Speed V of the contact along its path [m/s]. The tangential springs relax over
+        the relaxation length l of the path: q_t' = u_t - q_t V/l.
     damping : float or (k,) array
         Damping c along the normal [N s/m].
     flexibility : (k, 3, 3) array

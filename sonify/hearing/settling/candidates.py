@@ -34,8 +34,8 @@ class Window:
     drop: float
 
     def overlaps(self, other: "Window", margin: float = 0.0) -> bool:
-        """Return True if two windows, each with its end, are less than a margin
-        [frames] apart."""
+        """Return True if two windows, each extended to its fitted end, are less than a
+        margin [frames] apart."""
         return self.first < other.end + margin and other.first < self.end + margin
 
     @property

@@ -70,17 +70,19 @@ class JointRegion:
         )
 
     def limits(self) -> tuple[Estimate, ...]:
-        """Return exponent, end and rate of a region of three laws."""
+        """Return exponent, end and rate with their ranges over the region, for a region
+        with three laws: the lowest, best and highest."""
         return tuple(
             Estimate(float(value), float(low), float(high))
             for low, value, high in (self.exponents, self.ends, self.rates)
         )
 
     def estimates(self) -> tuple[Estimate, Estimate, Estimate]:
-        """Return exponent, end and rate; their intervals are the widened ranges of the
-        region.
+        """Return exponent, end and rate; their intervals are their ranges over the
+        region, widened by the resolution and the calibrated factor.
 
-        The interval of the end includes the time between bursts 20 ms before it.
+        The resolution of the end includes the interval between two bursts, 20 ms before
+        the end.
         """
         end_resolution = 0.006  # s
         rate_resolution = 0.006  # relative

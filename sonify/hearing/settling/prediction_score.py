@@ -50,11 +50,11 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
 
 
 def correlation_length(values: np.ndarray, phases: np.ndarray, harmonics: int) -> float:
-    """Return the correlation length [frames] of a window after removal of the harmonics
-    of a phase.
+    """Return the correlation length [frames] of a window without the harmonics of the
+    given phases.
 
-    It is the sum of the squared autocorrelation, the number of frames per independent
-    sample of a power."""
+    It is the sum of the squared autocorrelation, that is, the number of frames per
+    independent estimate of a power."""
     max_lag = 100  # frames
     columns = harmonic_columns(phases, harmonics)
     residual = values - columns @ np.linalg.lstsq(columns, values)[0]

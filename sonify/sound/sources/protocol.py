@@ -84,8 +84,7 @@ class Source(ABC):
 
 
 class TwoEarSource(Source):
-    """Source that computes the sound at a second ear together with that at the first,
-    which is faster than a SourcePair."""
+    """Source that computes the sound at both ears together, faster than a SourcePair."""
 
     _second_ear: float | None = None
     """Azimuth [rad] from the first ear to the second, if there is one."""
