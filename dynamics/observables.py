@@ -11,7 +11,7 @@ from dynamics.disk import Disk
 from dynamics.motion import Motion, piece_ends_and_middles
 
 
-def free_rolling_load(disk: Disk, state: np.ndarray) -> np.ndarray:
+def lossless_rolling_load(disk: Disk, state: np.ndarray) -> np.ndarray:
     """Return the normal force of free rolling over the weight (k,) at states (k, 11).
 
     It follows from the inclination, omega_2 and omega_3 by the second of (5.3) without
@@ -36,7 +36,7 @@ def free_rolling_load(disk: Disk, state: np.ndarray) -> np.ndarray:
 def nutation_peaks(
     motion: Motion,
 ) -> np.ndarray:
-    """Return the times (p,) [s] of the peaks of `free_rolling_load`.
+    """Return the times (p,) [s] of the peaks of `lossless_rolling_load`.
 
     A peak that is small, or much less prominent than its neighbours, is ignored,
     because slips and a hopping contact cause small additional peaks. A parabola through
@@ -47,7 +47,7 @@ def nutation_peaks(
     neighbour_count = 11
 
     def load_at(t: np.ndarray) -> np.ndarray:
-        return free_rolling_load(motion.disk, motion.at(t))
+        return lossless_rolling_load(motion.disk, motion.at(t))
 
     t = piece_ends_and_middles(motion)
     flat = np.flatnonzero(motion.at(t)[:, 1] <= 0)
@@ -131,7 +131,7 @@ def nutation_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Return times (q,) [s] and nutation frequencies (q,) [Hz] while the disk nutates.
 
     The frequency is 2/T of footnote 3 of the paper, where T is the duration of two
-    periods between peaks of `free_rolling_load`. On a rigid table these are the peaks
+    periods between peaks of `lossless_rolling_load`. On a rigid table these are the peaks
     of the normal force.
     """
     time, frequency, _ = _nutations(motion)

@@ -168,9 +168,9 @@ class FlowFormulas:
                 # without friction the direction is not needed, and undefined at rest
                 speed = self.scaled_slip_speed(y)
                 direction = (y[V1] / speed, y[V2] / speed)
-        return self.contact_along(y, slip, direction, branch, senses, law)
+        return self.contact_with_friction_along(y, slip, direction, branch, senses, law)
 
-    def contact_along(
+    def contact_with_friction_along(
         self, y, slip, direction, branch: Branch, senses, law: DiskConstants
     ) -> Contact:
         """Solve the balance laws at state y with a given slip direction."""

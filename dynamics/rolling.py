@@ -197,12 +197,12 @@ class RollingDisk:
         if regime is None:
             return Switch(None, y, ended=LIFT_OFF)
         return (
-            self._take_first_step(step, at_zero)
+            self._first_step_of_slide(step, at_zero)
             if isinstance(step, Step)
             else Switch(regime, y, next_arc=step)
         )
 
-    def _take_first_step(self, step, at_zero) -> Switch:
+    def _first_step_of_slide(self, step, at_zero) -> Switch:
         """Take the first step of a slide; shorten it if a rotation reverses.
 
         Otherwise the guard of this rotation would be negative at the end of the step.

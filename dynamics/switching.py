@@ -244,7 +244,7 @@ def contact_at_release(
 def _contact_sliding_along(y, angle, regime, branch, law):
     """Solve the balance laws for a contact that starts to slide along `angle` [rad]."""
     direction = (math.cos(angle), math.sin(angle))
-    return FLOAT_FORMULAS.contact_along(
+    return FLOAT_FORMULAS.contact_with_friction_along(
         y, slip_velocity(y), direction, branch, regime.senses, law
     )
 

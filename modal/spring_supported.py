@@ -23,7 +23,7 @@ from modal.spectral.axisymmetric import plate_modes
 from modal.spectral.basis import Plate
 from modal.synthesis.free_disk import FreeDisk
 from modal.synthesis.residual_flexibility import (
-    FINEST_STRIP_SHARE,
+    FINEST_STRIP_THICKNESS_RATIO,
     nonlocal_flexibility,
 )
 
@@ -161,7 +161,9 @@ def residual_flexibility(
     modes above those of `free_disk_rigid_elastic_modes` are omitted there.
     """
     disk = FreeDisk(plate=plate, richness=synthesis_basis_sizes(accuracy))
-    whole, doubt = nonlocal_flexibility(disk, FINEST_STRIP_SHARE * plate.thickness)
+    whole, doubt = nonlocal_flexibility(
+        disk, FINEST_STRIP_THICKNESS_RATIO * plate.thickness
+    )
     free = free_disk_rigid_elastic_modes(plate, below, accuracy)
     at_edge = free.rim_shape[6:, 0].T / (2 * pi * free.frequency[6:])
     return whole - at_edge @ at_edge.T, doubt

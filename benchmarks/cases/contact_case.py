@@ -58,7 +58,7 @@ TRANSIENT_DURATION = 0.1
 ROUGHNESS_RMS = 1e-8
 """Rms height of table and edge [m]."""
 
-FORCE_RATE = 1e5
+FORCE_SAMPLE_RATE = 1e5
 """Rate of the recorded mean forces of the full model [1/s]."""
 
 ROLLING_FRICTION = Friction(mu_static=10.0, mu_dynamic=10.0)
@@ -188,7 +188,7 @@ def full_model_rms(
         rate=rate,
     )
     y = preloaded_compliant_state(model, steady_state(contact_table().law, beta))
-    steps_per_force = max(1, round(rate / FORCE_RATE))
+    steps_per_force = max(1, round(rate / FORCE_SAMPLE_RATE))
     pieces = list(model.run(y, steps_per_force, ROLLING_DURATION))
     if pieces[-1].end_reason != EndReason.CONTINUES:
         raise Failure(

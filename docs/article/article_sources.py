@@ -556,7 +556,7 @@ LIMITS = {
     "film_share": ("dynamics.solver_settings", "MIN_RELEVANT_SHARE", ""),
     "rolling_curvature": (
         "dynamics.compliant.model_selection",
-        "MAX_ROLLING_CURVATURE",
+        "MAX_ROLLING_CURVATURE_NUMBER",
         "",
     ),
     "table_frequency": (
@@ -575,10 +575,14 @@ LIMITS = {
     "turning_power": ("dynamics.film.wedge", "ROTATION_POWER_COEFFICIENT", ""),
     "moving_modes": (
         "dynamics.compliant.stepping.rim_modes",
-        "MAX_MOVING_FREQUENCY",
+        "MAX_MOVING_MODE_FREQUENCY",
         "Hz",
     ),
-    "contact_loss_rms": ("dynamics.compliant.model_selection", "CONTACT_LOSS_RMS", ""),
+    "contact_loss_rms": (
+        "dynamics.compliant.model_selection",
+        "LIFT_OFF_FORCE_RMS",
+        "",
+    ),
     "vibration_frequency": (
         "dynamics.compliant.law.linear_response",
         "MIN_VIBRATION_FREQUENCY",

@@ -13,10 +13,10 @@ from dynamics.compliant.law.linearised import mobility
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.tabulated import SeriesLawTable
 from dynamics.compliant.model_inputs import (
+    contact_law_table,
     edge_flexibility,
     final_contact_inclination,
     is_two_way,
-    law_table,
     step_rate,
 )
 from dynamics.compliant.model_selection import release_force
@@ -29,7 +29,7 @@ from dynamics.compliant.state_conversion import (
 )
 from dynamics.compliant.stepping.model import END_REASONS, CompliantModel, ContactLosses
 from dynamics.compliant.stepping.rim_modes import (
-    MAX_MOVING_FREQUENCY,
+    MAX_MOVING_MODE_FREQUENCY,
     NO_RIM_MODES,
     moving_rim_modes,
 )
@@ -57,7 +57,7 @@ from dynamics.switching import ImpossibleContactError
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
-FORCE_RATE = 1e5
+FORCE_SAMPLE_RATE = 1e5
 """Number of mean forces stored per second of motion."""
 FORCES_PER_ROW = 4
 """Number of mean forces stored per row."""
@@ -171,7 +171,7 @@ class CompliantMotion(MotionBase):
 
         Raises ValueError for times outside the motion.
         """
-        rows = interpolate_rows(self.rows, self._row_positions(t), False)
+        rows = interpolate_rows(self.rows, self._fractional_rows(t), False)
         state = rows[:, : len(COLUMNS)]
         state[:, -1] = self.lost_by_cause(t).sum(axis=1)
         return state
@@ -188,7 +188,7 @@ class CompliantMotion(MotionBase):
 
     def _impulse_rate(self, impulses: np.ndarray, t: ArrayLike) -> np.ndarray:
         """Return the derivative (k, m) [N] of impulses (n, m) [N s] at t (k,) [s]."""
-        place = self._row_positions(t) * FORCES_PER_ROW
+        place = self._fractional_rows(t) * FORCES_PER_ROW
         return interpolate_rows(impulses, place, True) / self.dt
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
@@ -202,7 +202,7 @@ class CompliantMotion(MotionBase):
         offset = np.linspace(-0.25, 0.25, load_window_parts + 1)[:, None]
         edges = np.asarray(t) + offset * self._turn_duration(t)
         edges = np.clip(edges, 0, self._end)
-        place = self._row_positions(edges.ravel()) * FORCES_PER_ROW
+        place = self._fractional_rows(edges.ravel()) * FORCES_PER_ROW
         impulse = interpolate_rows(self.impulses, place, False)[:, 2]
         phase = np.pi * (np.arange(load_window_parts) + 0.5) / load_window_parts
         hann = np.sin(phase)[:, None] ** 2
@@ -246,7 +246,7 @@ class CompliantMotion(MotionBase):
         beta = np.maximum(state[:, 1], MIN_CONTACT_INCLINATION)
         overtone = max_overtone * self.contact_resonance(beta)
         highest = np.maximum(FORCE_HARMONICS * turning, overtone)
-        return np.minimum(highest, FORCE_RATE / 2)
+        return np.minimum(highest, FORCE_SAMPLE_RATE / 2)
 
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return the total energy (k,) [J] at times t (k,) [s]."""
@@ -262,7 +262,7 @@ class CompliantMotion(MotionBase):
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES, the mean of a row."""
-        first = np.minimum(self._row_positions(t).astype(int), len(self.rows) - 2)
+        first = np.minimum(self._fractional_rows(t).astype(int), len(self.rows) - 2)
         lost = self.rows[first + 1, LOSS_COLUMNS] - self.rows[first, LOSS_COLUMNS]
         return dict(zip(CAUSES, lost.T / self._row_duration, strict=True))
 
@@ -285,7 +285,7 @@ class CompliantMotion(MotionBase):
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return 'roll', 'slide' or 'flight' (k,) at times t (k,) [s]."""
-        self._row_positions(t)
+        self._fractional_rows(t)
         return np.where(
             _is_within(self._flights, t),
             "flight",
@@ -342,7 +342,7 @@ class CompliantMotion(MotionBase):
         begin, duration, _ = self.contact_losses.array.T
         return np.column_stack([begin, begin + duration])
 
-    def _row_positions(self, t: ArrayLike) -> np.ndarray:
+    def _fractional_rows(self, t: ArrayLike) -> np.ndarray:
         """Return the fractional row indices of times t (k,) [s].
 
         Raises ValueError for times outside the motion.
@@ -353,7 +353,7 @@ class CompliantMotion(MotionBase):
 
     def _stored_at(self, t: ArrayLike) -> np.ndarray:
         """Interpolate rows (k, 21) linearly, which preserves energy balances."""
-        x = self._row_positions(t)
+        x = self._fractional_rows(t)
         first = np.minimum(x.astype(int), len(self.rows) - 2)
         before = self.rows[first]
         after = self.rows[first + 1]
@@ -448,7 +448,7 @@ def simulate_from(
     insufficient to bend the table.
     """
     watch(0.0, float(state[1]), "loading or compiling the equations of the contact")
-    steps_per_row = max(1, round(model.rate / FORCE_RATE)) * FORCES_PER_ROW
+    steps_per_row = max(1, round(model.rate / FORCE_SAMPLE_RATE)) * FORCES_PER_ROW
     y = preloaded_compliant_state(model, state, force)
     dt = steps_per_row / FORCES_PER_ROW / model.rate
     row_duration = FORCES_PER_ROW * dt
@@ -511,8 +511,10 @@ def compliant_model(scene: "MotionScene", modes: Any) -> CompliantModel:
     disk = scene.disk
     bends = modes is not None  # the modes of the disk are coupled as well
     return CompliantModel(
-        table=law_table(
-            scene, SeriesLawTable, max_moving_frequency=MAX_MOVING_FREQUENCY * bends
+        table=contact_law_table(
+            scene,
+            SeriesLawTable,
+            max_moving_frequency=MAX_MOVING_MODE_FREQUENCY * bends,
         ),
         friction=scene.friction,
         powers=tuple(power_laws(dissipation, disk)),

@@ -24,7 +24,7 @@ def contact_law(scene: "MotionScene") -> ContactLaw:
     return scene.contact.contact_law(scene.disk, scene.material)
 
 
-def law_table(
+def contact_law_table(
     scene: "MotionScene",
     kind: type[LawTable] = LawTable,
     max_moving_frequency: float = 0.0,
@@ -95,12 +95,12 @@ def check_rattling(scene: "MotionScene") -> None:
     grain = scene.roughness is not None and scene.roughness.grain
     if grain and scene.numerics.contact not in ("many", "auto"):
         raise ValueError("roughness.grain = true: requires numerics.contact = 'many'")
-    obstacle = rattling_obstacle(scene)
+    obstacle = reason_against_rattling(scene)
     if obstacle and (many or grain):
         raise ValueError(f"numerics.contact = 'many': {obstacle}")
 
 
-def rattling_obstacle(scene: "MotionScene") -> str:
+def reason_against_rattling(scene: "MotionScene") -> str:
     """Return the reason why the disk of a scene cannot be solved as rattling, or ""."""
     if scene.contact.law == "rigid":
         return "requires contact.law = 'elastic'"

@@ -10,10 +10,10 @@ from dynamics.compliant.law.linear_response import predicted_power, predicted_rm
 from dynamics.compliant.law.unevenness import unevenness
 from dynamics.compliant.model_inputs import (
     contact_law,
+    contact_law_table,
     final_contact_inclination,
     is_two_way,
-    law_table,
-    rattling_obstacle,
+    reason_against_rattling,
 )
 from dynamics.disk import Disk
 from dynamics.film.activation import airborne_inclination, non_contact_loads
@@ -27,9 +27,9 @@ from dynamics.switching import ImpossibleContactError, contact_at_release
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
-CONTACT_LOSS_RMS = 0.3
+LIFT_OFF_FORCE_RMS = 0.3
 """Rms of N'/weight above which a Gaussian vibration causes a loss of contact."""
-MAX_ROLLING_CURVATURE = 0.25
+MAX_ROLLING_CURVATURE_NUMBER = 0.25
 """Rms curvature of the unevenness, divided by that of the tilted rim, above which
 rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
 
@@ -66,19 +66,19 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         rigid = ModelChoice("rigid", "contact.law = 'rigid'")
         return coupled if is_two_way(scene) else rigid
     kappa, rattles_at = greatest_curvature_number(scene)
-    uneven = kappa > MAX_ROLLING_CURVATURE
+    uneven = kappa > MAX_ROLLING_CURVATURE_NUMBER
     if uneven:
         bumpy = (
             f"the curvature of the heights is {kappa:.2g} times that of the rim at "
             f"{rattles_at:.2g} rad, where rolling is impossible"
         )
-        obstacle = rattling_obstacle(scene)
+        obstacle = reason_against_rattling(scene)
         if scene.numerics.contact == "auto" and not obstacle:
             return ModelChoice("many", bumpy)
     if is_two_way(scene):
         return coupled
     beta, share = predicted_vibration(scene)
-    above = share > CONTACT_LOSS_RMS
+    above = share > LIFT_OFF_FORCE_RMS
     predicted = float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
     expected = (
@@ -92,7 +92,7 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         reason = f"numerics.contact = '{scene.numerics.contact}'; {expected}"
     elif below:
         reason = (
-            f"{expected}, more than {CONTACT_LOSS_RMS:g} below {below:.2g} rad, "
+            f"{expected}, more than {LIFT_OFF_FORCE_RMS:g} below {below:.2g} rad, "
             "where contact is lost"
         )
     elif (takes := roughness_energy_share(scene)) > min_roughness_share:
@@ -103,7 +103,7 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
             "slip excites the contact"
         )
     else:
-        less = f", less than {CONTACT_LOSS_RMS:g}" * bool(predicted)
+        less = f", less than {LIFT_OFF_FORCE_RMS:g}" * bool(predicted)
         kind = "filter"
         reason = f"{expected}{less}, and no slip is expected"
     if uneven:
@@ -116,12 +116,12 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
 def greatest_curvature_number(scene: "MotionScene") -> tuple[float, float]:
     """Return the largest curvature number and its inclination [rad].
 
-    See `curvature_number` and `settling_inclinations`.
+    See `curvature_number` and `sampled_inclinations`.
     """
     if scene.roughness is None:
         return 0.0, 0.0
     law = contact_law(scene)
-    inclinations = settling_inclinations(scene)
+    inclinations = sampled_inclinations(scene)
     found = [
         unevenness(scene.disk, law, scene.roughness, beta).curvature_number
         for beta in inclinations
@@ -133,13 +133,13 @@ def greatest_curvature_number(scene: "MotionScene") -> tuple[float, float]:
 def predicted_vibration(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in steady motion.
 
-    See `settling_inclinations`.
+    See `sampled_inclinations`.
     """
     beta, speed = steady_motions(scene)
     if scene.roughness is None:
         return beta, np.zeros(len(beta))
     weight = scene.disk.weight
-    rms = predicted_rms(law_table(scene), scene.roughness, beta, weight, speed)
+    rms = predicted_rms(contact_law_table(scene), scene.roughness, beta, weight, speed)
     return beta, rms / weight
 
 
@@ -159,7 +159,9 @@ def roughness_energy_share(scene: "MotionScene") -> float:
     exists = np.array([steady_precession_rate(scene, b) for b in beta]) != flat
     beta = beta[exists]
     speed = speed[exists]
-    rough = predicted_power(law_table(scene), scene.roughness, beta, disk.weight, speed)
+    rough = predicted_power(
+        contact_law_table(scene), scene.roughness, beta, disk.weight, speed
+    )
     friction = (
         np.array([steady_power(b, law, loads) for b in beta])
         * disk.mass
@@ -172,12 +174,12 @@ def roughness_energy_share(scene: "MotionScene") -> float:
 
 def steady_motions(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
     """Return decreasing inclinations [rad] and steady contact speeds [m/s]."""
-    beta = settling_inclinations(scene)
+    beta = sampled_inclinations(scene)
     rate = np.array([steady_precession_rate(scene, b) for b in beta])
     return beta, -contact_law(scene).place(beta).f * rate
 
 
-def settling_inclinations(scene: "MotionScene") -> np.ndarray:
+def sampled_inclinations(scene: "MotionScene") -> np.ndarray:
     """Return 16 inclinations [rad] from the release to the end.
 
     The last one is the final inclination of the scene, or that at which the air film

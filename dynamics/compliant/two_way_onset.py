@@ -49,7 +49,7 @@ def table_reaction(scene: "MotionScene", modes: Any) -> TableReaction:
     It applies to surface.action = 'auto'. It is predicted for steady motion about the
     position of the centre at the release, with the weight as force.
     """
-    beta, energy, power = table_energy_power_shares(scene, modes)
+    beta, energy, power = table_shares_by_inclination(scene, modes)
     more = np.flatnonzero((energy > MIN_RELEVANT_SHARE) | (power > MIN_RELEVANT_SHARE))
     if not len(more):
         reason = (
@@ -145,7 +145,7 @@ def reason_against_contact_law(scene: "MotionScene") -> str:
     return ""
 
 
-def table_energy_power_shares(
+def table_shares_by_inclination(
     scene: "MotionScene", modes: Any
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the energy of the table in steady motion and the power that it absorbs,

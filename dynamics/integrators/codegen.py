@@ -59,13 +59,13 @@ class SymbolicScalar:
 
 
 def _recording_operator(symbol):
-    def forward(self, other):
+    def operation(self, other):
         return self.program.record(f"{self} {symbol} {other}")
 
-    def backward(self, other):
+    def reflected_operation(self, other):
         return self.program.record(f"{other} {symbol} {self}")
 
-    return forward, backward
+    return operation, reflected_operation
 
 
 for _name, _symbol in (
@@ -75,9 +75,9 @@ for _name, _symbol in (
     ("truediv", "/"),
     ("pow", "**"),
 ):
-    _forward, _backward = _recording_operator(_symbol)
-    setattr(SymbolicScalar, f"__{_name}__", _forward)
-    setattr(SymbolicScalar, f"__r{_name}__", _backward)
+    _operation, _reflected_operation = _recording_operator(_symbol)
+    setattr(SymbolicScalar, f"__{_name}__", _operation)
+    setattr(SymbolicScalar, f"__r{_name}__", _reflected_operation)
 
 
 class CompiledFlow(NamedTuple):

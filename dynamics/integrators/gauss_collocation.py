@@ -54,7 +54,9 @@ REST_SLIP_SPEED = 1e-13
 """Slip speed divided by r below which a slow slide is considered at rest."""
 
 
-is_slow = njit(cache=True, error_model="numpy")(slow_slide_criterion.is_slow)
+is_slow_slide = njit(cache=True, error_model="numpy")(
+    slow_slide_criterion.is_slow_slide
+)
 
 
 @njit(cache=True, error_model="numpy")
@@ -233,7 +235,7 @@ def write_cartesian_powers(c, states, rates, dt, place, out):
 
 
 @njit(cache=True, error_model="numpy")
-def min_speed_position(c, low, high):
+def min_slip_speed_position(c, low, high):
     """Return the position in [low, high] of the minimum speed on the curve c.
 
     The speed falls at `low` and rises at `high`.
@@ -276,7 +278,7 @@ def first_guard_crossing(flow, p, c, count, before, guards):
         fell = slope < 0
         slope = speed_derivative(c, high)
         if fell and slope > 0:
-            dip = min_speed_position(c, low, high)
+            dip = min_slip_speed_position(c, low, high)
             evaluate_polynomial(c, dip, y)
             flow(y, p, rates, now)
             place, fired = guard_crossing_between(
@@ -361,7 +363,7 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     STOP_SLIP_SPEED; in the latter case the guard is `grip`.
     """
     min_step = 1e-12
-    # factor on the limits of `is_slow` for a slide in progress
+    # factor on the limits of `is_slow_slide` for a slide in progress
     slow_slide_hysteresis = 1.5
     step_reduction = 0.3  # length factor after a step that does not converge
     min_step_growth = 2.5  # minimum length factor after a successful step, within which transients decay
@@ -381,7 +383,9 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     p = p.copy()
     flow(y, p, slope, before)
     rests = y[V1] == 0
-    slow = rests or is_slow(y[V1], slip_times_acceleration(y, slope), mu * before[load])
+    slow = rests or is_slow_slide(
+        y[V1], slip_times_acceleration(y, slope), mu * before[load]
+    )
     length = first_step_from_rest if rests else first_step_length(flow, p, y, slope)
     while n < max_steps and t < span and fired < 0 and slow and length >= min_step:
         dt = min(length * y[R], span - t)
@@ -414,7 +418,7 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
             length = first_step_length(flow, p, y, slope)
             stay = 1.0
         flow(y, p, slope, before)
-        slow = is_slow(
+        slow = is_slow_slide(
             y[V1] / stay, slip_times_acceleration(y, slope) / stay**2, mu * before[load]
         )
         if (

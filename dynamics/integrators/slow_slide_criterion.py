@@ -5,7 +5,7 @@ import math
 from dynamics.regime import V1, V2
 
 
-def is_slow(speed, product, friction):
+def is_slow_slide(speed, product, friction):
     """Return True if a slide is slow and its speed changes slowly.
 
     `speed` is the slip speed divided by r; `product` is this speed times its time
@@ -25,4 +25,6 @@ def is_slow(speed, product, friction):
 def is_stiff(y, contact, law) -> bool:
     """Return True if the slide at state y is slow and its speed changes slowly."""
     product = contact.du1 * y[V1] + contact.du2 * y[V2]
-    return is_slow(math.hypot(y[V1], y[V2]), product, law.mu_dynamic * contact.Phi)
+    return is_slow_slide(
+        math.hypot(y[V1], y[V2]), product, law.mu_dynamic * contact.Phi
+    )

@@ -40,7 +40,9 @@ class PolarSlipFormulas(FlowFormulas):
         across = self.sin(y[V2])
         speed = y[R] * y[V1]
         slip = (speed * along, speed * across)
-        return self.contact_along(y, slip, (along, across), branch, senses, law)
+        return self.contact_with_friction_along(
+            y, slip, (along, across), branch, senses, law
+        )
 
     def rates(self, y, contact, branch, law):
         """Return dy/dtau for the solved contact."""

@@ -630,7 +630,7 @@ def node_arm(disk, table, rim, node):
 
 
 @kernel
-def move_shapes(table, node, x, y, now, basis_x, basis_y):
+def update_node_mode_shapes(table, node, x, y, now, basis_x, basis_y):
     """Update the mode shapes of a node that has moved to (x, y) [m]."""
     linear_time = 1e-4  # s, for which the shapes near a node are linear
     shapes = table.shapes[node]
@@ -671,7 +671,7 @@ def move_nodes(disk, table, motion, rim, now, begin, count):
             x, y, _ = node_arm(disk, table, rim, node)
             x += table.is_fixed * motion.disk[CENTRE, 0]
             y += table.is_fixed * motion.disk[CENTRE, 1]
-            move_shapes(table, node, x, y, now, basis_x, basis_y)
+            update_node_mode_shapes(table, node, x, y, now, basis_x, basis_y)
             table.motion[DEFLECTION, node] = scalar_product(
                 table.shapes[node], table.displacement
             )
@@ -844,7 +844,7 @@ def arc_below(edge, rim, room):
 
 
 @kernel
-def mean_depth(depth, travel):
+def mean_penetration(depth, travel):
     """Return the mean positive depth over a step in which the depth changes by
     `travel`.
 
@@ -860,7 +860,7 @@ def mean_depth(depth, travel):
 
 
 @kernel
-def mean_square_at_ends(depth, travel):
+def mean_square_end_depth(depth, travel):
     """Return the mean square of the positive depths at both ends of a step.
 
     `depth` is their mean, and `travel` is their difference.
@@ -914,7 +914,7 @@ def press_patch(
     length = parabola_factor * depth_sum**2 / squares
     dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * length / mobility)
     spring = stiffness * depth_sum
-    # fraction of contact in a step in which contact starts or ends; see `mean_depth`
+    # fraction of contact in a step in which contact starts or ends; see `mean_penetration`
     dashpot *= min(1.0, np.sqrt(2 * deepest / (fastest * step)))
     damping = max(dashpot * speed_sum / depth_sum, -spring)
     add_force(contacts, ELASTIC, (0.0, 0.0, spring), centre)
@@ -1082,8 +1082,8 @@ def press_rim(
                 if own > -travel:
                     if is_changed:
                         own += step / 4 * contacts.change[i]
-                        squares += mean_square_at_ends(own, contacts.speed[i] * step)
-                    depth = mean_depth(own, contacts.speed[i] * step)
+                        squares += mean_square_end_depth(own, contacts.speed[i] * step)
+                    depth = mean_penetration(own, contacts.speed[i] * step)
                     contacts.depth[i] = depth
             if depth > 0:
                 if points == 0:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.compliant.compliant_motion import (
-    FORCE_RATE,
+    FORCE_SAMPLE_RATE,
     FORCES_PER_ROW,
     CompliantMotion,
 )
@@ -246,7 +246,7 @@ class RattlingMotion(CompliantMotion):
 
         The modes have unit modal mass.
         """
-        place = self._row_positions(t) * FORCES_PER_ROW
+        place = self._fractional_rows(t) * FORCES_PER_ROW
         value = interpolate_rows(self.ringing, place, False)
         slope = interpolate_rows(self.ringing, place, True) / self.dt
         return np.stack([value[:, ::2], value[:, 1::2], slope[:, 1::2]], axis=1)
@@ -314,7 +314,7 @@ def film_constants(disk: Disk, film: Film | None) -> AirFilm:
 
 
 def _step_rate(scene, model):
-    """Return a step rate [1/s] that resolves the contact, a multiple of FORCE_RATE."""
+    """Return a step rate [1/s] that resolves the contact, a multiple of FORCE_SAMPLE_RATE."""
     steps_per_contact = (
         3.0  # step rate divided by that of one elastic contact as accurate
     )
@@ -324,7 +324,7 @@ def _step_rate(scene, model):
         steps_per_contact * scene.numerics.level.contact_rate,
         min_steps_per_period * resonance,
     )
-    return FORCE_RATE * ceil(wanted / FORCE_RATE)
+    return FORCE_SAMPLE_RATE * ceil(wanted / FORCE_SAMPLE_RATE)
 
 
 def rolling_state_at_release(
@@ -474,8 +474,8 @@ def simulate_rattling(
     record = np.zeros(layout.RECORD_SIZE)
     record[RECORD.flight_start] = -1.0
     motion = motion_state(state, ring, record, disk_modes)
-    per_sample = round(model.rate / FORCE_RATE)
-    chunk = round(PROGRESS_INTERVAL * FORCE_RATE)
+    per_sample = round(model.rate / FORCE_SAMPLE_RATE)
+    chunk = round(PROGRESS_INTERVAL * FORCE_SAMPLE_RATE)
     sizes = (state.size, record.size, 2 * disk_modes, 1)
     blocks = []
     flights = [np.zeros((0, 3))]
@@ -499,7 +499,7 @@ def simulate_rattling(
         )
         blocks.append(samples[:written])
         flights.append(found[:losses].copy())
-        begin += written / FORCE_RATE
+        begin += written / FORCE_SAMPLE_RATE
         sine = np.hypot(state[layout.AXIS, 0], state[layout.AXIS, 1])
         watch(begin, float(np.arcsin(min(sine, 1.0))), "")
     samples = np.concatenate(blocks)
@@ -508,10 +508,10 @@ def simulate_rattling(
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
     if record[RECORD.flight_start] >= 0:
         since = record[RECORD.flight_start]
-        duration = begin + 1 / FORCE_RATE - since
+        duration = begin + 1 / FORCE_SAMPLE_RATE - since
         flights.append(np.array([[since, duration, record[RECORD.max_flight_height]]]))
     lost = np.concatenate(flights)
-    lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
+    lost[:, 0] -= 1 / FORCE_SAMPLE_RATE  # the first sample is the start of the motion
     columns = np.split(samples[:count], np.cumsum(sizes[:-1]), axis=1)
     return _motion_of_samples(model, columns, lost, OUTCOME_OF_END[reason], gravity)
 
@@ -540,7 +540,7 @@ def static_deflection(
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion from samples at FORCE_RATE.
+    """Return the motion from samples at FORCE_SAMPLE_RATE.
 
     The `samples` are state (n, 15), record, modes of the disk (n, 2 d) and energy of the
     table (n, 1).
@@ -561,12 +561,12 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     across = step[:, 1] * np.cos(middle) - step[:, 0] * np.sin(middle)
     own = np.zeros_like(impulse)
     own[1:] = np.cumsum(np.column_stack([along, across, step[:, 2]]), axis=0)
-    end = (len(state) - 1) / FORCE_RATE
+    end = (len(state) - 1) / FORCE_SAMPLE_RATE
     losses = flights[flights[:, 0] < end]
     losses[:, 1] = np.minimum(losses[:, 1], end - losses[:, 0])
     return RattlingMotion(
         model=model,
-        dt=1 / FORCE_RATE,
+        dt=1 / FORCE_SAMPLE_RATE,
         impulses=own,
         rows=rows[::FORCES_PER_ROW],
         slides=np.zeros((0, 2)),

@@ -19,7 +19,7 @@ from modal.blas_threads import one_blas_thread
 from modal.spectral.basis import Plate
 from modal.synthesis.free_disk import FreeDisk
 
-FINEST_STRIP_SHARE = 1 / 8
+FINEST_STRIP_THICKNESS_RATIO = 1 / 8
 """Smallest height of a strip resolved by the polynomials, divided by the thickness."""
 
 
@@ -90,7 +90,7 @@ def yielding_edge(plate: Plate) -> Edge:
 @one_blas_thread
 def _cached_edge(plate: Plate) -> Edge:
     disk = FreeDisk(plate=plate)
-    size = FINEST_STRIP_SHARE * plate.thickness
+    size = FINEST_STRIP_THICKNESS_RATIO * plate.thickness
     orders = [(n, even, order) for (n, even, _), order in disk.solved_orders.items()]
     squared = np.concatenate([order.values for _, _, order in orders])
     shapes = np.concatenate(

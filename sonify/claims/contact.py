@@ -17,8 +17,8 @@ from dynamics.compliant.law.linear_response import (
 from dynamics.compliant.law.roughness import shift_of_contact
 from dynamics.compliant.law.statistical_linearisation import effective_load_factor
 from dynamics.compliant.law.tabulated import LawTable, SeriesLawTable
-from dynamics.compliant.model_inputs import law_table
-from dynamics.compliant.model_selection import CONTACT_LOSS_RMS
+from dynamics.compliant.model_inputs import contact_law_table
+from dynamics.compliant.model_selection import LIFT_OFF_FORCE_RMS
 from dynamics.rattling.rattling_motion import RattlingMotion
 from sonify.claims.finding import (
     Finding,
@@ -99,7 +99,9 @@ def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
 
 def tabulated_law_of(scene: Scene, motion: Motion) -> LawTable:
     """Return the tabulated contact law that the motion of a scene uses."""
-    return law_table(scene, SeriesLawTable if motion.solves_contact else LawTable)
+    return contact_law_table(
+        scene, SeriesLawTable if motion.solves_contact else LawTable
+    )
 
 
 def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
@@ -430,15 +432,15 @@ def micro_flights(motion: Motion):
     at_most=1e-7,
 )
 def loss_begins_at(rms: float, expected: PredictedVibration):
-    """The rms height [m] at which the rms of N' reaches CONTACT_LOSS_RMS times the
+    """The rms height [m] at which the rms of N' reaches LIFT_OFF_FORCE_RMS times the
     weight.
 
     It is extrapolated in proportion to the heights.
     """
     most = expected.rms.max() / expected.table.law.disk.weight
     certain_loss_rms = 0.4  # above it, contact is lost in every motion
-    margin = rms * (certain_loss_rms - CONTACT_LOSS_RMS) / most
-    return Measured(rms * CONTACT_LOSS_RMS / most, margin)
+    margin = rms * (certain_loss_rms - LIFT_OFF_FORCE_RMS) / most
+    return Measured(rms * LIFT_OFF_FORCE_RMS / most, margin)
 
 
 @finding(
@@ -491,7 +493,7 @@ def several_contacts_notes(t, shift) -> list[str]:
     ]
 
 
-def contact_resonance_line(
+def contact_resonance_curve(
     scene: Scene, motion: Motion, delay: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Return times (k,) [s], shifted by `delay` [s], and the contact resonance (k,)

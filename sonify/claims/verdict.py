@@ -10,10 +10,10 @@ import numpy as np
 
 from dynamics import Motion, Outcome
 from dynamics.compliant.law.linear_response import predicted_rms
-from dynamics.compliant.model_inputs import rattling_obstacle
+from dynamics.compliant.model_inputs import reason_against_rattling
 from dynamics.compliant.model_selection import (
-    CONTACT_LOSS_RMS,
-    MAX_ROLLING_CURVATURE,
+    LIFT_OFF_FORCE_RMS,
+    MAX_ROLLING_CURVATURE_NUMBER,
     greatest_curvature_number,
 )
 from dynamics.rattling.rattling_motion import RattlingMotion
@@ -44,7 +44,7 @@ def simplest_scene(scene: Scene) -> Scene:
     if even.numerics.contact == "many":
         return even
     curvature = greatest_curvature_number(even)[0]
-    if curvature > MAX_ROLLING_CURVATURE and not rattling_obstacle(even):
+    if curvature > MAX_ROLLING_CURVATURE_NUMBER and not reason_against_rattling(even):
         return replace(even, numerics=replace(even.numerics, contact="many"))
     return replace(
         scene,
@@ -110,7 +110,7 @@ def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
     inclination, load, speed, _ = contact_conditions(motion, vibration_times(motion))
     table = tabulated_law_of(scene, motion)
     rms = predicted_rms(table, scene.roughness, inclination, load, speed)
-    return float(inclination[rms > CONTACT_LOSS_RMS * load].max(initial=0.0))
+    return float(inclination[rms > LIFT_OFF_FORCE_RMS * load].max(initial=0.0))
 
 
 @finding(

@@ -31,14 +31,14 @@ def simulated_numbers(scene: Scene, seconds: float) -> dict:
     end = float(result.motion.t[-1])
     heard = settling_runs(sound.pressure)
     span = min(1.0, seconds)
-    turns = _exact(np.interp(end - span, time, rate))
+    turns = _exact_value(np.interp(end - span, time, rate))
     if heard:
         near = min(heard, key=lambda run: abs(run.t_end.value - sound.source_end))
         head = _numbers_of_bursts(near, span)
     else:
         head = {
             "rate_at_1s": {"value": None, "low": 0.0, "high": 2 * turns["value"]},
-            "exponent": _exact(_exponent_of_turns(end - time, rate, seconds)),
+            "exponent": _exact_value(_exponent_of_turns(end - time, rate, seconds)),
             "events_per_turn": _events(None),
         }
     return (
@@ -57,7 +57,7 @@ def _exponent_of_turns(remaining, rate, seconds):
     return -np.polyfit(np.log(even), logarithm, 1)[0]
 
 
-def _exact(value):
+def _exact_value(value):
     return {"value": float(value), "low": float(value), "high": float(value)}
 
 

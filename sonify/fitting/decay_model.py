@@ -128,7 +128,7 @@ class DecayModel:
         self.powers = np.array([contour_power, film_power, own_power])
 
     @cached_property
-    def lines(self) -> dict[str, "DecayModel"]:
+    def line_models(self) -> dict[str, "DecayModel"]:
         """The decay with the rate of each spectral line, by name.
 
         The lines are at the precession rate, twice this rate, the nutation rate, and
@@ -252,7 +252,7 @@ class DecayModel:
         time = self.remaining_time(shares)
         return np.exp(np.interp(np.log(remaining), np.log(time), logarithm))
 
-    def solved(self, shares) -> dict[str, "DecayModel"]:
+    def solved_line_models(self, shares) -> dict[str, "DecayModel"]:
         """Return the spectral lines of a solved motion with shares (3,) of the LAWS, by
         name.
 
@@ -283,7 +283,9 @@ class DecayModel:
             SUM_LINE: lambda t: turned(t) + nutated(t),
         }
         return {
-            name: self.lines[name]._of_solved_motion(count, motion.t[-1], end, shares)
+            name: self.line_models[name]._of_solved_motion(
+                count, motion.t[-1], end, shares
+            )
             for name, count in counts.items()
         }
 

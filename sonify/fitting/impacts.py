@@ -49,7 +49,7 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     run = sound.run
     region = run.region
     name = "its double" if run.events_per_turn == 2 else "precession"
-    line = decay.lines[name]
+    line = decay.line_models[name]
     fall = np.sqrt(GRAVITY / decay.disk.radius)
 
     def inclination(rate):

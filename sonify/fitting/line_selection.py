@@ -297,12 +297,12 @@ def _tracks_of_sound(decay, sound):
     found = {}
     for ridge, name in product(sound.ridges, MAIN_LINES):
         try:
-            guess = _initial_guess(decay, decay.lines[name], ridge, sound.end)
+            guess = _initial_guess(decay, decay.line_models[name], ridge, sound.end)
         except ValueError:
             continue
         heard = {
             (signal, line): _evidence(
-                decay.lines[line], streams[signal], *guess, FIT.block_lengths[0]
+                decay.line_models[line], streams[signal], *guess, FIT.block_lengths[0]
             )
             for signal, line in product(signals, MAIN_LINES)
         }
@@ -331,7 +331,7 @@ def _track(decay, streams, signal, line, end, shares):
     free = _fitted_laws(decay)
     lengths = FIT.block_lengths[:-1]
     try:
-        one = fit(decay.lines[line], streams[signal], end, shares, free, lengths)
+        one = fit(decay.line_models[line], streams[signal], end, shares, free, lengths)
     except ValueError:
         return None
     if abs(one.ends[0] - end) > max_end_distance:
@@ -340,7 +340,7 @@ def _track(decay, streams, signal, line, end, shares):
         signal=signal,
         line=line,
         model="steady",
-        lines=decay.lines,
+        lines=decay.line_models,
         streams=streams,
         fit=one,
     )
@@ -464,13 +464,13 @@ def _refit(track, decay, length):
             line, track.stream, end, shares, one.free, lengths, refined=True
         )
 
-    lines = decay.solved(one.shares)
+    lines = decay.solved_line_models(one.shares)
     try:
         return fitted(lines, one.ends[0], one.shares)
     except ValueError:
         heard = one.heard[0]._replace(line=lines[track.line])
         end, shares, _ = fit_to_rates(heard, one.ends[0], one.shares, one.free)
-        return fitted(decay.solved(shares), end, shares)
+        return fitted(decay.solved_line_models(shares), end, shares)
 
 
 def _mean_of_equivalent_fits(fits, decay):

@@ -84,7 +84,7 @@ def source_of_file(path: Path) -> Source | Path:
     if path.suffix.lower() not in {".csv", ".zip"}:
         return SoundFile(path)
     try:
-        tables = _table_texts(path)
+        tables = _cell_texts(path)
     except (OSError, zipfile.BadZipFile, UnicodeDecodeError) as error:
         raise RecordingError(
             f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}"
@@ -110,7 +110,7 @@ def is_recorded(path: Path) -> bool:
         return True
 
 
-def _table_texts(path):
+def _cell_texts(path):
     """Return the texts of the tables in a file."""
     if path.suffix.lower() == ".csv":
         return [path.read_text(encoding="utf-8-sig")]

@@ -222,7 +222,7 @@ def _spread_with_radius(judged, factor):
     disk = replace(
         scene.disk, radius=factor * scene.disk.radius, density=None
     )  # the mass is unchanged
-    decay = DecayModel(replace(scene, disk=disk)).lines[judged.line]
+    decay = DecayModel(replace(scene, disk=disk)).line_models[judged.line]
     decay.excess_turns = judged.decay.excess_turns
     try:
         return least_squares.fit(

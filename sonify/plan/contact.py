@@ -8,7 +8,7 @@ from math import radians
 import numpy as np
 
 from dynamics.compliant.law.unevenness import unevenness
-from dynamics.compliant.model_inputs import contact_law, law_table
+from dynamics.compliant.model_inputs import contact_law, contact_law_table
 from dynamics.compliant.model_selection import (
     choose_contact_model,
     roughness_energy_share,
@@ -58,7 +58,7 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         plan = with_prediction(plan, "end", lambda p: rattling_end_prediction(p, scene))
     if rough:
         plan = with_prediction(
-            plan, "sound", lambda p: rough_sound_prediction(p, kind, film)
+            plan, "sound", lambda p: roughness_sound_prediction(p, kind, film)
         )
     return plan.with_additions(contact, modelled=modelled, left_out=neglected)
 
@@ -105,7 +105,9 @@ def rattling_end_prediction(predicted: Prediction, scene: Scene) -> Prediction:
     )
 
 
-def rough_sound_prediction(predicted: Prediction, kind: str, film: bool) -> Prediction:
+def roughness_sound_prediction(
+    predicted: Prediction, kind: str, film: bool
+) -> Prediction:
     """Return the predicted error of sound samples that are dominated by a rough
     contact.
 
@@ -145,7 +147,7 @@ def bending_sentence(scene: Scene) -> str:
     beta = np.array([steep, min(late_inclination, steep / 2)])
     speed = disk.radius * np.array([steady_precession_rate(scene, b) for b in beta])
     with_edge, without = (
-        law_table(scene.replace(f"contact.body={body}"))
+        contact_law_table(scene.replace(f"contact.body={body}"))
         .contact_resonance(beta, disk.weight, speed)
         .frequency
         for body in ("elastic", "rigid")

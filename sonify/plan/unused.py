@@ -153,7 +153,7 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
     """
     return tuple(
         key
-        for key in set_keys(scene)
+        for key in keys_set_by_scene(scene)
         if any(
             key in keys.split() and is_unread(scene)
             for keys, is_unread in UNUSED_KEY_RULES
@@ -161,7 +161,7 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
     )
 
 
-def set_keys(scene: Scene) -> Iterator[str]:
+def keys_set_by_scene(scene: Scene) -> Iterator[str]:
     """Yield the keys that a scene sets to non-default values."""
     sections = vars(scene)
     for name, given in scene.document.items():

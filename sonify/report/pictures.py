@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dynamics.observables import nutation_frequency, plotted_rates, precession_rate
-from sonify.claims.contact import contact_resonance_line
+from sonify.claims.contact import contact_resonance_curve
 from sonify.claims.paper_figures import is_paper_scene
 from sonify.claims.rigid_motion import (
     PAPER_FORCING_FREQUENCY,
@@ -134,7 +134,7 @@ def spectrogram_data(found):
         "spans": [(0.0, sound.duration), end],
         "frequencies": found.modes.frequency,
         "table": found.table.frequency if found.table else [],
-        "carrier": contact_resonance_line(found.scene, motion, delay),
+        "carrier": contact_resonance_curve(found.scene, motion, delay),
         "time": time + delay,
         "rates": rates,
     }

@@ -26,7 +26,7 @@ def orderly_exit():
     """Convert termination signals to KeyboardInterrupt(number) and ignore closed output
     streams."""
     with (
-        signal_handlers(),
+        installed_signal_handlers(),
         redirect_stdout(AbandonableStream(sys.stdout)),
         redirect_stderr(AbandonableStream(sys.stderr)),
     ):
@@ -34,7 +34,7 @@ def orderly_exit():
 
 
 @contextmanager
-def signal_handlers():
+def installed_signal_handlers():
     """Install the signal handlers, in the main thread only.
 
     Signals that are already ignored, e.g. under nohup, remain ignored.
@@ -92,13 +92,13 @@ class AbandonableStream:
 
     def write(self, text: str) -> int:
         """Write to the stream."""
-        return self._ignore_no_reader(self._stream.write, text)
+        return self._ignore_closed_pipe(self._stream.write, text)
 
     def flush(self):
         """Flush the stream."""
-        self._ignore_no_reader(self._stream.flush)
+        self._ignore_closed_pipe(self._stream.flush)
 
-    def _ignore_no_reader(self, function, *arguments):
+    def _ignore_closed_pipe(self, function, *arguments):
         try:
             return function(*arguments)
         except OSError as error:

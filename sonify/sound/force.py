@@ -190,10 +190,10 @@ class ForceSampler:
         inside = slice(*np.searchsorted(self.jump_time, t[[0, -1]], side="right"))
         if t[0] > self.end + LOW_PASS_HALF_WIDTH / self.sample_rate:
             return self._block_at_rest(t)
-        smooth, is_slow = self._interpolate_samples(n)
-        unfiltered = is_slow.copy()
-        smooth[~is_slow], unfiltered[~is_slow] = self._sample_continuous_part(
-            n[~is_slow]
+        smooth, is_slow_slide = self._interpolate_samples(n)
+        unfiltered = is_slow_slide.copy()
+        smooth[~is_slow_slide], unfiltered[~is_slow_slide] = (
+            self._sample_continuous_part(n[~is_slow_slide])
         )
         return ContactForce(
             t=t,
@@ -232,7 +232,7 @@ class ForceSampler:
         slow = turning * INTERPOLATION_STRIDE < self.max_contact_turn * self.sample_rate
         slow_nodes = slow & (t >= 0) & (t <= self.end - self.fade.max())
         no_jump = jumps[INTERPOLATION_NODES - 1 :] == jumps[: 1 - INTERPOLATION_NODES]
-        is_slow = (
+        is_slow_slide = (
             sliding_window_view(slow_nodes, INTERPOLATION_NODES).all(axis=1) & no_jump
         )
         nodes = sliding_window_view(values, INTERPOLATION_NODES, axis=0).swapaxes(1, 2)
@@ -243,7 +243,7 @@ class ForceSampler:
         smooth = weights.T @ nodes
         start = n[0] % INTERPOLATION_STRIDE
         wanted = slice(start, start + len(n))
-        is_valid = np.repeat(is_slow, INTERPOLATION_STRIDE)[wanted]
+        is_valid = np.repeat(is_slow_slide, INTERPOLATION_STRIDE)[wanted]
         return smooth.reshape(-1, len(self.rest))[wanted], is_valid
 
     def _block_at_rest(self, t):

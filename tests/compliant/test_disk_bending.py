@@ -15,14 +15,14 @@ from table_models import GRIPS, TABLE, run, standing, steady
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.law.linearised import inertias, mobility
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, SeriesLawTable
-from dynamics.compliant.model_inputs import contact_law, law_table
+from dynamics.compliant.model_inputs import contact_law, contact_law_table
 from dynamics.compliant.state_conversion import (
     columns,
     energy,
     preloaded_compliant_state,
 )
 from dynamics.compliant.stepping.rim_modes import (
-    MAX_MOVING_FREQUENCY,
+    MAX_MOVING_MODE_FREQUENCY,
     RimModes,
     moving_rim_modes,
 )
@@ -62,7 +62,7 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
     sum r (c A - s B), with R and H of the centre of the fillet.
     """
     disk = scene.disk
-    law = law_table(scene)
+    law = contact_law_table(scene)
     squared = bending.squared
     A = bending.axial * np.cos(bending.phase)
     B = bending.radial * np.cos(bending.phase)
@@ -184,18 +184,18 @@ def test_what_moves_does_not_yield_in_series(elastic):
     beta = np.array([0.01])
     edge = elastic.elastic_edge
     bending = moving_rim_modes(edge, 0.0)
-    assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_FREQUENCY).all()
+    assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_MODE_FREQUENCY).all()
     assert len(bending.order) == 3  # the toy has a pair of order 2 and one of order 0
     whole, apart = (
-        law_table(elastic, SeriesLawTable, moves).flexibility_spline(
+        contact_law_table(elastic, SeriesLawTable, moves).flexibility_spline(
             np.log(np.sin(beta))
         )[0]
-        for moves in (0.0, MAX_MOVING_FREQUENCY)
+        for moves in (0.0, MAX_MOVING_MODE_FREQUENCY)
     )
     lifts = bending.axial[:2] * np.cos(beta) - bending.radial[:2] * np.sin(
         beta
     )  # the sine partner is at rest
-    kn = law_table(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
+    kn = contact_law_table(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
     square = mobility(elastic.disk, beta, contact_law(elastic).rolling_fillet)[
         0, 2, 2
     ] / (1 / kn + whole[2, 2])  # of the carrier

@@ -13,7 +13,7 @@ from rattling_coin import RADIUS, coin, model_of
 from scipy.integrate import solve_ivp
 
 from dynamics import simulate
-from dynamics.compliant.compliant_motion import FORCE_RATE, FORCES_PER_ROW
+from dynamics.compliant.compliant_motion import FORCE_SAMPLE_RATE, FORCES_PER_ROW
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.modes_from_scene import modes_from_numbers
 from dynamics.disk import GRAVITY
@@ -154,7 +154,7 @@ def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass
         ]
 
     start = [state[CENTRE, 2] + bend, 0.09, displacement[0], 0.0, 0.0, 0.0]
-    t = np.arange(0.0, 0.012, FORCES_PER_ROW / FORCE_RATE)
+    t = np.arange(0.0, 0.012, FORCES_PER_ROW / FORCE_SAMPLE_RATE)
     later = t + 1e-5 - 0.5 / model.rate  # the first sample is the middle of a step
     options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-14, "max_step": 1e-5}
     exact = solve_ivp(rates, (0.0, later[-1]), start, t_eval=later, **options)

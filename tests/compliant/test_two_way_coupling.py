@@ -35,8 +35,8 @@ from dynamics.compliant.stepping.table_modes import CONTACT, store_table_shapes
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.compliant.two_way_onset import (
     may_be_two_way,
-    table_energy_power_shares,
     table_reaction,
+    table_shares_by_inclination,
 )
 from dynamics.disk import Friction
 from dynamics.film.wedge import film_under
@@ -490,7 +490,7 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     n = 2
     w = 2 * np.pi * 600
     zeta = 0.02
-    beta, energy_share, _ = table_energy_power_shares(scene, modes)
+    beta, energy_share, _ = table_shares_by_inclination(scene, modes)
     x = n * np.array([steady(contact_law(scene), b)[1] for b in beta]) / w
     shape = (1 - contact_law(scene).rolling_fillet / disk.radius) ** n  # at the contact
     amplitude = shape * disk.weight / (10.0 * w**2) / np.hypot(1 - x**2, 2 * zeta * x)

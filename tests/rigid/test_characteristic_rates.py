@@ -13,7 +13,7 @@ from scenes import conservative, scene, whirling
 from dynamics import simulate
 from dynamics.observables import (
     _in_long_intervals,
-    free_rolling_load,
+    lossless_rolling_load,
     nutation_end_time,
     nutation_frequency,
     nutations_per_turn,
@@ -96,7 +96,7 @@ def test_of_a_disk_that_rolls_freely_the_load_is_the_normal_force():
     turning = np.abs(state[:, 5]) < 0.02
     load = motion.force(t)[:, 2] / motion.disk.weight
     assert turning.sum() > 5
-    assert free_rolling_load(motion.disk, state[turning]) == pytest.approx(
+    assert lossless_rolling_load(motion.disk, state[turning]) == pytest.approx(
         load[turning], abs=1e-3
     )
 

@@ -45,7 +45,7 @@ def cases():
 def accelerations(y, regime, branch, law, angles):
     slip = y[0] * y[4], y[0] * y[5]
     for angle in angles:
-        yield FLOAT_FORMULAS.contact_along(
+        yield FLOAT_FORMULAS.contact_with_friction_along(
             y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
         )
 

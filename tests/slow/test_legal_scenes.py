@@ -21,7 +21,7 @@ from paths import REFERENCES
 
 from dynamics import simulate
 from dynamics.compliant.law.tabulated import SeriesLawTable
-from dynamics.compliant.model_inputs import law_table
+from dynamics.compliant.model_inputs import contact_law_table
 from dynamics.compliant.stepping.tangential import project_on_friction_circle
 from dynamics.steady_motion import max_steady_inclination, steady_precession
 from modal import eigenmodes
@@ -83,7 +83,7 @@ def test_the_film_stiffens_the_modes_of_a_light_soft_disk():
 )
 def test_every_spring_of_a_contact_in_series_with_its_disk_is_positive(name, moves):
     """No spring or length is negative; a bound limits the part of the edge."""
-    table = law_table(
+    table = contact_law_table(
         from_document(KNOWN[name]), SeriesLawTable, max_moving_frequency=moves
     )
     columns = table.spline(np.linspace(table.grid[0], table.grid[-1], 100_000))

@@ -19,7 +19,7 @@ from scipy.special import jv
 from dynamics import Outcome, simulate
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE
 from dynamics.compliant.law.linear_response import predicted_spectrum
-from dynamics.compliant.model_inputs import contact_law, law_table
+from dynamics.compliant.model_inputs import contact_law, contact_law_table
 from dynamics.motion import ForceJumps
 from modal import eigenmodes
 from modal.radiation import SOUND_SPEED
@@ -191,7 +191,13 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     heave = 2 * jv(1, x) / x / disk.mass
     tilt = disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
     theory = predicted_spectrum(
-        law_table(scene), scene.roughness, beta, disk.weight, speed, f[1:], rolls=False
+        contact_law_table(scene),
+        scene.roughness,
+        beta,
+        disk.weight,
+        speed,
+        f[1:],
+        rolls=False,
     )
     expected = (
         piston_strength(disk.radius, distance) ** 2
@@ -245,7 +251,7 @@ def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
 @pytest.mark.slow
 def test_memory_does_not_grow_with_the_length(rough):
     """The test compares a steady disk over 6 s and over 60 s."""
-    table = law_table(rough)
+    table = contact_law_table(rough)
     peaks = []
     for seconds in (6.0, 60.0):
         motion = steadily(contact_law(rough), 0.1, seconds)

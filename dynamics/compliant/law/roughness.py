@@ -61,7 +61,7 @@ def check_roughness(roughness: Roughness, radius: float) -> None:
 def table_profile(roughness: Roughness) -> Profile:
     """Return a random height profile of the table along the path of the contact."""
     min_cells = 2**20
-    n = max(min_cells, 2 ** int(np.ceil(np.log2(roughness.table_cells))))
+    n = max(min_cells, 2 ** int(np.ceil(np.log2(roughness.needed_profile_cells))))
     return _random_profile(roughness, n * roughness.cell, n, 0)
 
 

@@ -167,8 +167,13 @@ class Roughness:
                 f"roughness.exponent = {self.exponent:g}: must be from 0 to "
                 f"{MAX_SPECTRUM_EXPONENT:g}"
             )
-        if self.table_cells > MAX_PROFILE_CELLS:
-            most = MAX_PROFILE_CELLS / self.table_cells * self.longest / self.shortest
+        if self.needed_profile_cells > MAX_PROFILE_CELLS:
+            most = (
+                MAX_PROFILE_CELLS
+                / self.needed_profile_cells
+                * self.longest
+                / self.shortest
+            )
             raise ValueError(
                 f"roughness.longest = {self.longest:g}: must be at most {most:g} times shortest = "
                 f"{self.shortest:g}"
@@ -184,7 +189,7 @@ class Roughness:
         return self.shortest / cells_per_wave
 
     @property
-    def table_cells(self) -> float:
+    def needed_profile_cells(self) -> float:
         """Number of cells required by the longest waves in the period of the table."""
         min_waves_per_period = 64
         return min_waves_per_period * self.longest / self.cell

@@ -32,7 +32,7 @@ from dynamics.compliant.stepping.contact_energy import (
     mean_force,
 )
 from dynamics.compliant.stepping.normal import MAX_ITERATIONS, rotation_change
-from dynamics.compliant.stepping.rim_modes import twist_rate
+from dynamics.compliant.stepping.rim_modes import disk_twist_rate
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.table_modes import (
     CONTACT,
@@ -91,7 +91,7 @@ def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
     a0, a1, a2 = plus(n, rotation_change(n, times(step_over_2J, L)))
     predict_free_motion(modes, h)
     previous_angle = modes.contact[CONTACT.angle]
-    twist_change = h * twist_rate(constants, n, L)
+    twist_change = h * disk_twist_rate(constants, n, L)
     modes.contact[CONTACT.twist_angle] += twist_change
     table_path = y[STATE.table_path] + h * (
         v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle)

@@ -18,7 +18,7 @@ from dynamics.compliant.stepping.vectors import dot
 from dynamics.numba_kernels import kernel
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 
-MAX_MOVING_FREQUENCY = MAX_AUDIBLE_FREQUENCY
+MAX_MOVING_MODE_FREQUENCY = MAX_AUDIBLE_FREQUENCY
 """Frequency [Hz] below which modes are solved in time.
 
 Modes above it are quasi-static, in series with the springs of the contact.
@@ -57,11 +57,11 @@ RIM_COLUMNS = RimModes(*range(len(RimModes._fields)))
 
 
 def moving_rim_modes(edge, loss_factor: float) -> RimModes:
-    """Return the `RimModes` of an `Edge` below MAX_MOVING_FREQUENCY."""
+    """Return the `RimModes` of an `Edge` below MAX_MOVING_MODE_FREQUENCY."""
     if edge is None:
         return NO_RIM_MODES
     moves = np.flatnonzero(
-        (edge.squared < (2 * np.pi * MAX_MOVING_FREQUENCY) ** 2)
+        (edge.squared < (2 * np.pi * MAX_MOVING_MODE_FREQUENCY) ** 2)
         & (edge.shapes[:, 2] != 0)
     )
     pairs = []
@@ -88,11 +88,12 @@ def rim_shapes(body: RimModes, angle, inclination: float) -> np.ndarray:
 
 
 @kernel
-def twist_rate(constants, n, L):
-    """Return the twist rate [rad/s] of a disk with axis n and angular momentum L."""
+def disk_twist_rate(constants, axis, angular_momentum):
+    """Return the twist rate [rad/s] of a disk with this axis and angular momentum."""
     J1 = constants.diametral_inertia
-    spin = dot(n, L)
-    return (spin + L[2]) / (J1 * (1 + n[2])) + constants.inverse_inertia_excess * spin
+    spin = dot(axis, angular_momentum)
+    turning = (spin + angular_momentum[2]) / (J1 * (1 + axis[2]))
+    return turning + constants.inverse_inertia_excess * spin
 
 
 @kernel

@@ -77,7 +77,7 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     if constants.has_spin_friction > 0:
         apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h)
     if constants.film.turning > 0:
-        apply_film(y, constants, s, d0, d1, reach, h)
+        apply_film_impulses(y, constants, s, d0, d1, reach, h)
     ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
     Wt = 1 / m + (reach * reach + rise * rise) / J + e * (reach * c + rise * down) ** 2
     Wd = 1 / m + rise * rise / J
@@ -257,7 +257,7 @@ def apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h):
 
 
 @kernel
-def apply_film(y, constants, s, d0, d1, reach, h):
+def apply_film_impulses(y, constants, s, d0, d1, reach, h):
     """Apply drag, pressure of the fall and pressure of the compressed air as impulses."""
     J = constants.diametral_inertia
     a = diameter_through_contact(y, s, d0, d1)

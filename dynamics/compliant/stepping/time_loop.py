@@ -183,7 +183,7 @@ def step_motion(
             steps_before += 1
             if flat:
                 return EndReason.LIES_FLAT, row, flight, slip
-            if constants.film.turning > 0 and update_airborne(y, constants, h):
+            if constants.film.turning > 0 and update_contact_loss(y, constants, h):
                 return EndReason.IS_AIRBORNE, row, flight, slip
         if has_modes:
             update_gap_stiffness(y, constants, modes, law)
@@ -203,7 +203,7 @@ def step_motion(
 
 
 @kernel
-def update_airborne(y, constants, h):
+def update_contact_loss(y, constants, h):
     """Update a loss of contact; return True if the air film supports the disk."""
     # mean lift, divided by the weight, above which the air film supports the disk
     airborne_lift_share = 0.5

@@ -81,7 +81,7 @@ def score_of(scores: dict[str, float]) -> float:
     return min(scores["disk"] - steady, rising_margin(scores) + 20)
 
 
-def candidates_of(
+def settling_candidates(
     frames: Frames, onsets: OnsetStrength, span: tuple[float, float]
 ) -> list[Candidate]:
     """Return the refined candidates that end within a time span [s], the best first.
@@ -104,7 +104,7 @@ def candidates_of(
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
-def windows_of(end: int, drop: float) -> list[Window]:
+def windows_before_end(end: int, drop: float) -> list[Window]:
     """Return the windows that stop at an end."""
     frames = [round(length * FRAME_RATE) for length in SETTLING.window_lengths]
     return [Window(end - count, end, end, drop) for count in frames if end >= count]
@@ -122,7 +122,7 @@ def _best_candidates(onsets: OnsetStrength, broadband, drops, ends):
     every = np.arange(len(onsets.values))
     rough = []
     for end in ends:
-        for window in windows_of(int(end), float(drops[end])):
+        for window in windows_before_end(int(end), float(drops[end])):
             distance = SETTLING.coarse_distance
             channels, likelihood = _loudest_channels(onsets, window, distance, every)
             if likelihood[0] >= SETTLING.min_likelihood_for_rivals:
@@ -192,7 +192,7 @@ def tone_candidates(
         return _refined(onsets, power, *estimate)
 
     with ThreadPoolExecutor() as pool:  # the compiled loops release the lock of Python
-        found = pool.map(refined, windows_of(stop, 0.0))
+        found = pool.map(refined, windows_before_end(stop, 0.0))
     return sorted(found, key=lambda candidate: -candidate.score)
 
 

@@ -10,8 +10,8 @@ import numpy as np
 from sonify.hearing.audio_source import Source, overlapping_pieces
 from sonify.hearing.settling.candidates import (
     Candidate,
-    candidates_of,
     rising_margin,
+    settling_candidates,
     tone_candidates,
 )
 from sonify.hearing.settling.ends import knee
@@ -305,7 +305,7 @@ def repetitions(
     span [s]."""
     frames = frames_of(samples, rate)
     onsets = onset_strength(frames)
-    candidates = candidates_of(frames, onsets, span)
+    candidates = settling_candidates(frames, onsets, span)
     bouncing = [candidate for candidate in candidates if is_bouncing(candidate)]
     heard = [
         candidate

@@ -20,7 +20,7 @@ from dynamics.compliant.law.linear_response import (
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.tabulated import LawTable
-from dynamics.compliant.model_inputs import law_table
+from dynamics.compliant.model_inputs import contact_law_table
 from dynamics.film.activation import decide_film
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.rigid_motion import RigidMotion
@@ -144,7 +144,7 @@ class ContactVibration(Source):
         self._filter_from = partial(
             ContactFilter,
             motion,
-            law_table(scene),
+            contact_law_table(scene),
             profiles(scene.roughness, scene.disk.radius),
             scene.audio.sample_rate,
         )
@@ -283,7 +283,7 @@ def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Sou
         if isinstance(motion, RigidMotion):
             superposed = ContactVibration(scene, motion, vibrating, elastic, *below)
             return [rigid, elastic, superposed]
-        resonance = law_table(scene).contact_resonance(
+        resonance = contact_law_table(scene).contact_resonance(
             motion.state[:1, 1], scene.disk.weight, 0.0
         )
         crossover = float(resonance.frequency[0]) / 2
