@@ -25,6 +25,8 @@ dissipate energy: c N (dG)^2/h, or the remaining U when the contact opens. The b
 holds once the scalar equation for N is solved.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from dynamics.compliant.law.height_profile import mean_height
@@ -76,22 +78,145 @@ def mean_slope(y0, y1, dx):
     return (y1 - y0) / dx if contact_moves(dx) else 0.0
 
 
+class StepStart(NamedTuple):
+    """Contact at the start of a step."""
+
+    sine: float
+    """Sine s0 of the inclination; `cosine` is c0 = n_z."""
+    cosine: float
+    axial_momentum: float
+    """Angular momentum L.n about the axis [kg m^2/s]."""
+    stiffness: float
+    """Stiffness K0 of the Hertz contact [N/m^1.5], and its derivative dK/ds."""
+    stiffness_slope: float
+    loss: float
+    """Loss coefficient c, divided by the length of the step [1/m]."""
+    half_length: float
+    """Half the length of the contact, over which heights are averaged [m]."""
+    table_height: float
+    """Heights of table and edge at the contact [m]."""
+    edge_height: float
+    gap: float
+    """Gap G [m], the root r0 of the approach and the energy over K, 2/5 (-G)^2.5."""
+    root: float
+    energy: float
+
+
 @kernel
-def midpoint_velocities(y, constants, N, turn, roll, height_slope, A, reach, d0, d1, h):
+def step_start(y, law, axis, momentum, h):
+    """Return the contact at the start of a step h."""
+    sine = y[STATE.sin_inclination]
+    slope = law_slope(
+        law,
+        int(y[STATE.law_interval]),
+        y[STATE.law_fraction],
+        LAW_COLUMNS.hertz_stiffness,
+    )
+    root = approach_root(y[STATE.gap])
+    return StepStart(
+        sine,
+        axis[2],
+        dot(momentum, axis),
+        current_law(y, law, LAW_COLUMNS.hertz_stiffness),
+        slope * law.intervals_per_unit / sine,
+        current_law(y, law, LAW_COLUMNS.loss_coefficient) / h,
+        current_law(y, law, LAW_COLUMNS.half_length),
+        y[STATE.roughness_heights],
+        y[STATE.roughness_heights + 1],
+        y[STATE.gap],
+        root,
+        0.4 * root**5,
+    )
+
+
+class ContactFrame(NamedTuple):
+    """Directions and levers of the contact at mid-step; a = reach e3 - lever d, b = -(R/s) d."""
+
+    axis: tuple[float, float, float]
+    sine: float
+    d0: float
+    """Direction d to the contact, d0 e1 + d1 e2."""
+    d1: float
+    reach: float
+    rim_lever: float
+    lever: float
+
+
+@kernel
+def contact_frame(constants, axis):
+    """Return the frame of the contact of a disk with an `axis` (3,)."""
+    R = constants.core_radius
+    H = constants.core_depth
+    p0, p1, p2 = axis
+    sine = np.sqrt(p0 * p0 + p1 * p1)
+    reach = R * p2 - H * sine
+    return ContactFrame(
+        axis,
+        sine,
+        p0 / sine,
+        p1 / sine,
+        reach,
+        constants.radius / sine,
+        reach * p2 / sine,
+    )
+
+
+@kernel
+def path_changes(frame, constants, velocity, momentum, spin_along, spin_up, h):
+    """Return the advance of the contact along the path and along the edge [m] in a step.
+
+    `spin_along` and `spin_up` are the components of the spin e (L.n) n along d and up.
+    """
+    inverse_inertia = 1 / constants.diametral_inertia
+    wd = (
+        momentum[0] * frame.d0 + momentum[1] * frame.d1
+    ) * inverse_inertia + spin_along
+    dpath = h * (
+        frame.d0 * velocity[1]
+        - frame.d1 * velocity[0]
+        + frame.reach * (momentum[2] * inverse_inertia + spin_up)
+        - frame.lever * wd
+    )
+    return dpath, -h * frame.rim_lever * wd
+
+
+@kernel
+def mean_spin(constants, start, momentum, mean_momentum, axis):
+    """Return e/2 times the mean of L.n at both ends of a step; `axis` is that at its end."""
+    return (
+        constants.inverse_inertia_excess
+        / 4
+        * (
+            start.axial_momentum
+            + (2 * mean_momentum[0] - momentum[0]) * axis[0]
+            + (2 * mean_momentum[1] - momentum[1]) * axis[1]
+            + (2 * mean_momentum[2] - momentum[2]) * axis[2]
+        )
+    )
+
+
+@kernel
+def rolling_moment(frame, N, table_slope, edge_slope):
+    """Return the moment of the force N about d on slopes of table and edge."""
+    return N * (table_slope * frame.lever + edge_slope * frame.rim_lever)
+
+
+@kernel
+def midpoint_velocities(y, constants, frame, N, turn, roll, height_slope, A, h):
     """Return velocity and angular momentum at mid-step under the force N.
 
     A is the sum of the axes at both ends of the step.
     """
     step_over_2m = h / (2 * constants.mass)
     V = (
-        y[3] + step_over_2m * N * height_slope * d1,
-        y[4] - step_over_2m * N * height_slope * d0,
+        y[3] + step_over_2m * N * height_slope * frame.d1,
+        y[4] - step_over_2m * N * height_slope * frame.d0,
         y[5] + step_over_2m * (N - constants.weight),
     )
     M = (
-        y[9] + h / 2 * (turn * A[1] + roll * d0),
-        y[10] + h / 2 * (roll * d1 - turn * A[0]),
-        y[11] - h / 2 * N * height_slope * reach,
+        y[9] + h / 2 * (turn * A[1] + roll * frame.d0),
+        y[10] + h / 2 * (roll * frame.d1 - turn * A[0]),
+        y[11] - h / 2 * N * height_slope * frame.reach,
     )
     return V, M
 
@@ -111,41 +236,15 @@ def step_normal(y, constants, law, table, rim, h):
     # Relative change of sin(beta) below which the mean of dK/ds replaces its
     # difference quotient
     min_relative_sine_change = 1e-4
-    m = constants.mass
     J = constants.diametral_inertia
     R = constants.core_radius
     H = constants.core_depth
-    weight = constants.weight
     step_over_2J = h / (2 * J)
-    inverse_inertia = 1 / J
-    e = constants.inverse_inertia_excess
     n = vector(y, STATE.axis)
     L = vector(y, STATE.angular_momentum)
-    L0, L1, L2 = L
-    # start of the step: contact energy, stiffness K and its loss
-    s0 = y[STATE.sin_inclination]
-    c0 = n[2]
-    axial_momentum = dot(L, n)
-    i = int(y[STATE.law_interval])
-    u = y[STATE.law_fraction]
-    K0 = current_law(y, law, LAW_COLUMNS.hertz_stiffness)
-    dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
-    loss = current_law(y, law, LAW_COLUMNS.loss_coefficient) / h
-    half_length = current_law(y, law, LAW_COLUMNS.half_length)
-    zt0 = y[STATE.roughness_heights]
-    zr0 = y[STATE.roughness_heights + 1]
-    gap0 = y[STATE.gap]
-    r0 = approach_root(y[STATE.gap])
-    U0 = 0.4 * r0**5
-    # directions d (to the contact) and t (path) at mid-step; a = reach e3 - lever d, b = -(R/s) d
+    start = step_start(y, law, n, L, h)
     p = plus(n, rotation_change(n, times(step_over_2J / 2, L)))
-    p0, p1, p2 = p
-    sp = np.sqrt(p0 * p0 + p1 * p1)
-    d0 = p0 / sp
-    d1 = p1 / sp
-    reach = R * p2 - H * sp
-    rim_lever = constants.radius / sp
-    lever = reach * p2 / sp
+    frame = contact_frame(constants, p)
     # initial estimate from the gap without heights, which is smoother than the force
     N = 0.0
     g = 0.0
@@ -153,18 +252,20 @@ def step_normal(y, constants, law, table, rim, h):
         3 * (y[STATE.gap_changes] - y[STATE.gap_changes + 1]) + y[STATE.gap_changes + 2]
     )
     A = times(2, p)
-    inverse_sine_sum = 0.5 / sp
-    arm = R - H * sp / p2
-    wd = (L0 * d0 + L1 * d1) * inverse_inertia + e * axial_momentum * sp
-    dpath = h * (
-        d0 * y[4]
-        - d1 * y[3]
-        + reach * (L2 * inverse_inertia + e * axial_momentum * p2)
-        - lever * wd
+    inverse_sine_sum = 0.5 / frame.sine
+    arm = R - H * frame.sine / p[2]
+    spin = constants.inverse_inertia_excess * start.axial_momentum
+    dpath, dedge = path_changes(
+        frame,
+        constants,
+        vector(y, STATE.velocity),
+        L,
+        spin * frame.sine,
+        spin * p[2],
+        h,
     )
-    dedge = -h * rim_lever * wd
-    zt1 = zt0
-    zr1 = zr0
+    zt1 = start.table_height
+    zr1 = start.edge_height
     mt = 0.0
     mr = 0.0
     read_path = np.inf
@@ -183,94 +284,102 @@ def step_normal(y, constants, law, table, rim, h):
             read_path = dpath
             read_edge = dedge
             zt1 = height_at_step_end(
-                table, y[STATE.table_path], dpath, half_length, zt0
+                table,
+                y[STATE.table_path],
+                dpath,
+                start.half_length,
+                start.table_height,
             )
-            zr1 = height_at_step_end(rim, y[STATE.edge_path], dedge, half_length, zr0)
-            mt = mean_slope(zt0, zt1, dpath)
-            mr = mean_slope(zr0, zr1, dedge)
+            zr1 = height_at_step_end(
+                rim, y[STATE.edge_path], dedge, start.half_length, start.edge_height
+            )
+            mt = mean_slope(start.table_height, zt1, dpath)
+            mr = mean_slope(start.edge_height, zr1, dedge)
             if iterations_left == MAX_ITERATIONS - 1:
-                dgap = predicted_gap_change - (zt1 - zt0) - (zr1 - zr0)
-                r1 = approach_root(gap0 + dgap)
-                N = max(
-                    0.0, K0 * mean_force(r0, r1, gap0, gap0 + dgap) * (1 - loss * dgap)
+                dgap = (
+                    predicted_gap_change
+                    - (zt1 - start.table_height)
+                    - (zr1 - start.edge_height)
                 )
-                g = (U0 + 0.4 * r1**5) / 2 * dK
+                r1 = approach_root(start.gap + dgap)
+                force = mean_force(start.root, r1, start.gap, start.gap + dgap)
+                N = max(0.0, start.stiffness * force * (1 - start.loss * dgap))
+                g = (start.energy + 0.4 * r1**5) / 2 * start.stiffness_slope
         turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
-        roll = N * (mt * lever + mr * rim_lever)
-        V, M = midpoint_velocities(y, constants, N, turn, roll, mt, A, reach, d0, d1, h)
-        M0, M1, M2 = M
+        roll = rolling_moment(frame, N, mt, mr)
+        V, M = midpoint_velocities(y, constants, frame, N, turn, roll, mt, A, h)
+        mid_momentum = M
         q = rotation_change(n, times(step_over_2J, M))
         a = plus(n, q)
-        a0, a1, a2 = a
         A = plus(n, a)
-        s1 = np.sqrt(a0 * a0 + a1 * a1)
-        inverse_sine_sum = 1 / (s0 + s1)
-        arm = R - H * (s0 + s1) / (c0 + a2)
+        s1 = np.sqrt(a[0] * a[0] + a[1] * a[1])
+        inverse_sine_sum = 1 / (start.sine + s1)
+        arm = R - H * (start.sine + s1) / (start.cosine + a[2])
         ds = (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum
-        mean = (
-            e
-            / 4
-            * (
-                axial_momentum
-                + (2 * M0 - L0) * a0
-                + (2 * M1 - L1) * a1
-                + (2 * M2 - L2) * a2
-            )
-        )
-        wd = (M0 * d0 + M1 * d1) * inverse_inertia + mean * (A[0] * d0 + A[1] * d1)
-        dedge = -h * rim_lever * wd
-        dpath = h * (
-            d0 * V[1]
-            - d1 * V[0]
-            + reach * (M2 * inverse_inertia + mean * A[2])
-            - lever * wd
+        spin = mean_spin(constants, start, L, M, a)
+        dpath, dedge = path_changes(
+            frame,
+            constants,
+            V,
+            M,
+            spin * (A[0] * frame.d0 + A[1] * frame.d1),
+            spin * A[2],
+            h,
         )
         i, u = law_interval(law, s1)
         K1 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
-        dK1 = (
-            law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness)
-            * law.intervals_per_unit
-            / s1
+        dgap = (
+            h * V[2] - arm * ds - (zt1 - start.table_height) - (zr1 - start.edge_height)
         )
-        dgap = h * V[2] - arm * ds - (zt1 - zt0) - (zr1 - zr0)
-        r1 = approach_root(gap0 + dgap)
-        elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
-        error = max(0.0, elastic_force * (1 - loss * dgap)) - N
-        stiffness_slope = (
-            (K1 - K0) / ds
-            if abs(ds) > min_relative_sine_change * s0
-            else (dK + dK1) / 2
+        r1 = approach_root(start.gap + dgap)
+        elastic_force = (
+            (start.stiffness + K1)
+            / 2
+            * mean_force(start.root, r1, start.gap, start.gap + dgap)
         )
+        error = max(0.0, elastic_force * (1 - start.loss * dgap)) - N
+        if abs(ds) > min_relative_sine_change * start.sine:
+            stiffness_slope = (K1 - start.stiffness) / ds
+        else:
+            slope = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness)
+            end_slope = slope * law.intervals_per_unit / s1
+            stiffness_slope = (start.stiffness_slope + end_slope) / 2
         previous_g = g
-        g = (U0 + 0.4 * r1**5) / 2 * stiffness_slope
-        W = 1 / m + (arm * A[2]) ** 2 / (4 * J)
-        stiffness = K1 * (r0 / 2 + r1)
+        g = (start.energy + 0.4 * r1**5) / 2 * stiffness_slope
+        W = 1 / constants.mass + (arm * A[2]) ** 2 / (4 * J)
+        stiffness = K1 * (start.root / 2 + r1)
         correction = error / (
-            1 + stiffness * (h * h / 4 * W) + h * h / 2 * loss * elastic_force * W
+            1 + stiffness * (h * h / 4 * W) + h * h / 2 * start.loss * elastic_force * W
         )
         correction = max(correction, -N)
-        mt = mean_slope(zt0, zt1, dpath)
-        mr = mean_slope(zr0, zr1, dedge)
+        mt = mean_slope(start.table_height, zt1, dpath)
+        mr = mean_slope(start.edge_height, zr1, dedge)
         torque_error = abs(g - previous_g) + abs(
-            N * (mt * lever + mr * rim_lever) - roll
+            rolling_moment(frame, N, mt, mr) - roll
         )
         converged = max(abs(correction), torque_error / R) <= final_newton_tolerance * (
-            N + weight
+            N + constants.weight
         )
         N += correction
     turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
-    roll = N * (mt * lever + mr * rim_lever)
+    roll = rolling_moment(frame, N, mt, mr)
     previous_V2 = V[2]
-    V, M = midpoint_velocities(y, constants, N, turn, roll, mt, A, reach, d0, d1, h)
-    change = M[0] - M0, M[1] - M1, M[2] - M2
+    V, M = midpoint_velocities(y, constants, frame, N, turn, roll, mt, A, h)
+    change = (
+        M[0] - mid_momentum[0],
+        M[1] - mid_momentum[1],
+        M[2] - mid_momentum[2],
+    )
     q = cross(times(step_over_2J, change), A)
     ds = (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum
     dgap += h * (V[2] - previous_V2) - arm * ds
     u += law.intervals_per_unit * ds / s1
     elastic_force = (
-        (K0 + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
+        (start.stiffness + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
         / 2
-        * mean_force(r0, approach_root(gap0 + dgap), gap0, gap0 + dgap)
+        * mean_force(
+            start.root, approach_root(start.gap + dgap), start.gap, start.gap + dgap
+        )
     )
     y[STATE.contact_loss] += (elastic_force - N) * dgap
     for k in range(3):
@@ -282,10 +391,10 @@ def step_normal(y, constants, law, table, rim, h):
     y[STATE.edge_path] += dedge
     y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
     y[STATE.gap_changes + 1] = y[STATE.gap_changes]
-    y[STATE.gap_changes] = dgap + (zt1 - zt0) + (zr1 - zr0)
+    y[STATE.gap_changes] = dgap + (zt1 - start.table_height) + (zr1 - start.edge_height)
     y[STATE.normal_force] = N
     y[STATE.path_speed] = abs(dpath) / h
-    y[STATE.gap] = gap0 + dgap
+    y[STATE.gap] = start.gap + dgap
     y[STATE.roughness_heights] = zt1
     y[STATE.roughness_heights + 1] = zr1
     y[STATE.sin_inclination] = s1 + ds
