@@ -9,7 +9,7 @@ AXES = ("nutation", "rolling", "pivoting")
 STOP_SLIP_SPEED = 1e-9
 """Slip speed divided by r at which one linear step ends a slide, with a second-order
 error."""
-MAX_FALL_RATE = 10.0
+MAX_RELATIVE_NUTATION_RATE = 10.0
 """Value of omega_1/sqrt(inclination) above which the disk falls flat with energy left.
 
 The ratio is at most one for a disk that comes to rest. The guard is omitted if an air
@@ -119,17 +119,19 @@ def _rotation_guards(i: int) -> tuple[Guard, Guard]:
 
 FLAT = Guard("flat", GuardKind.END, lambda at: at.r - at.r_end)
 UPRIGHT = Guard(
-    "upright", GuardKind.END, lambda at: MAX_FALL_RATE * at.cos(at.r * at.r)
+    "upright",
+    GuardKind.END,
+    lambda at: MAX_RELATIVE_NUTATION_RATE * at.cos(at.r * at.r),
 )
 """Guard that ends the motion of an upright disk.
 
-The factor MAX_FALL_RATE gives it the same magnitude as FALLS_FLAT. Since the Taylor
+The factor MAX_RELATIVE_NUTATION_RATE gives it the same magnitude as FALLS_FLAT. Since the Taylor
 integrator measures its error relative to the guards, the step lengths in air and in a
 vacuum are then equal."""
 FALLS_FLAT = Guard(
     "falls",
     GuardKind.END,
-    lambda at: MAX_FALL_RATE - at.w1,
+    lambda at: MAX_RELATIVE_NUTATION_RATE - at.w1,
     lambda b: not (b.loads and b.loads.keeps_disk_off_table),
 )
 LIFT_OFF = Guard("lift-off", GuardKind.END, lambda at: at.contact.Phi)

@@ -48,7 +48,7 @@ class SlipAcceleration(NamedTuple):
 
     def aligned_direction_near(self, angle: float) -> float | None:
         """Return one of `aligned_directions` within 1 rad of `angle` [rad], or None."""
-        found = self._aligned_direction_from(angle)
+        found = self._slip_direction_near_angle(angle)
         if found is not None and abs(found - angle) <= 1:
             return found
 
@@ -67,14 +67,14 @@ class SlipAcceleration(NamedTuple):
         powers = np.array([-q.conjugate(), -k.conjugate(), p - p.conjugate(), k, q])
         roots = np.roots(powers)
         angles = map(
-            self._aligned_direction_from,
+            self._slip_direction_near_angle,
             np.angle(roots[np.abs(np.abs(roots) - 1) < circle_tolerance]).tolist(),
         )
         return [
             nu for nu in angles if nu is not None and self.a + self.b * math.sin(nu) > 0
         ]
 
-    def _aligned_direction_from(self, angle):
+    def _slip_direction_near_angle(self, angle):
         """Return the aligned direction found by Newton's method, or None."""
         max_iterations = 12
         tolerance = 4e-15

@@ -4,10 +4,10 @@ The weight and the inclination determine the ellipse. `compliant/law/spin_fricti
 derives its two coefficients and fits the polynomials that are evaluated here.
 """
 
-INCLINATION_ROOT_DEGREE = 12
-"""The polynomials are functions of sin(beta)^(1/INCLINATION_ROOT_DEGREE), in which
+SINE_ROOT_DEGREE = 12
+"""The polynomials are functions of sin(beta)^(1/SINE_ROOT_DEGREE), in which
 the ellipse is smooth."""
-COEFFICIENT_COUNT = 7
+PIVOTING_COEFFICIENT_COUNT = 7
 """Number of coefficients in each polynomial."""
 
 
@@ -28,14 +28,14 @@ def pivoting_arm(sine, pivoting, travel, slip_square, sliding, mu, coefficients)
         True if the contact slides.
     mu : scalar
         Coefficient of dynamic friction.
-    coefficients : sequence of scalar, (2 COEFFICIENT_COUNT,)
+    coefficients : sequence of scalar, (2 PIVOTING_COEFFICIENT_COUNT,)
         Polynomials for `unit_arm` and `creep` of `friction_limited_arm`, both times
         sin(beta)^(1/3), lowest power first.
     """
-    root = sine ** (1 / INCLINATION_ROOT_DEGREE)
+    root = sine ** (1 / SINE_ROOT_DEGREE)
     scale = 1.0 / (root * root * root * root)
-    unit_arm = polynomial(coefficients[:COEFFICIENT_COUNT], root) * scale
-    creep = polynomial(coefficients[COEFFICIENT_COUNT:], root) * scale
+    unit_arm = polynomial(coefficients[:PIVOTING_COEFFICIENT_COUNT], root) * scale
+    creep = polynomial(coefficients[PIVOTING_COEFFICIENT_COUNT:], root) * scale
     speed_square = slip_square if sliding else travel * travel
     return friction_limited_arm(unit_arm, creep, pivoting, speed_square, sliding, mu)
 

@@ -187,7 +187,7 @@ class RigidMotion(MotionBase):
         offset = half_length / np.sqrt(3)
         nodes = np.column_stack([middle - offset, middle + offset])
         lost = {}
-        for cause, power in self._known_powers(
+        for cause, power in self._slip_and_film_powers(
             *self.at_and_force(nodes.ravel())
         ).items():
             work = power.reshape(nodes.shape).sum(axis=1) * half_length
@@ -196,7 +196,7 @@ class RigidMotion(MotionBase):
         nothing = dict.fromkeys(CAUSES, np.zeros(len(self.t)))
         return nothing | lost | {"moments": moments}
 
-    def _known_powers(
+    def _slip_and_film_powers(
         self, state: np.ndarray, force: np.ndarray
     ) -> dict[str, np.ndarray]:
         """Return the powers (k,) [W] dissipated by sliding friction and by the film."""
@@ -209,7 +209,7 @@ class RigidMotion(MotionBase):
         """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
         tau, piece = self._time_and_piece(t)
         y = self.path(tau, piece)
-        known = self._known_powers(self._columns(y), self._force(y, piece))
+        known = self._slip_and_film_powers(self._columns(y), self._force(y, piece))
         moments = self._power(y, piece)
         for power in known.values():
             moments = moments - power

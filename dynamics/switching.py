@@ -88,7 +88,7 @@ def next_regime(
                 return regime, _heun_step(
                     y, contact, regime, branch, law
                 ) if leaving - {0} else None
-    if _leaves_plane(y, law, loads):
+    if _leaves_table_plane(y, law, loads):
         return None, None
     raise ImpossibleContactError(
         f"{describe_state(y)}: no rolling, sliding or sticking contact with a compressive "
@@ -131,7 +131,7 @@ def with_rotation_zero(y, i):
     return y
 
 
-def _leaves_plane(y, law, loads) -> bool:
+def _leaves_table_plane(y, law, loads) -> bool:
     """Return True if a free disk would leave the plane, or just touch it."""
     beta = y[R] * y[R]
     omega = angular_velocity(y)

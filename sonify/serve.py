@@ -126,7 +126,7 @@ def routes_of_runs(root: Path, list_path: str) -> list[Route]:
     def compare(request: Request) -> Response:
         names = [request.query_params.get(which, "") for which in "ab"]
         pages = [path_inside(root, name) / "report.html" for name in names]
-        data = [run_data(page) for page in pages]
+        data = [embedded_run_data(page) for page in pages]
         return _page("compare.html", names=names, data=data, **page_assets())
 
     return [
@@ -214,7 +214,7 @@ def _failed_check_lines(checks):
     return failed
 
 
-def run_data(page: Path) -> str:
+def embedded_run_data(page: Path) -> str:
     """Return the JSON data embedded in the page of a run.
 
     Raises HTTPException 404 if the page does not exist or contains no data.

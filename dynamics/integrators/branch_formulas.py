@@ -7,7 +7,7 @@ from itertools import count, islice
 import numpy as np
 
 from dynamics.equations import DiskConstants
-from dynamics.pivoting import COEFFICIENT_COUNT
+from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.regime import Branch, FlowFormulas, Regime
 
 
@@ -53,7 +53,9 @@ def rates_and_guards(flow: FlowFormulas, y, branch: Branch, symbol):
     if not branch.has_bowl:
         law = law._replace(bowl=0.0, bowl_x=0.0, bowl_y=0.0)
     if branch.has_spin_friction:
-        law = law._replace(pivoting=tuple(islice(following, 2 * COEFFICIENT_COUNT)))
+        law = law._replace(
+            pivoting=tuple(islice(following, 2 * PIVOTING_COEFFICIENT_COUNT))
+        )
     if branch.loads:
         branch = branch._replace(loads=branch.loads.with_parameters(following))
     contact = flow.contact(y, branch, senses, law)

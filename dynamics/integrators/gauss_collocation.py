@@ -60,7 +60,7 @@ is_slow_slide = njit(cache=True, error_model="numpy")(
 
 
 @njit(cache=True, error_model="numpy")
-def direction_jacobian(flow, p, states, rates, guard_values):
+def slip_direction_jacobian(flow, p, states, rates, guard_values):
     """Return d(rates)/d(direction) (ORDER, STATE_SIZE) from difference quotients."""
     out = np.empty((ORDER, STATE_SIZE))
     tilted = states.copy()
@@ -111,7 +111,7 @@ def solve_collocation(flow, p, y, dt, states, rates, guards):
         if attempt == 0 or (
             attempt == jacobian_update_iteration and last > jacobian_update_change
         ):
-            steer = direction_jacobian(flow, p, states, rates, guards[ORDER])
+            steer = slip_direction_jacobian(flow, p, states, rates, guards[ORDER])
             if not np.isfinite(steer).all():  # a state is too far ahead
                 return False
             solved = inverse_newton_matrix(states, dt, steer)

@@ -29,8 +29,8 @@ from dynamics.compliant.stepping.table_modes import (
 )
 from dynamics.numba_kernels import kernel, outermost
 from dynamics.pivoting import (
-    COEFFICIENT_COUNT,
-    INCLINATION_ROOT_DEGREE,
+    PIVOTING_COEFFICIENT_COUNT,
+    SINE_ROOT_DEGREE,
     friction_limited_arm,
 )
 from dynamics.rattling.film_force import (
@@ -610,7 +610,7 @@ def push_nodes(table, depth, left, points, spring, damping):
 
 
 @kernel
-def nodes_of_arc(table, first, number, points):
+def table_nodes_under_arc(table, first, number, points):
     """Return the first node and the number of nodes that enclose an arc of the rim.
 
     The arc consists of `number` points from `first` on, of `points` in all."""
@@ -1009,7 +1009,7 @@ def press_rim(
     nodes = 0
     has_node_speeds = False
     if table is not None:
-        begin, nodes = nodes_of_arc(table, first, number, count)
+        begin, nodes = table_nodes_under_arc(table, first, number, count)
         highest = move_nodes(disk, table, motion, rim, now, begin, nodes)
         min_depth = -travel - reach - highest
     points = 0
@@ -1159,12 +1159,12 @@ def add_resistance(disk, weight, rim, velocity, energy, step, contacts):
     arms = disk.arms
     if disk.spin_friction[0] > 0:
         travel = np.hypot(spin_x, spin_y) / rim.sine
-        root = rim.sine ** (1 / INCLINATION_ROOT_DEGREE)
+        root = rim.sine ** (1 / SINE_ROOT_DEGREE)
         unit_arm = 0.0
         creep = 0.0
-        for i in range(COEFFICIENT_COUNT, 0, -1):
+        for i in range(PIVOTING_COEFFICIENT_COUNT, 0, -1):
             unit_arm = unit_arm * root + disk.spin_friction[i]
-            creep = creep * root + disk.spin_friction[COEFFICIENT_COUNT + i]
+            creep = creep * root + disk.spin_friction[PIVOTING_COEFFICIENT_COUNT + i]
         pivoting = limited_arm_kernel(
             unit_arm / root**4,
             creep / root**4,
@@ -1199,7 +1199,7 @@ def add_film(disk, motion, rim, velocity, step, contacts):
 
 
 @kernel
-def write_change(disk, motion, contacts, h, out):
+def write_velocity_change(disk, motion, contacts, h, out):
     """Write the velocity changes caused by the forces within a time h to `out`."""
     axis = motion.disk[AXIS]
     axial = 0.0
@@ -1457,7 +1457,7 @@ def step_rattling_disk(
                     if is_changed:
                         # Forces at the mean velocity and mean depth of the step
                         # conserve energy.
-                        write_change(disk, motion, contacts, step, change)
+                        write_velocity_change(disk, motion, contacts, step, change)
                         for i in range(before.all.size):
                             mean.all[i] = before.all[i] + change.all[i] / 2
                         clear(contacts)
@@ -1527,7 +1527,7 @@ def step_rattling_disk(
                     received = 0.0
                 add_half_sample(motion, samples[sample])
             if touches or has_film:
-                write_change(disk, motion, contacts, duration, change)
+                write_velocity_change(disk, motion, contacts, duration, change)
                 if done == per_sample:
                     gain = energy_of_change(contacts, change, disk_modes, duration)
                     samples[sample, motion.disk.size + RECORD.spring_energy] += gain / 4

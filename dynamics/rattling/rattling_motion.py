@@ -30,7 +30,7 @@ from dynamics.film.activation import decide_film
 from dynamics.film.wedge import Film
 from dynamics.kinematics import contact_place
 from dynamics.motion import Outcome
-from dynamics.pivoting import COEFFICIENT_COUNT
+from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.rattling import contact_steps as layout
 from dynamics.rattling.contact_steps import (
     RECORD,
@@ -262,7 +262,9 @@ def rattling_model(scene, modes: Any = None) -> RattlingModel:
     law = contact_law(scene)
     film = decide_film(scene).film
     diametral, axial = inertias(disk)
-    pivoting = scene_constants(scene).pivoting or (0.0,) * (2 * COEFFICIENT_COUNT)
+    pivoting = scene_constants(scene).pivoting or (0.0,) * (
+        2 * PIVOTING_COEFFICIENT_COUNT
+    )
     has_spin_friction = scene.friction.arm_pivoting == "contact"
     restitution = scene.contact.restitution
     # the damping ratio is half the loss factor

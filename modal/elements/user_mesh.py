@@ -29,7 +29,7 @@ from modal.elements.elastic import Solid, assemble_solid, lowest_eigenpairs
 from modal.elements.mirrors import mirror_symmetries, symmetry_bases
 from modal.elements.patch import rigid_body_shift
 from modal.elements.user_mesh_error import (
-    FLAT_FACE_REMAINING_ERROR_RATIO,
+    FLAT_FACE_ERROR_RATIO,
     relative_errors,
 )
 from modal.elements.user_mesh_modes import mesh_modes_record
@@ -327,6 +327,6 @@ def mesh_modes(
         density,
         below,
         max_unknowns=inf if refine else 0,
-        edge_error_ratio=FLAT_FACE_REMAINING_ERROR_RATIO,
+        edge_error_ratio=FLAT_FACE_ERROR_RATIO,
     )
     return mesh_modes_record(solved, material)

@@ -13,13 +13,13 @@ import scipy.sparse as sp
 
 from modal.elements.elastic import inverse_at
 
-CORNER_REMAINING_ERROR_RATIO = 0.7
+CORNER_ERROR_RATIO = 0.7
 """Ratio of remaining to removed error energy where a held face ends at a corner of the
 body.
 
 Refinement reduces the energy by a factor of 2.4.
 """
-FLAT_FACE_REMAINING_ERROR_RATIO = 1.0
+FLAT_FACE_ERROR_RATIO = 1.0
 """Ratio of remaining to removed error energy where the held facets end within a flat
 face.
 
@@ -59,7 +59,7 @@ def relative_errors(
         Shift of the eigenvalue problem [1/s^2].
     edge_error_ratio : float
         Ratio of remaining to removed error energy at singular edges
-        (CORNER_REMAINING_ERROR_RATIO or FLAT_FACE_REMAINING_ERROR_RATIO).
+        (CORNER_ERROR_RATIO or FLAT_FACE_ERROR_RATIO).
     """
     smooth_error_ratio = (
         1 / 4

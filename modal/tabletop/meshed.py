@@ -12,7 +12,7 @@ from skfem.refdom import RefTri
 
 from modal.elements.elastic import bending_wave_number
 from modal.elements.user_mesh import solve_body
-from modal.elements.user_mesh_error import CORNER_REMAINING_ERROR_RATIO
+from modal.elements.user_mesh_error import CORNER_ERROR_RATIO
 from modal.elements.user_mesh_modes import interpolate_on_face
 from modal.mesh.read import read_checked
 from modal.mesh.symmetry import COMPONENTS
@@ -69,7 +69,7 @@ def undamped_mesh_modes(
         density,
         below,
         max_unknowns,
-        CORNER_REMAINING_ERROR_RATIO,
+        CORNER_ERROR_RATIO,
     )
     solid = solved.body.solid
     shapes = solved.shapes

@@ -100,7 +100,7 @@ def source_of_file(path: Path) -> Source | Path:
     return max(found, key=lambda recording: recording.frames)
 
 
-def is_recorded(path: Path) -> bool:
+def is_recording(path: Path) -> bool:
     """Return False for files written by this program, whose sounds have no high-pass
     filter."""
     try:

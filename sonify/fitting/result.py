@@ -16,7 +16,7 @@ from sonify.fitting.impacts import judge_sound
 from sonify.fitting.least_squares import Fit, Value, pool_fits, values_in_words
 from sonify.fitting.line_selection import Judged, detect_run, verdict_of
 from sonify.fitting.parallel import in_worker_processes
-from sonify.fitting.recordings_io import is_recorded, recording_files, source_of_file
+from sonify.fitting.recordings_io import is_recording, recording_files, source_of_file
 from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
 from sonify.hearing.recording import RecordingError
@@ -184,7 +184,7 @@ def fit_one(
         part = excerpt(source_of(recording), *span)
     except (soundfile.LibsndfileError, OSError):
         part = recording  # `detect_run` raises an error with the reason
-    sound = detect_run(part, str(path), recorded=is_recorded(path), begin=span[0])
+    sound = detect_run(part, str(path), recorded=is_recording(path), begin=span[0])
     decay = DecayModel(scene)
     judged = judge_sound(decay, sound)
     published = {}

@@ -53,7 +53,7 @@ class Samples:
                 f"n = {self.n}: must be a power of two for Sobol points, such as {below} or {2 * below}"
             )
 
-    def shares(self, dimensions: int) -> np.ndarray:
+    def unit_cube_points(self, dimensions: int) -> np.ndarray:
         """Return the sampled points (n, dimensions) with coordinates in [0, 1)."""
         from scipy.stats import qmc
 
@@ -162,7 +162,7 @@ class Points:
     def _shares(self):
         """Sampled points of all runs (count, axes) with coordinates in [0, 1)."""
         assert self.samples
-        drawn = self.samples.shares(len(self.axes))
+        drawn = self.samples.unit_cube_points(len(self.axes))
         repeated = drawn[: self.samples.points_per_width]
         parts = [drawn, *(repeated for _ in self.samples.widths)]
         if self.samples.total:

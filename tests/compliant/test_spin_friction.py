@@ -16,7 +16,11 @@ from dynamics.compliant.law.spin_friction import (
     spin_coefficient,
     spin_creep_moment_coefficient,
 )
-from dynamics.pivoting import COEFFICIENT_COUNT, friction_limited_arm, pivoting_arm
+from dynamics.pivoting import (
+    PIVOTING_COEFFICIENT_COUNT,
+    friction_limited_arm,
+    pivoting_arm,
+)
 
 LAW = granite()
 WEIGHT = LAW.disk.weight
@@ -95,7 +99,7 @@ def test_the_polynomials_are_the_law():
     assert slipping == pytest.approx(0.3 * slip_arm(LAW, beta, WEIGHT), rel=1e-4)
     creep = spin_creep_moment_coefficient(LAW, beta, WEIGHT) / LAW.disk.radius
     assert rolling == pytest.approx(creep / 1e6, rel=1e-4)
-    assert len(coefficients) == 2 * COEFFICIENT_COUNT
+    assert len(coefficients) == 2 * PIVOTING_COEFFICIENT_COUNT
 
 
 @pytest.mark.parametrize("beta", [1.4, 0.01])

@@ -9,7 +9,7 @@ from dynamics import MotionScene, Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
-from dynamics.guards import MAX_FALL_RATE
+from dynamics.guards import MAX_RELATIVE_NUTATION_RATE
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
 
@@ -80,7 +80,8 @@ def proves_its_outcome(motion, limit) -> bool:
     return {
         Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
         Outcome.SETTLED: beta < 1e-8,
-        Outcome.FELL: nutation / sqrt(beta) == pytest.approx(MAX_FALL_RATE, rel=1e-9),
+        Outcome.FELL: nutation / sqrt(beta)
+        == pytest.approx(MAX_RELATIVE_NUTATION_RATE, rel=1e-9),
         Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0]
         == pytest.approx(0, abs=1e-9),
         Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0]

@@ -277,8 +277,8 @@ def test_the_spectrogram_is_that_of_the_audible_mix(page):
 
 def test_the_page_weights_as_the_program_does(page, folder):
     """The A-weighted stems add up to the copy with natural dynamics, to 16 bits for each stem."""
-    run_data = "sonify.runs[0].sounds"
-    full_scale = page.evaluate(f"{run_data}.weighting.full_scale")
+    embedded_run_data = "sonify.runs[0].sounds"
+    full_scale = page.evaluate(f"{embedded_run_data}.weighting.full_scale")
     first, last = 480_000, 500_000
     heard = page.evaluate(
         f"""sonify.player.samples(0, 'audible').then((stems) => {{
@@ -289,7 +289,7 @@ def test_the_page_weights_as_the_program_does(page, folder):
     )
     pressure, rate = soundfile.read(folder / "pressure.wav")
     expected = sosfilt(a_weighting(rate), pressure)[first:last] / full_scale
-    step = page.evaluate(f"{run_data}.full_scale") / full_scale / 2**15
+    step = page.evaluate(f"{embedded_run_data}.full_scale") / full_scale / 2**15
     assert np.abs(np.array(heard) - expected).max() < 2 * 4 * step
     assert np.abs(expected).max() > 100 * step
 

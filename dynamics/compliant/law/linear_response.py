@@ -21,7 +21,7 @@ SAMPLES_PER_KNOT = 16
 """Number of force samples between two knots."""
 FILTER_STATES = [1, 2, 4, 5]
 """Indices in the state of `LinearContact`: velocities and deflections along a_2 and a_3."""
-MAX_STEP_TURN = 2.0
+MAX_PHASE_PER_STEP = 2.0
 """Largest phase of the fastest resonance in one step [rad]."""
 MIN_VIBRATION_FREQUENCY = 200.0
 """Frequency [Hz] that separates contact vibration from the motion of the disk."""
@@ -141,7 +141,7 @@ def _coefficients(table, block, rate):
     A = system.A[:, FILTER_STATES][:, :, FILTER_STATES]
     B = system.B[:, FILTER_STATES]
     square = np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])
-    fastest = np.sqrt(square).max() / MAX_STEP_TURN
+    fastest = np.sqrt(square).max() / MAX_PHASE_PER_STEP
     if fastest > rate:
         raise ValueError(
             f"rate = {rate:g}: too low for the stiffness of the contact, must be at least "
@@ -243,7 +243,7 @@ def force_per_height(system, omega):
 @kernel
 def _propagator(A, B, h):
     """Return [exp(A h), mean of exp(A s) B over a step] (4, 5) from a Taylor series."""
-    # number of terms, exact within rounding up to MAX_STEP_TURN
+    # number of terms, exact within rounding up to MAX_PHASE_PER_STEP
     taylor_terms = 20
     total = np.empty((4, 5))
     term = np.empty((4, 5))

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.special import ellipe
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw
-from dynamics.pivoting import COEFFICIENT_COUNT, INCLINATION_ROOT_DEGREE
+from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT, SINE_ROOT_DEGREE
 
 
 def slip_arm(law: ContactLaw, inclination, load):
@@ -48,7 +48,7 @@ def pivoting_polynomials(law: ContactLaw) -> tuple[float, ...]:
     The least-squares fit is accurate to 1e-4 from MIN_CONTACT_INCLINATION to an upright
     disk.
     """
-    sine = np.geomspace(MIN_CONTACT_INCLINATION, 1.0, 20 * COEFFICIENT_COUNT)
+    sine = np.geomspace(MIN_CONTACT_INCLINATION, 1.0, 20 * PIVOTING_COEFFICIENT_COUNT)
     beta = np.arcsin(sine)
     weight = law.disk.weight
     radius = law.disk.radius
@@ -56,7 +56,7 @@ def pivoting_polynomials(law: ContactLaw) -> tuple[float, ...]:
         slip_arm(law, beta, weight) / radius * np.cbrt(sine),
         spin_creep_moment_coefficient(law, beta, weight) / radius**2 * np.cbrt(sine),
     )
-    powers = sine[:, None] ** (np.arange(COEFFICIENT_COUNT) / INCLINATION_ROOT_DEGREE)
+    powers = sine[:, None] ** (np.arange(PIVOTING_COEFFICIENT_COUNT) / SINE_ROOT_DEGREE)
     fits = [
         np.linalg.lstsq(powers / value[:, None], np.ones(len(sine)), rcond=None)[0]
         for value in scaled

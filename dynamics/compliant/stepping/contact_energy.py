@@ -71,7 +71,7 @@ def law_slope(law, i, u, column):
 
 
 @kernel
-def approach_root(gap):
+def square_root_of_approach(gap):
     """Return r = sqrt(-G) [m^0.5] of a gap G [m], or 0 for an open gap.
 
     The contact energy is U = 2/5 K r^5.

@@ -32,12 +32,12 @@ import numpy as np
 from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
-    approach_root,
     current_law,
     law_column,
     law_interval,
     law_slope,
     mean_force,
+    square_root_of_approach,
 )
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.vectors import cross, dot, plus, times, vector
@@ -112,7 +112,7 @@ def step_start(y, law, axis, momentum, h):
         y[STATE.law_fraction],
         LAW_COLUMNS.hertz_stiffness,
     )
-    root = approach_root(y[STATE.gap])
+    root = square_root_of_approach(y[STATE.gap])
     return StepStart(
         sine,
         axis[2],
@@ -301,7 +301,7 @@ def step_normal(y, constants, law, table, rim, h):
                     - (zt1 - start.table_height)
                     - (zr1 - start.edge_height)
                 )
-                r1 = approach_root(start.gap + dgap)
+                r1 = square_root_of_approach(start.gap + dgap)
                 force = mean_force(start.root, r1, start.gap, start.gap + dgap)
                 N = max(0.0, start.stiffness * force * (1 - start.loss * dgap))
                 g = (start.energy + 0.4 * r1**5) / 2 * start.stiffness_slope
@@ -331,7 +331,7 @@ def step_normal(y, constants, law, table, rim, h):
         dgap = (
             h * V[2] - arm * ds - (zt1 - start.table_height) - (zr1 - start.edge_height)
         )
-        r1 = approach_root(start.gap + dgap)
+        r1 = square_root_of_approach(start.gap + dgap)
         elastic_force = (
             (start.stiffness + K1)
             / 2
@@ -378,7 +378,10 @@ def step_normal(y, constants, law, table, rim, h):
         (start.stiffness + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
         / 2
         * mean_force(
-            start.root, approach_root(start.gap + dgap), start.gap, start.gap + dgap
+            start.root,
+            square_root_of_approach(start.gap + dgap),
+            start.gap,
+            start.gap + dgap,
         )
     )
     y[STATE.contact_loss] += (elastic_force - N) * dgap

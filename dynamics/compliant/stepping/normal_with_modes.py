@@ -25,11 +25,11 @@ import numpy as np
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
-    approach_root,
     current_law,
     law_interval,
     law_slope,
     mean_force,
+    square_root_of_approach,
 )
 from dynamics.compliant.stepping.normal import MAX_ITERATIONS, rotation_change
 from dynamics.compliant.stepping.rim_modes import disk_twist_rate
@@ -53,7 +53,7 @@ def update_gap_stiffness(y, constants, modes, law):
     K0 = modes.contact[CONTACT.gap_stiffness]
     K1 = current_law(y, law, LAW_COLUMNS.hertz_stiffness)
     modes.contact[CONTACT.gap_stiffness] = K1
-    root = approach_root(y[STATE.gap])
+    root = square_root_of_approach(y[STATE.gap])
     if root > 0 and K0 > 0:
         add_kinetic_energy(y, constants, modes, 0.4 * (K0 - K1) * root**5)
 
@@ -121,7 +121,7 @@ def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
     c1 = np.sin(angle) - np.sin(previous_angle)
     W = 1 / m + R * R / J
     gap0 = y[STATE.gap]
-    r0 = approach_root(y[STATE.gap])
+    r0 = square_root_of_approach(y[STATE.gap])
     N = max(
         0.0,
         3 * (y[STATE.normal_force] - y[STATE.previous_forces])
@@ -157,7 +157,7 @@ def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
         T = -R * ((n0 + a0) * c0 + (n1 + a1) * c1) / 2 - (P - S * N) - rise
         dgap = h * V2 - R * (e0 * q0 + e1 * q1) - H * q2 - (D - E * N) + T
         gap = gap0 + dgap
-        r1 = approach_root(gap)
+        r1 = square_root_of_approach(gap)
         ds = 2 * (t0 * q0 + t1 * q1) / (s0 + s1)
         if abs(dK * ds) > max_stiffness_change * K0:
             dK = 0.0
@@ -232,7 +232,7 @@ def jump_to_contact(y, constants, modes, angle, height):
     difference of the contact energies is dissipated; otherwise the disk supplies it.
     """
     stiffness = modes.contact[CONTACT.gap_stiffness]
-    released = 0.4 * stiffness * approach_root(y[STATE.gap]) ** 5
+    released = 0.4 * stiffness * square_root_of_approach(y[STATE.gap]) ** 5
     down = y[6] * np.cos(angle) + y[7] * np.sin(angle)
     lowest = (
         y[2] - constants.core_radius * down + constants.core_depth * (1 - y[8]) - height
@@ -243,7 +243,7 @@ def jump_to_contact(y, constants, modes, angle, height):
     y[STATE.gap] = lowest
     y[STATE.roughness_heights] = height
     y[STATE.roughness_heights + 1] = 0.0
-    released -= 0.4 * stiffness * approach_root(lowest) ** 5
+    released -= 0.4 * stiffness * square_root_of_approach(lowest) ** 5
     if released > 0:
         y[STATE.contact_loss] += released
     else:

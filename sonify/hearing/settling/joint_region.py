@@ -16,12 +16,12 @@ from sonify.hearing.settling.rate_laws import Shape, ShapeSet
 from sonify.hearing.settling.refinement import laws_near
 from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import (
+    phase_step_count,
     search,
-    steps_for,
     warp_table,
 )
 
-MAX_EQUAL_RATE_DEVIATION = 0.12
+EQUAL_RATE_TOLERANCE = 0.12
 """Maximum difference between the logarithms of two rates that count as equal."""
 
 
@@ -188,7 +188,7 @@ def joint_region(onsets: OnsetStrength, channel: int, knee: int) -> JointRegion 
     reference_rates = reference.rates(span)
     weights *= (
         np.abs(np.log(reference_rates / reference_rates[np.argmax(weights)]))
-        < MAX_EQUAL_RATE_DEVIATION
+        < EQUAL_RATE_TOLERANCE
     )
     weights /= weights.sum()
     best_rate = float(np.exp(weights @ np.log(reference_rates)))
@@ -201,7 +201,7 @@ def joint_region(onsets: OnsetStrength, channel: int, knee: int) -> JointRegion 
     exponents = np.concatenate([surface.exponents for surface in kept])
     ends = np.concatenate([surface.ends for surface in kept])
     rates = np.concatenate([surface.rates(span) for surface in kept])
-    has_equal_rate = np.abs(np.log(rates / best_rate)) < MAX_EQUAL_RATE_DEVIATION
+    has_equal_rate = np.abs(np.log(rates / best_rate)) < EQUAL_RATE_TOLERANCE
     return JointRegion(
         exponents=exponents[has_equal_rate],
         ends=ends[has_equal_rate],
@@ -243,7 +243,7 @@ def _without_standing(surfaces, whole):
             key=lambda surface: (surface.seconds, surface.max_likelihood),
             default=whole,
         )
-        if rate_deviation(best) > MAX_EQUAL_RATE_DEVIATION:
+        if rate_deviation(best) > EQUAL_RATE_TOLERANCE:
             return later, _merged_surface(
                 [one for one in likely if one.seconds == best.seconds]
             )
@@ -315,7 +315,7 @@ def _likelihood_surface(onsets, channel, first, frames, before_knee):
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
     grid = _law_grid(frames, before_knee)
-    table = warp_table(grid.shapes, frames, steps_for(frames, scale))
+    table = warp_table(grid.shapes, frames, phase_step_count(frames, scale))
     found = search(values, scale, table)
     best = int(np.argmax(found.likelihood))
     turns = found.turns(best)

@@ -156,7 +156,7 @@ def turns_of(spectrum, min_turns, harmonics):
     return place / 4
 
 
-def steps_for(length: int, scale_ms: float) -> int:
+def phase_step_count(length: int, scale_ms: float) -> int:
     """Return the number of phase steps in a window of `length` frames for bursts of
     `scale_ms`."""
     cells = length / scale_ms
@@ -206,7 +206,7 @@ def likelihoods(
     frames)."""
     length = values.shape[1]
     found = np.empty((len(values), len(shapes.begins)))
-    steps = np.array([steps_for(length, scale) for scale in scales_ms])
+    steps = np.array([phase_step_count(length, scale) for scale in scales_ms])
     for count in np.unique(steps):
         table = warp_table(shapes, length, int(count))
         same = np.flatnonzero(steps == count)
@@ -222,7 +222,7 @@ def strongest_laws(
     first."""
     count = 3
     length = len(values)
-    table = warp_table(shapes, length, steps_for(length, scale_ms))
+    table = warp_table(shapes, length, phase_step_count(length, scale_ms))
     result = search(values, scale_ms, table)
 
     def law(i):

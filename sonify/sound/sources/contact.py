@@ -13,7 +13,7 @@ from dynamics import Motion
 from dynamics.compliant.law.height_profile import Profile
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linear_response import (
-    MAX_STEP_TURN,
+    MAX_PHASE_PER_STEP,
     linear_contact_force_blocks,
     motion_blocks,
 )
@@ -64,7 +64,7 @@ class ContactFilter:
         min_profile_rate = 96e3  # 1/s
         needed = (
             required_step_rate(self.table.law, np.array([MIN_CONTACT_INCLINATION]))[0]
-            / MAX_STEP_TURN
+            / MAX_PHASE_PER_STEP
         )
         return ceil(max(needed, min_profile_rate) / self.sample_rate)
 
