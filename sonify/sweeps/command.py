@@ -270,7 +270,7 @@ def _measure_two_runs(sweep_spec, start, stride):
     began = perf_counter()
     process = RowProcess()
     if process.version is None:
-        raise AbortedError("python -m sonify.sweeps.worker_loop does not start")
+        raise AbortedError("python -m sonify.sweeps.worker_loop failed to start")
     for run in islice(_valid_runs(sweep_spec, start, stride), 2):
         row = process.solve(
             task_of_run(sweep_spec, run, Path()) | {"keep": ()}, sweep_spec.limit

@@ -643,7 +643,7 @@ def test_a_run_that_takes_too_long_or_kills_its_process_is_a_row(monkeypatch):
 
 def test_processes_that_cannot_start_stop_the_sweep(monkeypatch, tmp_path):
     monkeypatch.setattr("sys.executable", "/bin/false")
-    with pytest.raises(AbortedError, match="does not start"):
+    with pytest.raises(AbortedError, match="failed to start"):
         sonify.sweep(QUICK, out=tmp_path)
     assert read_table(tmp_path / RUNS_FILE)[0].num_rows == 0
 
