@@ -116,7 +116,8 @@ def solve(
             show,
             elastic.result()[2] if must_compute_table_modes(scene) else None,
         )
-    plan, modes, table = elastic.result()
+        watch(1.0, "waiting for the modes")
+        plan, modes, table = elastic.result()
     solved = SolvedMotion(
         scene=scene, plan=plan, modes=modes, table=table, motion=motion
     )

@@ -84,7 +84,7 @@ class StageProgress:
         percent = min(floor(100 * self.share), 99)  # 100 % is for a completed stage
         parts = [f"{self.name} {percent} %"]
         remaining = self.remaining(now)
-        if remaining is not None:
+        if remaining:
             parts.append(f"about {duration_in_words(max(round(remaining), 1))} left")
         if self.note:
             parts.append(self.note)

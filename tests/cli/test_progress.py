@@ -100,8 +100,8 @@ def test_the_time_left_follows_from_the_speed_of_the_last_half_minute():
         stage.report(second, 0.25 + (second - 110) / 600)
     assert stage.line(170.0) == "motion 35 %, about 6.5 min left"
     stage.report(171.0, 0.2)
-    stage.report(172.0, 1.0)
-    assert stage.line(172.0) == "motion 99 %, about 1 s left"
+    stage.report(172.0, 1.0, "waiting for the modes")
+    assert stage.line(172.0) == "motion 99 %, waiting for the modes"
 
 
 def test_outside_a_terminal_updates_print_no_line_each(capsys):
