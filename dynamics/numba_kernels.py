@@ -1,12 +1,13 @@
 """Numba decorators, and the folder of cached machine code."""
 
-from hashlib import sha256
 from pathlib import Path
 from shutil import rmtree
 from time import time
 
 from numba import config
 from numba import njit as njit  # with the cache folder that is set below
+
+from dynamics.source_digest import source_digest
 
 
 def machine_code_folder(parent: Path) -> Path:
@@ -16,13 +17,9 @@ def machine_code_folder(parent: Path) -> Path:
     of the functions that it calls, and it cannot read an index that names a class which
     no longer exists. Therefore each version of the sources has a folder.
     """
-    root = Path(__file__).parents[1]
-    digest = sha256()
-    for folder in ("dynamics", "sonify/sound", "sonify/hearing"):
-        for file in sorted((root / folder).rglob("*.py")):
-            digest.update(file.relative_to(root).as_posix().encode())
-            digest.update(file.read_bytes())
-    return parent / f"kernels-{digest.hexdigest()[:12]}"
+    folders = ("dynamics", "sonify/sound", "sonify/hearing")
+    digest = source_digest(Path(__file__).parents[1], folders)
+    return parent / f"kernels-{digest[:12]}"
 
 
 def remove_unused_folders(folder: Path) -> None:
