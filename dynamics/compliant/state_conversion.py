@@ -10,9 +10,9 @@ from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.state_layout import (
     ENERGY_LOSSES,
-    SPANS,
     STATE,
     STATE_SIZE,
+    STATE_SLICES,
 )
 from dynamics.film.forces import squeezed_air_energy
 from dynamics.switching import ImpossibleContactError
@@ -69,7 +69,7 @@ def preloaded_compliant_state(
             / c[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]]
         )
     y = np.zeros(STATE_SIZE)
-    y[SPANS.roughness_heights] = [
+    y[STATE_SLICES.roughness_heights] = [
         mean_height(p, -R * state[2], c[LAW_COLUMNS.half_length])
         for p in model.profiles
     ]
@@ -79,18 +79,20 @@ def preloaded_compliant_state(
         fixed.core_radius * np.sin(beta)
         - 2 * fixed.core_depth * np.sin(beta / 2) ** 2
         - delta
-        + y[SPANS.roughness_heights].sum()
+        + y[STATE_SLICES.roughness_heights].sum()
     )
-    y[SPANS.velocity] = slip @ [a1, a2] + np.cross(
+    y[STATE_SLICES.velocity] = slip @ [a1, a2] + np.cross(
         w1 * a1 + w2 * n + w3 * e3,
         place.depth * n + place.radius * e3,
     )
-    y[SPANS.axis] = n
-    y[SPANS.angular_momentum] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
-    y[SPANS.spring_stretch] = deflection * [-1, 1]  # along t = -a_1, d = a_2
-    y[SPANS.spring_stiffness] = c[LAW_COLUMNS.stiffness_1 : LAW_COLUMNS.stiffness_2 + 1]
+    y[STATE_SLICES.axis] = n
+    y[STATE_SLICES.angular_momentum] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    y[STATE_SLICES.spring_stretch] = deflection * [-1, 1]  # along t = -a_1, d = a_2
+    y[STATE_SLICES.spring_stiffness] = c[
+        LAW_COLUMNS.stiffness_1 : LAW_COLUMNS.stiffness_2 + 1
+    ]
     y[STATE.normal_force] = N
-    y[SPANS.previous_forces] = N
+    y[STATE_SLICES.previous_forces] = N
     y[STATE.gap] = -delta
     y[[STATE.table_path, STATE.edge_path]] = -R * state[2]
     film = fixed.film
@@ -116,8 +118,8 @@ def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> N
     if excess <= 0:
         return
     still = y.copy()
-    still[SPANS.velocity] = 0.0
-    still[SPANS.angular_momentum] = 0.0
+    still[STATE_SLICES.velocity] = 0.0
+    still[STATE_SLICES.angular_momentum] = 0.0
     kinetic = max_energy + excess - float(energy(model, still[None])[0])
     if excess >= kinetic:
         raise ImpossibleContactError(
@@ -125,8 +127,8 @@ def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> N
             f"energy of {kinetic:.3g} J"
         )
     slower = np.sqrt(1 - excess / kinetic)
-    y[SPANS.velocity] *= slower
-    y[SPANS.angular_momentum] *= slower
+    y[STATE_SLICES.velocity] *= slower
+    y[STATE_SLICES.angular_momentum] *= slower
 
 
 def inclination(y: np.ndarray) -> np.ndarray:
@@ -144,9 +146,9 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     y = np.ascontiguousarray(y.T)
     disk = model.table.law.disk
     fixed = model.constants
-    v = y[SPANS.velocity]
-    n = y[SPANS.axis]
-    L = y[SPANS.angular_momentum]
+    v = y[STATE_SLICES.velocity]
+    n = y[STATE_SLICES.axis]
+    L = y[STATE_SLICES.angular_momentum]
     moved = (
         disk.mass * (v * v).sum(axis=0)
         + (L * L).sum(axis=0) / fixed.diametral_inertia
@@ -156,7 +158,9 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     moved += (
         0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
     )
-    moved += (y[SPANS.spring_stiffness] * y[SPANS.spring_stretch] ** 2).sum(axis=0)
+    moved += (
+        y[STATE_SLICES.spring_stiffness] * y[STATE_SLICES.spring_stretch] ** 2
+    ).sum(axis=0)
     offset = (y[0] + fixed.bowl_x) ** 2 + (y[1] + fixed.bowl_y) ** 2
     bowl_energy = fixed.bowl_stiffness / 2 * offset
     return (
@@ -183,9 +187,9 @@ def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     c = np.cos(beta)
     d0 = y[STATE.axis] / s
     d1 = y[STATE.axis + 1] / s
-    L = y[SPANS.angular_momentum]
+    L = y[STATE_SLICES.angular_momentum]
     w1 = (L[0] * d1 - L[1] * d0) / J1
-    w2 = (y[SPANS.axis] * L).sum(axis=0) / J2
+    w2 = (y[STATE_SLICES.axis] * L).sum(axis=0) / J2
     w3 = (L[2] * s - (L[0] * d0 + L[1] * d1) * c) / J1
     u1 = y[3] * d1 - y[4] * d0 - place.radius * w2 + place.depth * w3
     u2 = y[3] * d0 + y[4] * d1 + place.e * w1

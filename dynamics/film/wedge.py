@@ -129,7 +129,11 @@ def film_under(disk: Disk, air: Air, curvature: float = 0.0) -> Film:
 
 
 def film_in_si_units(film: Film | None, disk: Disk) -> Film:
-    """Return the constants of a film under a disk in SI units; zeros without a film."""
+    """Return the constants of a film under a disk in SI units; zeros without a film.
+
+    `turning` and `falling` are in N m s, `inertia` in s^2, `number` in s and `ambient`
+    in J.
+    """
     chi = disk.time_unit
     energy = disk.mass * disk.radius**2 / chi**2
     units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0

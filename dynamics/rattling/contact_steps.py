@@ -27,18 +27,15 @@ from dynamics.compliant.stepping.table_modes import (
     store_table_shapes,
     store_table_slopes,
 )
+from dynamics.film.film_kernels import film_capacity
+from dynamics.film.wedge import Film
 from dynamics.numba_kernels import kernel, outermost
 from dynamics.pivoting import (
     PIVOTING_COEFFICIENT_COUNT,
     SINE_ROOT_DEGREE,
     friction_limited_arm,
 )
-from dynamics.rattling.film_force import (
-    AirFilm,
-    film_capacity,
-    film_pressure,
-    point_on_face,
-)
+from dynamics.rattling.film_force import film_pressure, point_on_face
 
 limited_arm_kernel = kernel(friction_limited_arm)
 
@@ -123,8 +120,8 @@ class RattlingDisk(NamedTuple):
     arms : tuple of float, length 3
         Moments that resist the rotations about a_1, a_2 and the vertical, divided by
         the normal force [m].
-    film : AirFilm
-        The air film under the disk.
+    film : Film
+        The air film under the disk in SI units; its constants are 0 without a film.
     """
 
     radius: float
@@ -141,7 +138,7 @@ class RattlingDisk(NamedTuple):
     bowl: tuple[float, float, float]
     spin_friction: tuple[float, ...]
     arms: tuple[float, float, float]
-    film: AirFilm
+    film: Film
 
 
 class MovingTable(NamedTuple):
@@ -386,7 +383,7 @@ def scalar_product(a, b):
 
 
 class Velocities(NamedTuple):
-    """Velocities of the disk and of m modes, t of which are of the table, or changes of them.
+    """Velocities, or their changes, of the disk and of m modes; t of these belong to the table.
 
     Attributes
     ----------

@@ -10,47 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.film.forces import film_moment_parts, squeezed_air_energy
+from dynamics.film.film_kernels import film_loads
 from dynamics.numba_kernels import kernel
-
-film_moment_parts_kernel = kernel(film_moment_parts)
-squeezed_air_kernel = kernel(squeezed_air_energy)
-
-
-class AirFilm(NamedTuple):
-    """Constants of `film_moment_parts` in SI units; `turning` is 0 without a film.
-
-    Attributes
-    ----------
-    turning, falling : float
-        12 mu R^3 times I and I_n [N m s].
-    inertia : float
-        Factor of the inertia of the rotating air [s^2].
-    number : float
-        Factor of the compressibility [s].
-    ambient : float
-        p pi R^3 [J].
-    slip : float
-        Factor of the wall slip.
-    bowl : float
-        Gap added in the middle by a concave table, divided by the radius.
-    """
-
-    turning: float
-    falling: float
-    inertia: float
-    number: float
-    ambient: float
-    slip: float
-    bowl: float
-
-
-@kernel
-def film_capacity(film, sine, rate):
-    """Return the largest energy [J] that the compressed air can store."""
-    return squeezed_air_kernel(
-        sine, abs(rate), film.number, film.ambient, film.slip, film.bowl
-    )
 
 
 class FilmLoad(NamedTuple):
@@ -82,22 +43,11 @@ def film_pressure(disk, axis, up_slope, velocity, stored_energy, step):
     up its slope, whose height is the sine of the inclination.
     """
     min_rate = 1e-9  # rad/s; the drag of slower precession is independent of the rate
-    film = disk.film
     sine = up_slope[2]
     spin = velocity.angular
     turning = spin[0] * up_slope[0] + spin[1] * up_slope[1] + spin[2] * up_slope[2]
     rate = abs(turning) / sine + min_rate
-    drag, fall, lever, tip, lift = film_moment_parts_kernel(
-        sine,
-        rate,
-        film.turning,
-        film.falling,
-        film.inertia,
-        film.number,
-        film.ambient,
-        film.slip,
-        film.bowl,
-    )
+    drag, fall, lever, tip, lift = film_loads(disk.film, sine, rate)
     # exponential damping is stable at every gap
     decay = np.expm1(-step * drag / (rate * sine * disk.diametral_inertia))
     torque = turning * disk.diametral_inertia / step * decay

@@ -27,7 +27,7 @@ from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
 from dynamics.compliant.stepping.row_store import interpolate_rows
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.activation import decide_film
-from dynamics.film.wedge import Film
+from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.kinematics import contact_place
 from dynamics.motion import Outcome
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
@@ -40,7 +40,6 @@ from dynamics.rattling.contact_steps import (
     motion_state,
     step_rattling_disk,
 )
-from dynamics.rattling.film_force import AirFilm
 from dynamics.scene_constants import scene_constants
 from dynamics.switching import ImpossibleContactError
 
@@ -292,7 +291,7 @@ def rattling_model(scene, modes: Any = None) -> RattlingModel:
             scene.friction.arm_rolling,
             0.0 if has_spin_friction else scene.friction.arm_pivoting,
         ),
-        film=film_constants(disk, film),
+        film=film_in_si_units(film, disk),
     )
     model = RattlingModel(
         disk=disk,
@@ -305,14 +304,6 @@ def rattling_model(scene, modes: Any = None) -> RattlingModel:
         rate=0.0,
     )
     return model._replace(rate=_step_rate(scene, model))
-
-
-def film_constants(disk: Disk, film: Film | None) -> AirFilm:
-    """Return the constants of a film in SI units; zeros without a film."""
-    chi = disk.time_unit
-    energy = disk.mass * disk.radius**2 / chi**2
-    units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
-    return AirFilm(*np.multiply(film or np.zeros(len(units)), units).tolist())  # type: ignore[arg-type]
 
 
 def _step_rate(scene, model):
@@ -378,7 +369,7 @@ def effective_restitution(
         friction=0.0,
         contour_moment=0.0,
         arms=(0.0, 0.0, 0.0),
-        film=film_constants(model.disk, None),
+        film=film_in_si_units(None, model.disk),
     )
     smooth = model._replace(heights=np.zeros(len(model.heights)), constants=alone)
     state = rolling_state_at_release(smooth, inclination, (0.0, 0.0, 0.0))

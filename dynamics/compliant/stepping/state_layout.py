@@ -92,7 +92,7 @@ class StateLayout(NamedTuple):
 
 
 STATE, STATE_SIZE = first_indices(StateLayout)
-SPANS = StateLayout._make(map(slice, STATE, (*STATE[1:], STATE_SIZE)))
+STATE_SLICES = StateLayout._make(map(slice, STATE, (*STATE[1:], STATE_SIZE)))
 """Indices of all entries of each quantity in the state."""
 ENERGY_LOSSES = slice(STATE.contact_loss, STATE.body_loss + 1)
 """Energies lost to each of CAUSES in the state [J]."""

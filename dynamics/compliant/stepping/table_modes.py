@@ -21,7 +21,7 @@ from dynamics.compliant.stepping.rim_modes import (
     rim_shapes,
     store_rim_shapes,
 )
-from dynamics.compliant.stepping.state_layout import SPANS, STATE, first_indices
+from dynamics.compliant.stepping.state_layout import STATE, STATE_SLICES, first_indices
 from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
@@ -526,11 +526,13 @@ def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
     if modes is None or not len(waves.amplitude):
         return
     constants = model.constants
-    n = y[SPANS.axis]
+    n = y[STATE_SLICES.axis]
     s = np.hypot(n[0], n[1])
     start = np.arctan2(n[1], n[0])
     reach = constants.core_radius * n[2] - constants.core_depth * s
-    axis_rate = np.cross(y[SPANS.angular_momentum], n) / constants.diametral_inertia
+    axis_rate = (
+        np.cross(y[STATE_SLICES.angular_momentum], n) / constants.diametral_inertia
+    )
     turning = axis_rate[:2] @ np.array([-n[1], n[0]]) / s**2
     angle = start + 2 * np.pi * np.arange(RIM_SCAN_POINTS) / RIM_SCAN_POINTS
     centre = waves.table_is_fixed * y[:2] + modes.place

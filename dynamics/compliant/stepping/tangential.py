@@ -28,12 +28,10 @@ from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import current_law
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.vectors import dot, vector
-from dynamics.film.forces import film_moment_parts, squeezed_air_energy
+from dynamics.film.film_kernels import film_capacity, film_loads
 from dynamics.numba_kernels import kernel
 from dynamics.pivoting import friction_limited_arm
 
-film_moment_parts_kernel = kernel(film_moment_parts)
-squeezed_air_kernel = kernel(squeezed_air_energy)
 limited_arm_kernel = kernel(friction_limited_arm)
 
 
@@ -263,18 +261,7 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
     a = diameter_through_contact(y, s, d0, d1)
     # the offset avoids division by zero
     rate = dot(vector(y, STATE.angular_momentum), a) / (J * s) + 1e-30
-    film = constants.film
-    drag, fall, lever, tip, lift = film_moment_parts_kernel(
-        s,
-        rate,
-        film.turning,
-        film.falling,
-        film.inertia,
-        film.number,
-        film.ambient,
-        film.slip,
-        film.bowl,
-    )
+    drag, fall, lever, tip, lift = film_loads(constants.film, s, rate)
     drag_per_rate = h * drag / (rate * s)
     apply_angular_impulse(y, a, 0.0, drag_per_rate, J, 0.0, STATE.film_loss, 0.0)
     lever /= constants.radius
@@ -293,9 +280,7 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
         work = lift_impulse * (v + lift_impulse * mobility / 2)
         y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
         push_face(y, constants, arm, lift_impulse, d0, d1)
-    capacity = squeezed_air_kernel(
-        s, rate, film.number, film.ambient, film.slip, film.bowl
-    )
+    capacity = film_capacity(constants.film, s, rate)
     stored_energy = min(y[STATE.squeezed_air_energy], capacity)
     y[STATE.film_loss] = (
         y[STATE.film_loss] + y[STATE.squeezed_air_energy] - stored_energy
