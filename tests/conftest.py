@@ -1,13 +1,19 @@
 """Fixtures of several files, the published scene and its motion, and the order of the files."""
 
+import os
+
+# before NumPy is loaded, because the workers of pytest already use all cores
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 import pytest
 
 from dynamics import simulate
 from sonify import load_scene
 
 COMPILING = (
-    "test_motion_properties",
+    "test_rattling_on_modes",
     "test_two_way_coupling",
+    "test_motion_properties",
     "test_limits_of_range",
     "test_film_motion",
 )
