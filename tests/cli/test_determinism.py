@@ -68,10 +68,10 @@ def test_a_function_of_a_column_is_the_same_bits_at_every_address(function):
     """The results are next to the column, or far from it."""
     rows = 1001
     memory = np.zeros(4 * rows)
-    columns, behind = memory[: 3 * rows].reshape(rows, 3), memory[3 * rows :]
-    columns[:, 1] = np.linspace(0.1, 0.9, rows)
-    near = function(columns[:, 1], out=behind)
-    np.testing.assert_array_equal(near, function(columns[:, 1].copy()))
+    column = memory[: 3 * rows].reshape(rows, 3)[:, 1]
+    column[:] = np.linspace(0.1, 0.9, rows)
+    near = function(column, out=memory[3 * rows :])
+    np.testing.assert_array_equal(near, function(column.copy()))
 
 
 @pytest.fixture(scope="module")
