@@ -197,7 +197,7 @@ def fit_same_disk(decay: DecayModel, sound: Sound, correct: bool = True) -> Judg
         same = [track.fit for track in lines + found if track.place == best.place]
         one = _mean_of_equivalent_fits(same, decay)
     max_noise = FIT.equivalent_fit_ratio * np.median(one.sigma)
-    explained = not correct or one.spread < max(max_explained_spread, max_noise)
+    explained = not correct or bool(one.spread < max(max_explained_spread, max_noise))
     if not explained:
         others = [track.fit for track in lines if track.place != best.place]
         one = combine_motions([best.fit, *others])

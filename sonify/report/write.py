@@ -7,6 +7,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
+from math import isfinite
 from pathlib import Path
 from platform import platform, python_version
 from typing import TYPE_CHECKING, Any
@@ -296,21 +297,52 @@ def roughness_record(sound: Sound) -> dict | str:
 
 
 def json_safe(value):
-    """Return nested values with non-finite floats as strings, because JSON cannot
-    represent them."""
+    """Return nested values as values that JSON can represent.
+
+    NumPy scalars and arrays become plain values (`plain_value`), and non-finite floats
+    strings."""
     if isinstance(value, dict):
-        return {key: json_safe(item) for key, item in value.items()}
+        return {json_safe(key): json_safe(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [json_safe(item) for item in value]
-    return value if not isinstance(value, float) or np.isfinite(value) else str(value)
+    if isinstance(value, (np.generic, np.ndarray, complex, bytes)):
+        return json_safe(plain_value(value))
+    return str(value) if isinstance(value, float) and not isfinite(value) else value
+
+
+def plain_value(value):
+    """Return a NumPy scalar as a plain Python value, and an array as a list of scalars.
+
+    A complex number becomes a list [real, imaginary]; dates, durations and bytes become
+    strings, and so does a number that no Python float can represent. Raises TypeError
+    for other types."""
+    if isinstance(value, np.ndarray):
+        return list(value) if value.ndim else value[()]
+    if isinstance(value, (np.datetime64, np.timedelta64, np.str_)):
+        return str(value)
+    if isinstance(value, np.bool_):
+        return bool(value)
+    if isinstance(value, np.integer):
+        return int(value)
+    if isinstance(value, np.floating):
+        number = float(value)
+        return str(value) if np.isfinite(value) and not isfinite(number) else number
+    if isinstance(value, (complex, np.complexfloating)):
+        return [value.real, value.imag]
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "backslashreplace")
+    if isinstance(value, np.void):
+        return [value[name] for name in value.dtype.names or ()] or value.item()
+    raise TypeError(f"{type(value).__name__} has no representation in JSON")
 
 
 def write_json(value, path: Path):
-    """Write strict JSON. Raises ValueError if a value is not finite."""
+    """Write strict JSON; NumPy scalars and arrays are written as plain values.
+
+    Raises ValueError if a value is not finite."""
+    text = json.dumps(value, indent=1, allow_nan=False, default=plain_value)
     with atomic_write(path) as temporary:
-        temporary.write_text(
-            json.dumps(value, indent=1, allow_nan=False) + "\n", encoding="utf-8"
-        )
+        temporary.write_text(text + "\n", encoding="utf-8")
 
 
 def versions() -> dict[str, str]:
