@@ -1,12 +1,15 @@
 """Export modes to file formats of other programs."""
 
+from itertools import count
 from math import degrees, pi
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from modal.modes import Modes
+from modal.mesh.hexahedron import HEXAHEDRON_PARTS
+from modal.mesh.tetrahedra import TETRAHEDRON_PARTS
+from modal.modes import Body, Modes
 
 
 def as_json(modes: Modes) -> dict[str, Any]:
@@ -101,7 +104,11 @@ def write_vtu(modes: Modes, path: str | Path) -> None:
 
 
 def write_uff(modes: Modes, path: str | Path) -> None:
-    """Write nodes (dataset 15) and normal modes (dataset 55) to a universal file.
+    """Write the mode shapes to a universal file for programs of modal analysis.
+
+    The file contains the SI units (dataset 164), the nodes (15), the elements (2412) and
+    the normal modes (55). The elements are solids with linear sides that connect all
+    nodes, and the faces of their surface, for programs that draw faces only.
 
     Parameters
     ----------
@@ -135,6 +142,16 @@ def write_uff(modes: Modes, path: str | Path) -> None:
     x, y, z = body.points.T
     same = np.ones(len(number), int)
     file = pyuff.UFF(str(path))
+    units = {
+        "type": 164,
+        "units_code": 1,
+        "units_description": "SI: metre, newton",
+        "temp_mode": 2,  # relative
+        "length": 1.0,
+        "force": 1.0,
+        "temp": 1.0,
+        "temp_offset": 273.15,
+    }
     nodes = {
         "type": 15,
         "node_nums": number,
@@ -145,9 +162,75 @@ def write_uff(modes: Modes, path: str | Path) -> None:
         "y": y,
         "z": z,
     }
-    file.write_sets(nodes, mode="overwrite")
+    file.write_sets([units, nodes, uff_element_dataset(body)], mode="overwrite")
     for i, u in enumerate(body.displacement):
         file.write_sets(uff_mode_dataset(modes, i, number, u), mode="add")
+
+
+def uff_element_dataset(body: Body) -> dict[str | int, Any]:
+    """Return dataset 2412 of a body: solids of linear sides, and the faces of the
+    surface."""
+    solids = linear_parts(body)
+    triangular = solids.shape[1] == 4
+    cells_by_descriptor = {
+        111 if triangular else 115: solids,
+        41 if triangular else 44: outer_faces(solids),
+    }
+    dataset: dict[str | int, Any] = {"type": 2412}
+    label = count(1)
+    for descriptor, cells in cells_by_descriptor.items():
+        dataset[descriptor] = [
+            {
+                "element_nums": next(label),
+                "fe_descriptor": descriptor,
+                "phys_table": 1,
+                "mat_table": 1,
+                "color": 7,
+                "num_nodes": len(cell),
+                "nodes_nums": cell,
+            }
+            for cell in (cells + 1).tolist()
+        ]
+    return dataset
+
+
+def linear_parts(body: Body) -> np.ndarray:
+    """Return the cells (c, 4) or (c, 8) of a body with each quadratic cell divided into
+    eight.
+
+    The nodes are in VTK's order, and the volumes are positive.
+    """
+    node_count = body.cells.shape[1]
+    if node_count in (4, 10):
+        parts = TETRAHEDRON_PARTS if node_count == 10 else [(0, 1, 2, 3)]
+        edges = [1, 2, 3]
+        mirrored = [0, 2, 1, 3]
+    else:
+        parts = HEXAHEDRON_PARTS if node_count == 27 else [tuple(range(8))]
+        edges = [1, 3, 4]
+        mirrored = [0, 3, 2, 1, 4, 7, 6, 5]
+    cells = np.concatenate([body.cells[:, part] for part in parts])
+    sides = body.points[cells[:, edges]] - body.points[cells[:, :1]]
+    left_handed = np.linalg.det(sides) < 0
+    cells[left_handed] = cells[left_handed][:, mirrored]
+    return cells
+
+
+def outer_faces(cells: np.ndarray) -> np.ndarray:
+    """Return the faces (f, 3) or (f, 4) that belong to one cell only, numbered around
+    their outward normals.
+
+    The nodes of the cells are in VTK's order.
+    """
+    tetrahedron = "021 013 123 203"
+    hexahedron = "0154 1265 2376 3047 0321 4567"
+    sides = tetrahedron if cells.shape[1] == 4 else hexahedron
+    numbers = np.array([list(map(int, side)) for side in sides.split()])
+    faces = cells[:, numbers].reshape(-1, numbers.shape[1])
+    _, first, shared = np.unique(
+        np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True
+    )
+    return faces[np.sort(first[shared == 1])]
 
 
 def uff_mode_dataset(

@@ -36,20 +36,8 @@ from modal.elements.user_mesh_modes import mesh_modes_record
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import hexahedra
 from modal.mesh.symmetry import admissible_displacements, check_no_rigid_motion
+from modal.mesh.tetrahedra import TETRAHEDRON_PARTS
 from modal.modes import DEFAULT_HIGHEST_FREQUENCY, Material, Modes, Support
-
-TETRAHEDRON_PARTS = [
-    (0, 4, 6, 7),
-    (4, 1, 5, 8),
-    (6, 5, 2, 9),
-    (7, 8, 9, 3),
-    (4, 5, 6, 8),
-    (4, 6, 7, 8),
-    (5, 6, 8, 9),
-    (6, 7, 8, 9),
-]
-"""Corners of the eight parts of a tetrahedron, numbered by its corners (0 to 3) and
-edge midpoints (4 to 9)."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,6 +1,6 @@
 """Claim: the exported files carry the modes correctly to the programs that read them.
 
-Source: universal file format, datasets 15 and 55; the Faust language. Oracle: pyuff, which reads
+Source: universal file format, datasets 15, 55, 164 and 2412; the Faust language. Oracle: pyuff, which reads
 the files back; the closed-form impulse response of an oscillator, with the numbers in the Faust
 program; the same response from the program translated by the Faust compiler, compiled and run.
 """
@@ -8,18 +8,22 @@ program; the same response from the program translated by the Faust compiler, co
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 
 import numpy as np
 import pytest
+import skfem
 from click.testing import CliRunner
 from scipy.signal import lfilter
 
 from modal import (
     Material,
     Plate,
+    Support,
     as_faust,
     as_faust_library,
     eigenmodes,
+    mesh_modes,
     plate_modes,
     write_uff,
 )
@@ -46,9 +50,10 @@ def test_universal_file_keeps_shapes_and_frequencies(modes, tmp_path):
         "pyuff", reason="the optional package pyuff is not installed"
     )
     write_uff(modes, tmp_path / "modes.uff")
-    sets = pyuff.UFF(str(tmp_path / "modes.uff")).read_sets()
-    nodes = sets[0]
-    shapes = sets[1:]
+    units, nodes, _, *shapes = pyuff.UFF(str(tmp_path / "modes.uff")).read_sets()
+    assert units["type"] == 164
+    assert units["units_code"] == 1
+    assert units["length"] == units["force"] == 1
     assert np.stack([nodes["x"], nodes["y"], nodes["z"]], axis=1) == pytest.approx(
         modes.body.points, abs=1e-6
     )
@@ -57,6 +62,68 @@ def test_universal_file_keeps_shapes_and_frequencies(modes, tmp_path):
         assert one["freq"] == pytest.approx(f, rel=1e-5)
         read = np.stack([one["r1"], one["r2"], one["r3"]], axis=1)
         assert np.real(read) == pytest.approx(u, abs=1e-4 * np.abs(u).max())
+
+
+def cell_volumes(points, cells):
+    """Return the volumes of cells of linear sides with the nodes (c, n) in VTK's order."""
+    order = [6, 2, 5, 7, 1, 3, 4, 0] if cells.shape[1] == 8 else [0, 1, 2, 3]
+    mesh_type = skfem.MeshHex if cells.shape[1] == 8 else skfem.MeshTet
+    basis = skfem.CellBasis(mesh_type(points.T, cells[:, order].T), mesh_type.elem())
+    return (np.sign(basis.mapping.detDF(basis.X)) * basis.dx).sum(axis=1)
+
+
+def enclosed_volume(points, faces):
+    """Return the volume within faces (f, n) numbered around their outward normals."""
+    corners = points[faces]
+    triangles = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    return np.linalg.det(np.concatenate(triangles)).sum() / 6
+
+
+@pytest.mark.parametrize(
+    "cell_type", ["hexahedron27", "hexahedron", "tetra10", "tetra"]
+)
+def test_universal_file_has_elements_that_form_the_body(tmp_path, cell_type):
+    """The disk of the spectral solution, and meshes of a cube of straight cells."""
+    pyuff = pytest.importorskip(
+        "pyuff", reason="the optional package pyuff is not installed"
+    )
+    if cell_type == "hexahedron27":
+        plate = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27)
+        found = plate_modes(plate, 12e3, "draft")
+        volume = 0.99 * np.pi * plate.radius**2 * plate.thickness
+    else:
+        cube = skfem.MeshTet() if cell_type.startswith("tetra") else skfem.MeshHex()
+        cube = cube.refined(1).scaled(0.02)
+        if cell_type == "tetra10":
+            cube = skfem.MeshTet2.from_mesh(cube)
+        cube.save(str(tmp_path / "cube.vtu"))
+        free = Support(kind="free")
+        found = mesh_modes(
+            tmp_path / "cube.vtu", STEEL, 7737.27, free, 80e3, refine=False
+        )
+        volume = 0.02**3
+        parts = {"tetra": "tetra10", "hexahedron": "hexahedron27"}
+        body = found.body
+        if cell_type in parts:
+            corners = body.cells[:, : 4 if cell_type == "tetra" else 8]
+            body = replace(body, cells=corners, cell_type=cell_type)
+            found = replace(found, body=body)
+    assert found.body.cell_type == cell_type
+    write_uff(found, tmp_path / "modes.uff")
+    elements = pyuff.UFF(str(tmp_path / "modes.uff")).read_sets()[2]
+    solid, face = (111, 41) if cell_type.startswith("tetra") else (115, 44)
+    labels = [one["element_nums"] for one in elements[solid] + elements[face]]
+    assert len(set(labels)) == len(labels)
+    solids, faces = (
+        np.array([one["nodes_nums"] for one in elements[kind]]) - 1
+        for kind in (solid, face)
+    )
+    points = found.body.points
+    assert np.isin(np.unique(found.body.cells), solids).all()
+    volumes = cell_volumes(points, solids)
+    assert volumes.min() > 0
+    assert volumes.sum() >= volume * (1 - 1e-9)
+    assert enclosed_volume(points, faces) == pytest.approx(volumes.sum(), rel=1e-3)
 
 
 PLAIN_CPP = """
