@@ -18,13 +18,13 @@ AngularRate = Annotated[float, Ge(-1e6), Le(1e6)]
 
 @dataclass(frozen=True, kw_only=True)
 class Disk:
-    """A circular cylinder, specified by its mass or its density.
+    """A circular cylinder, specified by two of its thickness, mass and density.
 
     Raises
     ------
     ValueError
-        Unless exactly one of mass and density is given, or if a dimension is
-        impossible.
+        Unless exactly two of thickness, mass and density are given, or if a dimension
+        is impossible.
 
     Examples
     --------
@@ -32,16 +32,23 @@ class Disk:
     >>> disk = Disk(radius=0.03755, thickness=0.013, density=7850.0)
     >>> f"{disk.mass:.3f} kg, aspect {disk.aspect:.3f}"
     '0.452 kg, aspect 0.173'
+
+    A coin with a raised rim has the effective thickness of its mass:
+
+    >>> coin = Disk(radius=0.016385, mass=0.03393, density=17500.0)
+    >>> f"{1e3 * coin.thickness:.2f} mm"
+    '2.30 mm'
     """
 
     radius: Annotated[float, Gt(0), Le(100)]
     """Outer radius [m]."""
-    thickness: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)]
-    """Thickness along the axis [m]."""
+    thickness: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)] = None  # type: ignore[assignment]
+    """Thickness along the axis [m]; if it is not given, mass and density determine it."""
     mass: Annotated[float, Ge(1e-9), Le(1e9)] = None  # type: ignore[assignment]
     """Mass [kg]."""
     density: Annotated[float, Ge(1e-3), Le(1e6)] | None = None
-    """Density [kg/m^3], as an alternative to the mass."""
+    """Density [kg/m^3], as an alternative to the mass or to the thickness; None after it
+    has determined the thickness."""
     shape: Literal["solid", "shell"] = "solid"
     """Shape: a solid cylinder, or a shell (a tube with open ends)."""
     wall: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)] | None = None
@@ -52,20 +59,45 @@ class Disk:
             raise ValueError(
                 f"radius = {self.radius:g}: must not be below {MIN_DISK_LENGTH:g}"
             )
-        if (self.mass is None) == (self.density is None):
-            raise ValueError("give either mass or density")
         if self.wall is not None and self.shape != "shell":
             raise ValueError(f"wall = {self.wall:g}: only allowed if shape = 'shell'")
         if self.wall is not None and not self.wall < self.radius:
             raise ValueError(
                 f"wall = {self.wall:g}: must be less than radius = {self.radius:g}"
             )
-        if self.mass is None and not self.volume:
+        self._complete_dimensions()
+
+    def _complete_dimensions(self) -> None:
+        """Compute the thickness or the mass from the other dimensions and the density.
+
+        Raises ValueError unless exactly two of thickness, mass and density are given,
+        or if the thickness is impossible.
+        """
+        if self.thickness is not None and (self.mass is None) == (self.density is None):
             raise ValueError(
-                "a shell of negligible wall has no volume: give its mass, or its wall"
+                "give either mass or density; without thickness, give both"
+            )
+        if self.thickness is None and (self.mass is None or self.density is None):
+            raise ValueError(
+                "thickness: missing; give it, or both mass and density, which determine it"
+            )
+        if self.density is None:
+            return
+        if not self.face_area:
+            raise ValueError(
+                "a shell of negligible wall has no volume: give its mass and thickness, or its wall"
             )
         if self.mass is None:
             object.__setattr__(self, "mass", self.density * self.volume)
+            return
+        thickness = self.mass / (self.density * self.face_area)
+        if not MIN_DISK_LENGTH <= thickness <= 100:
+            raise ValueError(
+                f"mass = {self.mass:g} and density = {self.density:g} give a thickness of "
+                f"{thickness:g} m; it must be from {MIN_DISK_LENGTH:g} to 100"
+            )
+        object.__setattr__(self, "thickness", thickness)
+        object.__setattr__(self, "density", None)
 
     @property
     def inner_radius(self) -> float:
@@ -75,9 +107,14 @@ class Disk:
         return self.radius - (self.wall or 0.0)
 
     @property
+    def face_area(self) -> float:
+        """Area of one face [m^2]; 0 for a shell of negligible wall."""
+        return pi * (self.radius**2 - self.inner_radius**2)
+
+    @property
     def volume(self) -> float:
         """Volume [m^3]."""
-        return pi * (self.radius**2 - self.inner_radius**2) * self.thickness
+        return self.face_area * self.thickness
 
     @property
     def gyration(self) -> float:

@@ -32,6 +32,8 @@ from sonify.suggestions import did_you_mean
 SHIPPED_SCENES_FOLDER = Path(__file__).parent / "scenes"
 KEYS_ALLOWED_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
 """Keys that may be infinite: with infinite friction the contact never slips."""
+SIZE_KEYS = {"thickness", "mass", "density"}
+"""Keys of the disk, two of which determine the third."""
 NO_CONTOUR_FRICTION = "dissipation.contour_moment=0"
 FORMER_SCENES: dict[str, tuple[str, ...]] = {
     "boundary_layer": (
@@ -333,8 +335,8 @@ def from_document(document: dict) -> Scene:
 
 
 def _with_density(document):
-    """Return the document with the density of its named material, if it has neither
-    mass nor density."""
+    """Return the document with the density of its named material, if the disk has only
+    one of thickness, mass and density."""
     name = _section(document, "material").get("name")
     disk = _section(document, "disk")
     if not isinstance(name, str):
@@ -343,7 +345,7 @@ def _with_density(document):
         allowed = ", ".join(map(repr, MATERIALS))
         meant = did_you_mean(name, MATERIALS)
         raise SceneError(f"material.name = {name!r}: must be one of {allowed}{meant}")
-    if not disk or disk.keys() & {"mass", "density"}:
+    if len(disk.keys() & SIZE_KEYS) != 1 or "density" in disk:
         return document
     return document | {"disk": disk | {"density": MATERIALS[name].density}}
 

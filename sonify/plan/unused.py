@@ -7,7 +7,7 @@ from typing import Any
 
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.two_way_onset import may_be_two_way
-from sonify.scene import Scene
+from sonify.scene import SIZE_KEYS, Scene
 
 
 def has_elastic_contact(scene: Scene) -> bool:
@@ -49,8 +49,8 @@ def has_all_material_values(scene: Scene) -> bool:
     """Return True if the scene specifies every value that `material.name` would
     provide."""
     material = scene.document["material"]
-    mass = {"mass", "density"} & set(scene.document["disk"])
-    return bool(mass) and {"young", "poisson", "loss_factor"} <= set(material)
+    size = SIZE_KEYS & set(scene.document["disk"])
+    return len(size) == 2 and {"young", "poisson", "loss_factor"} <= set(material)
 
 
 PATCH_KEYS = "support.half_angle_deg support.height support.position support.held"

@@ -55,9 +55,16 @@ SPEED_OF_SOUND = {
     "bronze": 3530,
     "ceramic": 10200,
     "wood": 4000,
+    "copper": 3750,
+    "cupronickel": 4040,
+    "gold": 2030,
+    "nickel": 4900,
+    "silver": 2730,
 }
 """Speed of longitudinal waves in a thin rod [m/s], rounded, from tables of acoustics: steel 5050 to
-5200, aluminium 5000 to 5150, glass 5000 to 5300, brass 3450 to 3600, hard wood 3800 to 4300."""
+5200, aluminium 5000 to 5150, glass 5000 to 5300, brass 3450 to 3600, hard wood 3800 to 4300,
+copper 3750 to 3810, gold 2030, nickel 4900, silver 2680 to 2790; cupronickel with 25 % of nickel lies
+in between copper and nickel."""
 
 
 @pytest.mark.parametrize(("name", "speed"), SPEED_OF_SOUND.items())
@@ -124,7 +131,8 @@ def test_a_record_of_a_run_is_the_scene(tmp_path, assignments):
         (
             {"name": "glas"},
             "material.name = 'glas': must be one of 'aluminium', 'brass', 'bronze', 'ceramic', "
-            "'glass', 'steel', 'wood'; did you mean glass?",
+            "'copper', 'cupronickel', 'glass', 'gold', 'nickel', 'silver', 'steel', 'wood'; "
+            "did you mean glass?",
         ),
         ({"name": 3}, "material.name = 3: must be 'aluminium'"),
         (
