@@ -33,7 +33,7 @@ class Track:
     """One column of a sound [Pa], which sonify.hearing can analyse as an audio source.
 
     It has `frames` samples at `sample_rate` [Hz]. `others` contains the same column at
-    further listeners, the additional channels."""
+    further listeners, the additional channels, and has the same length."""
 
     sample_rate: int
     columns: object
@@ -73,13 +73,9 @@ class Track:
         """Return a new iterator over float32 blocks (k, channels), beginning at sample
         `start`."""
         for first in range(start, self.frames, BLOCK_SIZE):
-            block = np.zeros(
-                (min(BLOCK_SIZE, self.frames - first), self.channels), np.float32
-            )
-            for channel, track in enumerate((self, *self.others)):
-                part = track.read(first, first + len(block))
-                block[: len(part), channel] = part
-            yield block
+            last = first + BLOCK_SIZE
+            tracks = (self, *self.others)
+            yield np.column_stack([track.read(first, last) for track in tracks])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -110,7 +106,7 @@ class Sound:
     names : tuple of str, length s
         Names of the stems.
     others : tuple of Sound
-        Sounds at further listeners.
+        Sounds of the same length at further listeners.
     has_second_ear : bool
         True if one more column contains the pressure at a second ear, a quarter turn
         around the disk, for audible.wav.

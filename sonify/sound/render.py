@@ -163,15 +163,19 @@ class Renderer:
                 yield self._apply_end_fades(stems[max(lead - n, 0) :], max(n - lead, 0))
 
     def sound(
-        self, watch=lambda share: None, listen=lambda block, sample_rate, samples: None
+        self,
+        watch=lambda share: None,
+        listen=lambda block, sample_rate, samples: None,
+        samples: int | None = None,
     ) -> Sound:
         """Render and return the whole sound; `watch(fraction)` is called with the
         completed fraction.
 
         `listen(block, sample_rate, samples)` receives each block (k,) of the pressure
-        [Pa]."""
+        [Pa]. The sound ends with silence if `samples` exceeds its own length."""
         noted = defaultdict(list)
         own = len(self.names)
+        samples = samples or self.samples
 
         def rows():
             for i, stems in enumerate(
@@ -179,10 +183,15 @@ class Renderer:
             ):
                 watch(min((i + 1) * BLOCK_SIZE / self.samples, 1.0))
                 summed = pressure_and_stems(stems[:, :own])
-                listen(summed[:, 0], self.sample_rate, self.samples)
+                listen(summed[:, 0], self.sample_rate, samples)
                 yield np.hstack([summed, stems[:, own:].astype(np.float32)])
+            if samples > self.samples:
+                width = 1 + own + self._has_second_ear
+                silence = np.zeros((samples - self.samples, width), np.float32)
+                listen(silence[:, 0], self.sample_rate, samples)
+                yield silence
 
-        columns = collect_rows(rows(), self.samples)
+        columns = collect_rows(rows(), samples)
         energies = {
             name: np.concatenate(parts, axis=1) for name, parts in noted.items()
         }
@@ -238,15 +247,14 @@ def render_sound(
 ) -> Sound:
     """Render the sound at every listener of the scene with the arguments of Renderer.
 
-    `watch(fraction)` is called with the completed fraction, and `listen(block,
+    All listeners have the same time axis: the sound of a nearer listener ends with
+    silence. `watch(fraction)` is called with the completed fraction, and `listen(block,
     sample_rate, samples)` with each block of the pressure at the first listener. A
     single listener has a second ear for audible.wav."""
     listeners = listeners_of(scene)
     turn = np.pi / 2 if len(listeners) == 1 else None
-
-    renderer = None
-    sounds = []
-    for i, listener in enumerate(listeners):
+    renderers: list[Renderer] = []
+    for listener in listeners:
         renderer = Renderer(
             scene,
             motion,
@@ -256,13 +264,19 @@ def render_sound(
             table,
             listener,
             turn,
-            renderer,
+            renderers[0] if renderers else None,
         )
+        renderers.append(renderer)
+    samples = max(renderer.samples for renderer in renderers)
+
+    def ignore(block, sample_rate, samples):
+        """Discard the blocks of the other listeners."""
+
+    sounds = []
+    for i, renderer in enumerate(renderers):
 
         def share_done(share, i=i):
-            watch((i + share) / len(listeners))
+            watch((i + share) / len(renderers))
 
-        sounds.append(
-            renderer.sound(share_done, listen) if i == 0 else renderer.sound(share_done)
-        )
+        sounds.append(renderer.sound(share_done, ignore if i else listen, samples))
     return replace(sounds[0], others=tuple(sounds[1:]))

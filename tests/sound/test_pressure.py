@@ -25,9 +25,9 @@ from sonify.sound.modal_forcing import (
 )
 from sonify.sound.oscillators import free_response
 from sonify.sound.pressure import STEMS
-from sonify.sound.radiation import listener_of, piston_strength
+from sonify.sound.radiation import listener_of, listeners_of, piston_strength
 from sonify.sound.radiators import ElasticFace
-from sonify.sound.render import FADE_IN, FADE_OUT, Renderer
+from sonify.sound.render import FADE_IN, FADE_OUT, Renderer, render_sound
 from sonify.sound.sources.protocol import Source
 from sonify.sound.wav import write_sound
 
@@ -166,6 +166,41 @@ def test_modes_above_half_the_sample_rate_are_left_out(scene, short, modes):
     assert np.array_equal(
         renderer.modes.frequency, modes.frequency[modes.frequency < 4000]
     )
+
+
+def test_listeners_at_unequal_distances_share_one_time_axis(scene, short, modes):
+    """Every listener hears what it hears alone, followed by silence up to the common end.
+
+    The delays of the ears of a head differ too, and so do those of any two listeners.
+    """
+    places = (
+        '{kind="head", distance=0.5, facing_deg=30}, {distance=0.03, elevation_deg=90}'
+    )
+    several = scene.replace(f"audio.listeners=[{places}]")
+    heard: list[tuple[int, int]] = []
+
+    def listen(block, sample_rate, samples):
+        heard.append((len(block), samples))
+
+    few = range(3)
+    sound = render_sound(several, short, modes, few, 0.0, None, listen=listen)
+    alone = [
+        Renderer(several, short, modes, few, listener=listener).sound()
+        for listener in listeners_of(several)
+    ]
+    lengths = [one.samples for one in alone]
+    assert len(set(lengths)) == 3
+    assert sound.samples == max(lengths)
+    assert sum(count for count, _ in heard) == sound.samples
+    assert {samples for _, samples in heard} == {sound.samples}
+    for one, expected in zip((sound, *sound.others), alone, strict=True):
+        assert np.array_equal(one.columns[: expected.samples], expected.columns[:])
+        assert not one.columns[expected.samples :].any()
+    for name in ("pressure", "tilt"):
+        copy = sound.track(name).without_stems()
+        blocks = np.concatenate(list(sound.track(name).blocks()))
+        assert copy.columns.shape == blocks.shape == (max(lengths), 3)
+        assert np.array_equal(copy.columns, blocks)
 
 
 def test_files_hold_what_they_say(scene, short, modes, tmp_path):

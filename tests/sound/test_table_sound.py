@@ -357,7 +357,10 @@ def test_several_listeners_are_the_channels_of_the_files(tmp_path):
     several = solve(scene.replace(text))
     heave, tilt = (several.sound.track(name) for name in ("heave", "tilt"))
     assert heave.channels == 3
-    assert np.array_equal(several.sound.pressure.read(), alone.pressure.read())
+    common = several.sound.samples  # that of the farthest listener
+    heard = several.sound.pressure.read()
+    assert np.array_equal(heard[: alone.samples], alone.pressure.read())
+    assert not heard[alone.samples :].any()
     one, other, far = np.concatenate(list(heave.blocks())).T
     assert np.abs(one - other).max() < 1e-6 * np.abs(one).max()
     assert np.abs(far).max() == pytest.approx(0.5 * np.abs(one).max(), rel=0.01)
@@ -368,7 +371,7 @@ def test_several_listeners_are_the_channels_of_the_files(tmp_path):
     write(several, tmp_path)
     for name in ("pressure", "sound", "audible", "stems/tilt"):
         samples, _ = soundfile.read(tmp_path / f"{name}.wav")
-        assert samples.shape == (alone.samples, 3)
+        assert samples.shape == (common, 3)
     ears = np.concatenate(list(alone.audible.blocks())).T
     assert (
         len(ears) == 2
