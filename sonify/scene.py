@@ -2,6 +2,7 @@
 
 import json
 import tomllib
+from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
@@ -9,6 +10,7 @@ from math import hypot, inf, isfinite, radians, sin
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from annotated_types import Ge, Gt, Le, Lt, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
@@ -248,14 +250,15 @@ class Scene(MotionScene):
 
         return yielding_edge(free_plate(self))
 
-    def replace(self, *assignments: str) -> "Scene":
-        """Return a copy of this scene with `section.key=value` assignments applied in
-        order.
+    def replace(self, *assignments: str | Mapping[str, Any]) -> "Scene":
+        """Return a copy of this scene with assignments applied in order.
 
         Parameters
         ----------
-        *assignments : str
-            Key path and value; the value is TOML, or a bare word for a string.
+        *assignments : str or mapping of str to value
+            Texts "section.key=value" with a value in TOML, or a bare word for a string;
+            or mappings of key paths to values, as in {"disk.radius": 0.04}. The value
+            None in a mapping removes the key, so that its default applies.
 
         Returns
         -------
@@ -272,10 +275,13 @@ class Scene(MotionScene):
         >>> from sonify import load_scene
         >>> load_scene("published").replace("disk.radius=0.04").disk.radius
         0.04
+        >>> load_scene("published").replace({"disk.radius": 0.04}).disk.radius
+        0.04
         """
         document = self.document
         for assignment in assignments:
-            _assign(document, assignment)
+            for path, value in _values_by_path(assignment).items():
+                _assign(document, path, value)
         return from_document(document)
 
     def diff(self, other: "Scene") -> dict[str, tuple[Any, Any]]:
@@ -511,16 +517,59 @@ def _plain_value(value):
     return value
 
 
-def _assign(document, assignment):
+def _values_by_path(assignment: str | Mapping[str, Any]) -> dict[str, Any]:
+    """Return the values of a text `section.key=value` or of a mapping, by key path."""
+    if isinstance(assignment, Mapping):
+        return {
+            _checked_path(path, assignment): _value_from_python(path, value)
+            for path, value in assignment.items()
+        }
+    if not isinstance(assignment, str):
+        raise SceneError(
+            f'{assignment!r}: expected "section.key=value" or '
+            'a mapping such as {"section.key": value}'
+        )
     path, equals, text = assignment.partition("=")
-    *sections, key = path.strip().split(".")
-    if not equals or not all([*sections, key]):
+    path = _checked_path(path.strip() if equals else "", assignment)
+    return {path: _parsed_value(path, text.strip())}
+
+
+def _checked_path(path, assignment):
+    """Return a key path. Raises SceneError if it is not text, or a part is empty."""
+    if not isinstance(path, str) or not all(path.split(".")):
         raise SceneError(f"{assignment!r}: expected section.key=value")
+    return path
+
+
+def _value_from_python(path, value):
+    """Return a value as in a TOML document; raises SceneError for other types."""
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_value_from_python(path, item) for item in value]
+    if isinstance(value, Mapping):
+        return {
+            key: _value_from_python(f"{path}.{key}", item)
+            for key, item in value.items()
+        }
+    if value is None or isinstance(value, str | bool | int | float):
+        return value
+    raise SceneError(
+        f"{path} = {value!r}: must be a number, a text, a list or a mapping"
+    )
+
+
+def _assign(document, path, value):
+    """Set the value at a key path of a document, or remove the key if it is None."""
+    *sections, key = path.split(".")
     for section in sections:
         document = document.setdefault(section, {})
         if not isinstance(document, dict):
-            raise SceneError(f"{path.strip()}: {section} is a value, not a section")
-    document[key] = _parsed_value(path.strip(), text.strip())
+            raise SceneError(f"{path}: {section} is a value, not a section")
+    if value is None:
+        document.pop(key, None)
+    else:
+        document[key] = value
 
 
 def _parsed_value(path, text):

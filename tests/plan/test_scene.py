@@ -10,6 +10,7 @@ import math
 from dataclasses import asdict, fields, replace
 
 import jsonschema
+import numpy as np
 import pytest
 from arithmetic import gamma
 from paths import ROOT
@@ -80,6 +81,61 @@ def test_replace_reads_toml_and_bare_words(published):
     assert scene.name == "other"
     assert published.friction.mu_static == 0.5
     assert scene.replace("friction.mu_static=0.45").disk.shape == "shell"
+
+
+def test_replace_takes_a_mapping_of_key_paths_to_values(published):
+    """The texts of the same assignments are the oracle; NumPy values count as numbers."""
+    listeners = '[{distance=0.5}, {distance=1.0, kind="head"}]'
+    by_text = published.replace(
+        "friction.mu_static=0.4",
+        "release.omega=[0, 1, -2.5]",
+        "disk={radius=0.03, thickness=0.01, mass=0.2}",
+        "audio.sample_rate=44100",
+        f"audio.listeners={listeners}",
+        "name=other",
+    )
+    values = {
+        "friction.mu_static": np.float64(0.4),
+        "release.omega": np.array([0, 1, -2.5]),
+        "disk": {"radius": 0.03, "thickness": 0.01, "mass": 0.2},
+        "audio.sample_rate": np.int64(44100),
+        "audio.listeners": ({"distance": 0.5}, {"distance": 1.0, "kind": "head"}),
+    }
+    by_mapping = published.replace(values, "name=other")
+    assert by_mapping == by_text
+    assert by_mapping.document == by_text.document
+    rough = by_mapping.replace({"roughness.rms": 1e-8, "contact.law": "elastic"})
+    assert rough.replace({"roughness": None}).roughness is None
+    assert published.replace({"friction.mu_static": math.inf}) == published.replace(
+        "friction.mu_static=inf"
+    )
+    assert published.replace({}) == published
+
+
+@pytest.mark.parametrize(
+    ("assignment", "message"),
+    [
+        ({"disk.radius": -1.0}, "disk.radius = -1.0: must be greater than 0"),
+        ({"disk.radius": math.nan}, "disk.radius = nan: must be finite"),
+        ({"disk.radius": 1j}, "disk.radius = 1j: must be a number, a text, a list or"),
+        (
+            {"release.omega": [0, object, 1]},
+            "release.omega = <class 'object'>: must be",
+        ),
+        ({"disc.radius": 0.04}, "did you mean disk?"),
+        ({"disk..radius": 0.04}, "expected section.key=value"),
+        ({3: 0.04}, "expected section.key=value"),
+        ({"name.x": 0.04}, "name.x: name is a value, not a section"),
+        (["disk.radius=0.04"], 'expected "section.key=value" or a mapping such as'),
+        (3, 'expected "section.key=value" or a mapping such as {"section.key": value}'),
+    ],
+    ids=str,
+)
+def test_a_wrong_mapping_is_one_line_that_names_it(published, assignment, message):
+    with pytest.raises(SceneError) as caught:
+        published.replace(assignment)
+    assert message in str(caught.value)
+    assert len(str(caught.value).splitlines()) == 1
 
 
 @pytest.mark.parametrize("kind", TABLES)
