@@ -146,7 +146,7 @@ class NonEmptyText(click.ParamType):
 
 PATH = NonEmptyText("path")
 TEXT = NonEmptyText("text")
-NUMBER = click.FloatRange()
+NUMBER = click.types.FloatParamType()
 NUMBER.name = "number"
 SECONDS = click.FloatRange(min=0.0)
 SECONDS.name = "number"

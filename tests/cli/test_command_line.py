@@ -79,6 +79,14 @@ def test_help_gives_the_summary_of_every_command_in_full():
         assert f"{name} {' '.join(summary.split())}" in listed
 
 
+@pytest.mark.parametrize("name", main.commands)
+def test_the_range_of_an_option_has_two_ends_or_one(name):
+    """click prints the missing end of a range without ends as `None`."""
+    told = ask(name, "--help").stdout
+    assert "None" not in told
+    assert not re.search(r"\[x\]", told)
+
+
 def test_the_keys_of_a_scene_fit_the_width_of_a_terminal():
     width = 80
     pty = pytest.importorskip("pty", reason="no terminals of this kind on Windows")
