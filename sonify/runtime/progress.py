@@ -5,8 +5,9 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from math import floor
+from statistics import median
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -43,36 +44,64 @@ class Stages:
         """Receive the result before it is drawn and written."""
 
 
+class Interval(NamedTuple):
+    """Time between two reports of the progress of a stage."""
+
+    end: float
+    """Clock time [s]."""
+    duration: float
+    """[s]"""
+    gained: float
+    """Completed share."""
+
+
 class StageProgress:
     """Progress of one stage; the remaining time assumes the average speed of the last
-    30 s.
+    30 s of work.
 
-    The caller passes clock times [s]. The completed share never decreases; it is None
-    before the first report."""
+    Loading and compilation are no work: the measurement begins with the first completed
+    share, and interruptions are left out. The caller passes clock times [s]. The
+    completed share never decreases; it is None before the first report."""
 
     def __init__(self, name: str, began: float):
         self.name = name
         self.began = began
         self.share: float | None = None
         self.note = ""
-        self._history: deque[tuple[float, float]] = deque()
+        self._measured: tuple[float, float] | None = None
+        self._intervals: deque[Interval] = deque()
 
     def report(self, now: float, share: float, note: str = ""):
         """Record the completed share, from 0 to 1, and a short note."""
-        window = 30.0  # s
+        min_interval = 0.2  # s, between two measurements of the speed
         self.share = max(share, self.share or 0.0)
         self.note = note
-        while len(self._history) > 1 and self._history[1][0] < now - window:
-            self._history.popleft()
-        self._history.append((now, self.share))
+        if self._measured is None:
+            self._measured = (now, self.share) if self.share > 0 else None
+            return
+        before, share_before = self._measured
+        if now - before >= min_interval:
+            self._intervals.append(
+                Interval(now, now - before, self.share - share_before)
+            )
+            self._measured = (now, self.share)
+            self._forget_old_intervals(now)
 
-    def remaining(self, now: float) -> float | None:
+    def _forget_old_intervals(self, now):
+        """Keep the intervals of the last 30 s, and at least 20."""
+        window = 30.0  # s
+        while len(self._intervals) > 20 and self._intervals[0].end < now - window:
+            self._intervals.popleft()
+
+    def remaining(self) -> float | None:
         """Return the estimated remaining time [s], or None while it is unknown."""
-        if self.share is None:
+        if not self._intervals:
             return None
-        before, share_before = self._history[0]
-        gained = self.share - share_before
-        return (1 - self.share) * (now - before) / gained if gained > 0 else None
+        interruption = 10 * median(one.duration for one in self._intervals)
+        steady = [one for one in self._intervals if one.duration <= interruption]
+        gained = sum(one.gained for one in steady)
+        spent = sum(one.duration for one in steady)
+        return (1 - self.share) * spent / gained if gained > 0 else None
 
     def line(self, now: float) -> str:
         """Return the name with percentage, remaining time and note, or initially, after
@@ -83,7 +112,7 @@ class StageProgress:
             return self.name + spent
         percent = min(floor(100 * self.share), 99)  # 100 % is for a completed stage
         parts = [f"{self.name} {percent} %"]
-        remaining = self.remaining(now)
+        remaining = self.remaining()
         if remaining:
             parts.append(f"about {duration_in_words(max(round(remaining), 1))} left")
         if self.note:

@@ -94,6 +94,8 @@ def test_the_time_left_follows_from_the_speed_of_the_last_half_minute():
     assert stage.line(112.0) == "motion for 12 s"
     stage.report(100.0, 0.0)
     assert stage.line(101.0) == "motion 0 %"
+    stage.report(102.0, 0.05)
+    assert stage.line(102.0) == "motion 5 %"
     stage.report(110.0, 0.25, "t = 1 s")
     assert stage.line(110.0) == "motion 25 %, about 30 s left, t = 1 s"
     for second in range(111, 171):  # a sixth of a percent per second from now on
@@ -102,6 +104,34 @@ def test_the_time_left_follows_from_the_speed_of_the_last_half_minute():
     stage.report(171.0, 0.2)
     stage.report(172.0, 1.0, "waiting for the modes")
     assert stage.line(172.0) == "motion 99 %, waiting for the modes"
+
+
+@pytest.mark.parametrize("work", [20.0, 300.0])
+@pytest.mark.parametrize("compilation", [10.0, 120.0])
+@pytest.mark.parametrize("interrupted", [None, 0.4])
+def test_compilation_does_not_count_as_work(work, compilation, interrupted):
+    """Equal steps take `work` seconds in sum; before the first one, and once more on the way, a
+    compilation does nothing. The exact remaining time of the work is the oracle."""
+    stage = StageProgress("motion", 0.0)
+    stage.report(0.0, 0.0, "loading or compiling the equations")
+    now = compilation
+    steps = 400
+    for step in range(1, steps):
+        if interrupted == step / steps:
+            now += compilation
+        now += work / steps
+        stage.report(now, step / steps)
+        if now - compilation > 1.0:
+            exact = work * (1 - step / steps)
+            assert stage.remaining() == pytest.approx(exact, rel=0.05)
+
+
+def test_frequent_reports_are_kept_for_half_a_minute_only():
+    stage = StageProgress("motion", 0.0)
+    for k in range(1, 100_001):
+        stage.report(k / 1000, k / 200_000)
+    assert stage.remaining() == pytest.approx(100.0, rel=1e-6)
+    assert len(stage._intervals) <= 151
 
 
 def test_outside_a_terminal_updates_print_no_line_each(capsys):
