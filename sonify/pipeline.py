@@ -24,7 +24,7 @@ from sonify.claims.rigid_motion import motion_and_mode_findings
 from sonify.claims.sound import analyse_sound, sound_findings
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as two_way_findings
-from sonify.hearing.recording import Heard, listen
+from sonify.hearing.recording import Heard, listen_to_known_disk
 from sonify.plan.air import limits_of_film_law, with_air
 from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import Plan, with_motion_end
@@ -57,7 +57,7 @@ def solve(
     eigenmodes: Callable[..., Modes] = eigenmodes,
     begin: Callable = lambda found: None,
     dynamics: Dynamics = "compressed",
-    listen: Callable[[Track, float], Heard] = listen,
+    listen: Callable[[Track, float], Heard] = listen_to_known_disk,
 ) -> Result:
     """Solve a scene and return the result without writing files.
 
@@ -77,7 +77,8 @@ def solve(
     dynamics : str
         Dynamics of audible.wav, "compressed" or "natural".
     listen : callable
-        Analyses the pressure up to the end of the motion; `sonify.listen` by default.
+        Analyses the pressure up to the end of the motion; by default, the strongest
+        rising tone counts even below the thresholds of `sonify.listen`.
 
     Returns
     -------

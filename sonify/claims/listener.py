@@ -19,14 +19,16 @@ def listener() -> BackgroundWorker:
 
 
 def listen_in_worker(sound: "Track", end: float) -> "Heard":
-    """Return `listen(sound, end)` from the listener, or from here for long sounds."""
+    """Return `listen_to_known_disk(sound, end)` from the listener, or from here for
+    long sounds."""
     import numpy as np
 
-    from sonify.hearing.recording import listen
+    from sonify.hearing.recording import listen_to_known_disk
 
     if not isinstance(sound.columns, np.ndarray):
-        return listen(sound, end)
-    return listener().submit(listen, sound.without_stems(), end).result()
+        return listen_to_known_disk(sound, end)
+    whole = sound.without_stems()
+    return listener().submit(listen_to_known_disk, whole, end).result()
 
 
 def detect_rising_tone() -> None:

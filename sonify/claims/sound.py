@@ -17,7 +17,7 @@ from sonify.hearing.loudness import (
     level_db,
     omitted_analyses,
 )
-from sonify.hearing.recording import Heard, RecordingError, listen
+from sonify.hearing.recording import Heard, RecordingError, listen_to_known_disk
 from sonify.hearing.spectrogram import spectrogram
 from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track
@@ -28,7 +28,7 @@ pitch."""
 
 
 def analyse_sound(
-    sound: Sound, listen: Callable[[Track, float], Heard] = listen
+    sound: Sound, listen: Callable[[Track, float], Heard] = listen_to_known_disk
 ) -> tuple[Heard | None, list[str]]:
     """Return the analysis of the rendered sound, or None, and notes on claims that were
     not judged.

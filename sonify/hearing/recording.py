@@ -1,7 +1,8 @@
 """Analysis of a recording: rising tone, spectral lines and noise bands."""
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,12 @@ from sonify.hearing.audio_source import (
     source_of,
     truncation_of,
 )
-from sonify.hearing.settling.detector import SettlingRun, strongest_tone
+from sonify.hearing.settling.detector import (
+    SettlingRun,
+    non_overlapping_runs,
+    settling_events,
+    strongest_tone,
+)
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.scene_errors import InputError
 
@@ -67,13 +73,17 @@ class Heard:
     start : float
         Start of the analysed part in the file [s].
     tone : SettlingRun or None
-        The rising tone; None if there is none or if it was not searched for.
+        The detected rising tone of highest score; None if there is none or if it was
+        not searched for.
     carriers : list of SpectralLine
         Spectral lines and noise bands, sorted by decreasing level.
     missing : float
         Missing length of a truncated file according to its header [s].
     truncation : Truncation or None
         Lengths of a truncated file; None for a complete file.
+    runs : list of SettlingRun
+        Disks and coins that come to rest, in order of time; empty if they were not
+        searched for.
 
     Examples
     --------
@@ -90,11 +100,33 @@ class Heard:
     carriers: list[SpectralLine]
     missing: float = 0.0
     truncation: Truncation | None = None
+    runs: list[SettlingRun] = field(default_factory=list)
 
     @property
     def lines(self) -> list[SpectralLine]:
         """The spectral lines without the noise bands."""
         return [carrier for carrier in self.carriers if not carrier.reach]
+
+    def __repr__(self) -> str:
+        max_rows = 7  # of runs and of spectral lines
+        rows = [
+            f"{self.duration:.3f} s at {self.sample_rate} Hz, analysed from {self.start:.3f} s on",
+            *(f"run: {run}" for run in self.runs[:max_rows]),
+            *(
+                f"{'noise band' if carrier.reach else 'line'}: {carrier.frequency:.1f} Hz "
+                f"from {carrier.begin:.2f} to {carrier.end:.2f} s"
+                for carrier in self.carriers[:max_rows]
+            ),
+        ]
+        if self.tone and all(run.kind != "tone" for run in self.runs):
+            rows.insert(1, f"tone: {self.tone}")
+        shortened = [("runs", self.runs), ("lines and noise bands", self.carriers)]
+        rows += [
+            f"{len(values) - max_rows} more {name}"
+            for name, values in shortened
+            if len(values) > max_rows
+        ]
+        return "\n  ".join(["Heard(", *rows]) + "\n)"
 
 
 def listen(
@@ -102,25 +134,29 @@ def listen(
     end: float | None = None,
     tones: bool = True,
     begin: float = 0.0,
+    watch: Callable[[float], None] = lambda share: None,
 ) -> Heard:
-    """Analyse a sound; the memory use does not depend on its length.
+    """Analyse a sound in which a disk may come to rest; the memory use does not depend
+    on its length.
 
     Parameters
     ----------
     sound : Source, str or Path
         A source, or a file of any sample rate and format that libsndfile reads.
     end : float, optional
-        End of the run in the source [s]. In a long sound, spectral lines are
-        sought only before the end, or around the loudest second if it is not given.
+        Time in the source [s] before which spectral lines are sought in a long sound;
+        by default the end of the last run, or the loudest second if there is none.
     tones : bool
-        Search for the strongest rising tone in the whole source.
+        Search the whole source for disks and coins that come to rest.
     begin : float
         Start of the source in its file [s]; it is added to all times of the result.
+    watch : callable, optional
+        Called with the share of the sound that is searched.
 
     Returns
     -------
     Heard
-        Spectral lines, noise bands and rising tone.
+        Spectral lines, noise bands, runs and rising tone.
 
     Raises
     ------
@@ -134,19 +170,43 @@ def listen(
     >>> [round(line.frequency) for line in listen("coin.wav").lines]  # doctest: +SKIP
     [4310, 8120]
     """
-    samples, rate, start, duration = read(sound, end)
+    part = read(sound, end)
+    events = settling_events(source_of(sound), watch) if tones else []
+    runs = sorted(non_overlapping_runs(events), key=lambda run: run.start)
+    if end is None and runs:
+        part = read(sound, runs[-1].t_end.value)
+    rising = [event for event in events if event.kind == "tone"]
+    tone = max(rising, key=lambda event: event.score, default=None)
+    heard = _with_spectral_lines(sound, part, begin, tone)
+    return replace(heard, runs=[run.later(begin) for run in runs])
+
+
+def listen_to_known_disk(sound: Source | str | Path, end: float | None = None) -> Heard:
+    """Analyse the sound of a disk that is known to come to rest, as in a simulation.
+
+    Its strongest rising tone need not exceed the thresholds of the detector, and no
+    runs are sought. In a long sound, spectral lines are sought only before the `end`
+    [s] of the run. The errors are those of `listen`.
+    """
+    part = read(sound, end)
+    with ThreadPoolExecutor() as pool:  # the array code releases the GIL
+        tone = pool.submit(strongest_tone, source_of(sound))
+        heard = _with_spectral_lines(sound, part)
+    return replace(heard, tone=tone.result())
+
+
+def _with_spectral_lines(sound, part, begin=0.0, tone=None):
+    """Return the analysis of a sound that begins at a time [s] of its file, with the
+    spectral lines of the `part` that `read` returned, and with the tone of the sound."""
+    samples, rate, start, duration = part
     truncation = truncation_of(sound)
     start += begin
-    with ThreadPoolExecutor() as pool:  # the array code releases the GIL
-        tone = pool.submit(strongest_tone, source_of(sound)) if tones else None
-        found = find_spectral_lines(samples, rate, start)
-    rising = tone.result() if tone else None
     return Heard(
         duration=duration,
         sample_rate=rate,
         start=start,
-        tone=rising and rising.later(begin),
-        carriers=found,
+        tone=tone and tone.later(begin),
+        carriers=find_spectral_lines(samples, rate, start),
         missing=truncation.announced - duration
         if truncation and truncation.announced
         else 0.0,

@@ -8,7 +8,6 @@ from pathlib import Path
 from sonify.hearing.audio_source import excerpt, source_of, truncation_of
 from sonify.hearing.recording import Heard, listen, read
 from sonify.hearing.ring_down import decaying_lines, free_ringing
-from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectral_lines import SpectralLine
 from sonify.hearing.spectrogram import (
     CONTACT_RATE_BAND_HZ,
@@ -50,10 +49,8 @@ def write_recording_report(
     part = excerpt(whole_sound, *span)
     stages = stages or Stages()
     with stages.stage("detection") as watch:
-        runs = [run.later(begin) for run in settling_runs(part, watch=watch)]
-    heard = listen(
-        part, runs[-1].t_end.value - begin if runs else None, tones=False, begin=begin
-    )
+        heard = listen(part, begin=begin, watch=watch)
+    runs = heard.runs
     truncation = truncation_of(whole_sound)
     if truncation:
         stages.notice(f"{recording}: {truncation}")
@@ -144,7 +141,7 @@ def analysis_record(heard: Heard, known) -> dict:
     """Return the analysis as plain values: duration and start of the sound, and its
     spectral lines."""
     values = asdict(heard)
-    del values["tone"]
+    del values["tone"], values["runs"]
     values["carriers"] = [spectral_line_record(line, known) for line in heard.carriers]
     return values
 

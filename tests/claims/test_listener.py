@@ -1,6 +1,6 @@
 """Claim: a sound analysed in the worker process gives the same result as in this process.
 
-Oracle: `listen` in this process; the worker may have died.
+Oracle: `listen_to_known_disk` in this process; the worker may have died.
 """
 
 from dataclasses import asdict
@@ -8,7 +8,7 @@ from dataclasses import asdict
 import numpy as np
 
 from sonify.claims.listener import listen_in_worker, listener
-from sonify.hearing.recording import listen
+from sonify.hearing.recording import listen_to_known_disk
 from sonify.sound.pressure import Track
 
 
@@ -24,7 +24,7 @@ def two_listeners_with_stems():
 
 def test_the_worker_hears_the_same_also_once_it_has_died():
     sound = two_listeners_with_stems()
-    here = listen(sound, 3.0)
+    here = listen_to_known_disk(sound, 3.0)
     assert here.tone is not None
     np.testing.assert_equal(asdict(listen_in_worker(sound, 3.0)), asdict(here))
     listener().close()

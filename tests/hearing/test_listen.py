@@ -9,6 +9,8 @@ asserted.
 
 import json
 import struct
+import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,12 +22,22 @@ from scipy.signal import fftconvolve
 
 from sonify.__main__ import main
 from sonify.fitting.recordings_io import Recording
-from sonify.hearing.audio_source import SoundFile
+from sonify.hearing.audio_source import SoundFile, excerpt
+from sonify.hearing.log_spectrogram import log_spectrogram
 from sonify.hearing.loudness import HANN_NOISE_BANDWIDTH_BINS
-from sonify.hearing.recording import MAX_ANALYSED_LENGTH_S, RecordingError, listen, read
+from sonify.hearing.recording import (
+    MAX_ANALYSED_LENGTH_S,
+    RecordingError,
+    listen,
+    listen_to_known_disk,
+    read,
+)
 from sonify.hearing.settling.detector import settling_runs, strongest_tone
+from sonify.hearing.settling.tone_ridge import _best_curve, _mean_contrast
 from sonify.hearing.spectrogram import spectrogram
 from sonify.report.recording import default_report_folder
+from sonify.report.settling import settling_run_record
+from sonify.report.write import json_safe
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]
@@ -411,6 +423,68 @@ def test_the_command_writes_what_it_says(tmp_path):
     told = json.loads((tmp_path / "out" / "heard.json").read_text())
     assert told["runs"][0]["t_end"]["value"] == pytest.approx(END, abs=0.05)
     assert told["recording"] == str(path.resolve())
+
+
+def test_a_glide_is_no_tone_of_an_unknown_sound(tmp_path):
+    """A ridge of the glide follows a power law, but its law predicts the sound no better than a
+    steady rate. Only in the sound of a known disk does it count."""
+    glide = settling_sounds.IMITATIONS["glissando"](7)
+    wav(tmp_path / "glide.wav", glide, settling_sounds.RATE)
+    heard = listen(tmp_path / "glide.wav")
+    assert heard.tone is None
+    assert heard.runs == []
+    assert listen_to_known_disk(tmp_path / "glide.wav").tone is not None
+
+
+def test_python_and_command_line_report_the_same_runs(tmp_path):
+    """The tone ends 3 s into the part, which starts 5 s into the file."""
+    wav(tmp_path / "tone.wav", recording(1.0, 60.0, 20))
+    span = ["--from", "5", "--to", "9", "--out", str(tmp_path / "out")]
+    CliRunner().invoke(main, ["listen", str(tmp_path / "tone.wav"), *span])
+    written = json.loads((tmp_path / "out" / "heard.json").read_text())
+    part = excerpt(SoundFile(tmp_path / "tone.wav"), 5.0, 9.0)
+    heard = listen(part, begin=5.0)
+    assert (
+        json_safe([settling_run_record(run) for run in heard.runs]) == written["runs"]
+    )
+    assert heard.tone.t_end.value == pytest.approx(END, abs=0.02)
+
+
+def test_the_text_of_an_analysis_fits_a_screen(tmp_path):
+    take = settling_sounds.settling_take(4).samples
+    ringing = sum(
+        np.sin(2 * np.pi * 1000 * k * np.arange(len(take)) / settling_sounds.RATE)
+        for k in range(1, 13)
+    )
+    wav(tmp_path / "take.wav", take + 0.001 * ringing, settling_sounds.RATE)
+    heard = listen(tmp_path / "take.wav")
+    many = replace(heard, runs=12 * heard.runs, carriers=12 * heard.carriers)
+    for text in (repr(heard), repr(many)):
+        lines = text.splitlines()
+        assert len(lines) <= 20
+        assert max(map(len, lines)) <= 100
+    (run,) = heard.runs
+    assert f"{run.t_end.value:.3f} s" in repr(heard)
+    assert f"{heard.carriers[0].frequency:.1f} Hz" in repr(heard)
+    assert "5 more runs" in repr(many)
+    assert len(repr(run)) <= 100
+    assert len(repr(run.region).splitlines()) == 1
+
+
+@pytest.mark.parametrize("exponent", [0.3, 1.0])
+def test_a_falling_tone_is_no_curve_of_a_ridge(exponent):
+    """A warning of an empty mean would be an error of the tests."""
+    t = np.arange(9 * 8000) / 8000
+    left = np.maximum(END - t, 1e-3)
+    tone = np.sin(2 * np.pi * np.cumsum(40 * left**exponent) / 8000) * (t < END)
+    seen = log_spectrogram(
+        tone + 1e-3 * np.random.default_rng(0).normal(size=len(t)), 8000
+    )
+    falling = np.array([END, -exponent, np.log2(40)])
+    assert _mean_contrast(seen, falling) > 6  # dB, it stands out
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert _best_curve(seen, [falling]) is None
 
 
 def test_reading_errors_are_input_errors():

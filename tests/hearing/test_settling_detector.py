@@ -7,6 +7,7 @@ speed up otherwise, bouncing balls, sweeps); real recordings with turns counted 
 read from the waveform; 60 clips without a disk.
 """
 
+import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,14 +23,16 @@ from scipy.stats import binomtest
 from sonify import load_scene, solve
 from sonify.fitting.line_selection import detect_run as sound_to_fit
 from sonify.hearing.audio_source import SoundFile, excerpt
-from sonify.hearing.recording import RecordingError
+from sonify.hearing.recording import RecordingError, listen
 from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.settling.ends import power_drop
 from sonify.hearing.settling.rate_laws import Shape, covering_shapes, families
 from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import strongest_laws
+from sonify.report.recording import write_recording_report
 from sonify.report.settling import run_sentences, settling_run_record
+from sonify.report.write import json_safe
 from sonify.scene_errors import InputError
 
 RECORDINGS = Path(
@@ -362,6 +365,18 @@ def test_at_most_one_of_60_clips_without_a_disk_is_heard():
     assert len(found) <= 1, found
     fitted = [clip.name for clip in clips if can_be_fitted(clip)]
     assert len(fitted) <= 1, fitted
+
+
+@needs_recordings
+@pytest.mark.slow
+def test_python_and_command_line_agree_on_all_recordings(tmp_path):
+    for path in sorted(RECORDINGS.rglob("*.flac")):
+        write_recording_report(path, tmp_path / path.stem)
+        written = json.loads((tmp_path / path.stem / "heard.json").read_text())
+        analysed = listen(path)
+        records = [settling_run_record(run) for run in analysed.runs]
+        assert json_safe(records) == written["runs"], path.name
+        assert analysed.tone is None or written["runs"], path.name
 
 
 def can_be_fitted(clip):

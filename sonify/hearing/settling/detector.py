@@ -93,6 +93,14 @@ class SettlingRun:
     ridge: ToneRidge | None = None
     false_alarm: float = 0.0
 
+    def __repr__(self) -> str:
+        exponent = self.exponent
+        return (
+            f"SettlingRun({self.kind} from {self.start:.2f} to {self.t_end.value:.3f} s, "
+            f"n {exponent.low:.2f} to {exponent.high:.2f}, "
+            f"{self.rate_at_1s.value:.1f} Hz, score {self.score:.1f})"
+        )
+
     @property
     def reference_time(self) -> float:
         """Remaining time [s] at which the rate is `rate_at_1s`."""

@@ -5,7 +5,7 @@ stops of the windows are tried. Intervals in which a disk is still upright, befo
 rate begins to rise, are excluded if the later part contradicts the law of the whole.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import numpy as np
@@ -52,9 +52,9 @@ class JointRegion:
     The rates are those one second before the end, or at the `start` [s] of the best
     window if that is later."""
 
-    exponents: np.ndarray
-    ends: np.ndarray
-    rates: np.ndarray
+    exponents: np.ndarray = field(repr=False)
+    ends: np.ndarray = field(repr=False)
+    rates: np.ndarray = field(repr=False)
     best_exponent: float
     best_end: float
     best_rate: float

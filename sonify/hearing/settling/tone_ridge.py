@@ -4,7 +4,7 @@ The tone is tracked as a ridge of the spectrogram that rises ever faster; the la
 then fitted to the peaks near the ridge. Peaks (3, n) are ascending times [s], log2
 frequencies and contrasts [dB]. A curve is (end [s], exponent, log2 of a)."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.ndimage import map_coordinates
@@ -35,8 +35,8 @@ class ToneRidge:
 
     law: np.ndarray
     errors: np.ndarray
-    time: np.ndarray
-    frequency: np.ndarray
+    time: np.ndarray = field(repr=False)
+    frequency: np.ndarray = field(repr=False)
     octaves: float
 
     def later(self, seconds: float) -> "ToneRidge":
@@ -213,9 +213,9 @@ def _initial_curves(ridge, count):
 
 
 def _best_curve(seen, initial_curves):
-    """Return the curve (3,) that explains most octaves of the frequency, of those
-    fitted to the peaks that stand out, and its standard errors (3,); None if none
-    stands out.
+    """Return the rising curve (3,) that explains most octaves of the frequency, of
+    those fitted to the peaks that stand out, and its standard errors (3,); None if none
+    rises and stands out.
 
     The tone may have harmonics one and two octaves above. The errors include the
     distance to other curves that explain nearly as many."""
@@ -224,7 +224,11 @@ def _best_curve(seen, initial_curves):
         _fit(seen.peaks, initial, FIT_HALF_WIDTHS_OCTAVES) for initial in initial_curves
     ]
     curves = np.array(
-        [curve for curve in fitted if _mean_contrast(seen, curve) >= min_strength]
+        [
+            curve
+            for curve in fitted
+            if curve[1] > 0 and _mean_contrast(seen, curve) >= min_strength
+        ]
     )
     if not len(curves):
         return None
