@@ -469,6 +469,17 @@ class Motion(Protocol):
             Ratio of friction to normal force, dimensionless.
         """
 
+    def tensile_time(self) -> float:
+        """Return the time in which the contact pulls the disk towards the table.
+
+        A contact that exerts no force outside its recorded losses counts as well.
+
+        Returns
+        -------
+        float
+            Time [s]; the exact value is zero.
+        """
+
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the names of the regimes at times t.
 

@@ -239,6 +239,12 @@ class RigidMotion(MotionBase):
         deviation = np.abs(ratio[sliding] - self.law.mu_dynamic)
         return float(max(excess.max(initial=0.0), deviation.max(initial=0.0)))
 
+    def tensile_time(self) -> float:
+        """Return `Motion.tensile_time`, from the start and the middle of each piece."""
+        force = self.force(piece_ends_and_middles(self)[:-1])[:, 2]
+        lowest = force.reshape(-1, 2).min(axis=1)
+        return float(np.diff(self.t) @ (lowest < 0))
+
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the names (k,) of the regimes at times t (k,) [s]."""
         names = np.array([str(regime) for regime in self.regimes])

@@ -283,6 +283,24 @@ class CompliantMotion(MotionBase):
         """Return the largest excess of friction over its limit, divided by the weight."""
         return self.max_friction_excess / self.disk.weight
 
+    @property
+    def contact_impulses(self) -> np.ndarray:
+        """Normal impulse (n,) [N s] of the contact since the start."""
+        return self.impulses[:, 2]
+
+    def tensile_time(self) -> float:
+        """Return `Motion.tensile_time`, from the mean forces between the impulses.
+
+        At both ends of a loss of contact, two mean forces may be partly zero.
+        """
+        impulse = self.contact_impulses
+        force = np.diff(impulse) / self.dt
+        rounding = impulse_rounding(impulse, self.dt)
+        t = self.dt * np.arange(len(force))
+        open_contact = _is_within(self._flights + 2 * self.dt * np.array([-1, 1]), t)
+        pulls = (force < -rounding) | ((force <= rounding) & ~open_contact)
+        return float(self.dt * np.count_nonzero(pulls))
+
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return 'roll', 'slide' or 'flight' (k,) at times t (k,) [s]."""
         self._fractional_rows(t)
@@ -303,7 +321,8 @@ class CompliantMotion(MotionBase):
         guards = np.repeat(["lift-off", "impact", "slip", "grip"], counts)[order]
         before = self.regime(np.nextafter(t, -1.0))
         after = self.regime(t)
-        changed = before != after
+        # a slide may begin or end at the very time of an impact or a lift-off
+        changed = (before != after) & np.append(True, np.diff(t) > 0)[: len(t)]
         columns = (column[changed].tolist() for column in (t, before, after, guards))
         return tuple(Transition(*change) for change in zip(*columns, strict=True))
 
@@ -358,6 +377,11 @@ class CompliantMotion(MotionBase):
         before = self.rows[first]
         after = self.rows[first + 1]
         return before + (x - first)[:, None] * (after - before)
+
+
+def impulse_rounding(impulse: np.ndarray, dt: float) -> float:
+    """Return the rounding error [N] of the mean forces between impulses (n,) [N s]."""
+    return float(4 * np.spacing(np.abs(impulse).max()) / dt)
 
 
 def _is_within(spans: np.ndarray, t: ArrayLike) -> np.ndarray:

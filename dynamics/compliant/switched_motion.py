@@ -262,3 +262,7 @@ class SwitchedMotion(MotionBase):
         return max(
             self.passive_part.friction_excess(), self.coupled_part.friction_excess()
         )
+
+    def tensile_time(self) -> float:
+        """Return the sum of `tensile_time` of both parts [s]."""
+        return self.passive_part.tensile_time() + self.coupled_part.tensile_time()

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.state_layout import Vector, first_indices
+from dynamics.compliant.stepping.state_layout import Pair, Vector, first_indices
 from dynamics.compliant.stepping.table_modes import (
     store_table_shapes,
     store_table_slopes,
@@ -71,6 +71,8 @@ class RecordLayout(NamedTuple):
     """Energy of the compressed air in the film [J]."""
     film_impulse: int
     """Vertical impulse of the film pressure since the start [N s]."""
+    friction_impulse: Pair
+    """Horizontal impulse of the friction since the start [N s]."""
     open_time: int
     """Time without contact since the start [s]."""
     flight_start: int
@@ -1252,6 +1254,8 @@ def kick(disk, motion, contacts, before, change, h):
             state[MOMENTUM, i] += h * contacts.torque[origin, i]
             record[RECORD.impulse + i] += h * contacts.force[origin, i]
     record[RECORD.film_impulse] += h * contacts.force[FILM, 2]
+    for i in range(2):
+        record[RECORD.friction_impulse + i] += h * contacts.force[FRICTION, i]
     pull = contacts.pull[DASHPOT]
     record[RECORD.contact_loss] -= h * (
         scalar_product(pull, before.modes) + scalar_product(pull, change.modes) / 2

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import ceil, pi, radians
+from math import ceil, pi, radians, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +12,7 @@ from dynamics.compliant.compliant_motion import (
     FORCE_SAMPLE_RATE,
     FORCES_PER_ROW,
     CompliantMotion,
+    impulse_rounding,
 )
 from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.unevenness import (
@@ -226,14 +227,18 @@ class RattlingMotion(CompliantMotion):
         """Number of impacts per second."""
         return len(self.contact_losses) / self._end
 
+    @property
+    def contact_impulses(self) -> np.ndarray:
+        """Normal impulse (n,) [N s] of the contact since the start, without the film."""
+        return self.impulses[:, 2] - self.film_impulses
+
     def contact_force(self, t: ArrayLike) -> np.ndarray:
         """Return the normal force of the contact (k,) [N] at t (k,) [s], without the
         pressure in the air film, which may be below that of the room.
 
         It is 0 below 1e-9 of the weight, the rounding error of the impulses.
         """
-        contact = self.impulses[:, 2] - self.film_impulses
-        force = self._impulse_rate(contact[:, None], t)[:, 0]
+        force = self._impulse_rate(self.contact_impulses[:, None], t)[:, 0]
         return np.where(force > 1e-9 * self.disk.weight, force, 0.0)
 
     def contact_resonance(self, inclination) -> np.ndarray:
@@ -549,6 +554,7 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     rows = np.column_stack([columns, energy, lost, in_table, internal])
     impulse = record[:, RECORD.impulse : RECORD.contact_loss]
     step = np.diff(impulse, axis=0)
+    excess, slides = friction_over_limit(model, record)
     middle = (columns[1:, 0] + columns[:-1, 0]) / 2
     along = step[:, 0] * np.cos(middle) + step[:, 1] * np.sin(middle)
     across = step[:, 1] * np.cos(middle) - step[:, 0] * np.sin(middle)
@@ -562,14 +568,38 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         dt=1 / FORCE_SAMPLE_RATE,
         impulses=own,
         rows=rows[::FORCES_PER_ROW],
-        slides=np.zeros((0, 2)),
+        slides=slides,
         contact_losses=ContactLosses(losses),
-        max_friction_excess=0.0,
+        max_friction_excess=excess,
         outcome=outcome,
         ringing=np.ascontiguousarray(ringing),
         film_impulses=record[:, RECORD.film_impulse].copy(),
         open_time=float(record[-1, RECORD.open_time]),
     )
+
+
+def friction_over_limit(
+    model: RattlingModel, record: np.ndarray
+) -> tuple[float, np.ndarray]:
+    """Return the largest excess of friction over its limit [N], and the slides (s, 2) [s].
+
+    Both follow from the impulses in the records (n, RECORD_SIZE) of successive samples.
+    The whole contact slips where the linear law of creep exceeds three times the limit
+    (Vermeulen & Johnson 1964). The friction of `press_patch` is then 3/sqrt(10) of its
+    limit.
+    """
+    slide_ratio = 3 / sqrt(10)
+    impulse = record[:, RECORD.impulse + 2] - record[:, RECORD.film_impulse]
+    normal = np.diff(impulse) * FORCE_SAMPLE_RATE
+    along = record[:, RECORD.friction_impulse : RECORD.friction_impulse + 2]
+    friction = np.hypot(*np.diff(along, axis=0).T) * FORCE_SAMPLE_RATE
+    limit = model.constants.friction * normal
+    pressed = normal > impulse_rounding(impulse, 1 / FORCE_SAMPLE_RATE)
+    sliding = pressed & (friction >= slide_ratio * limit)
+    edges = np.diff(np.concatenate([[0], sliding.astype(int), [0]]))
+    slides = np.column_stack([np.flatnonzero(edges == sign) for sign in (1, -1)])
+    excess = float((friction - limit).max(initial=0.0))
+    return excess, slides / FORCE_SAMPLE_RATE
 
 
 def rigid_energy(

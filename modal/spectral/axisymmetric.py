@@ -19,7 +19,7 @@ from modal.spectral.p_refinement import (
     all_eigenpairs,
     displacement_amplitudes,
 )
-from modal.spectral.ritz import gauss_grid
+from modal.spectral.ritz import gauss_grid, translation_mass
 
 
 def displacement_at_angles(
@@ -212,7 +212,7 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
         points,
         cells,
         plate.inner_radius,
-        mass=plate.mass,
+        mass=translation_mass(plate, found[0].size),
         method="Fourier and polynomials",
         unknowns=sum(len(pairs.vectors) for pairs in found),
     )

@@ -1,13 +1,19 @@
 """Assemble stiffness and mass of an axisymmetric solid in the Ritz basis by exact
 quadrature."""
 
+from dataclasses import replace
 from functools import cache
 from math import atanh, ceil, log, pi
 
 import numpy as np
 
 from modal.elements.elastic import lame_constants
-from modal.spectral.basis import axial_functions, radial_functions
+from modal.spectral.basis import (
+    axial_functions,
+    radial_functions,
+    rigid_mode,
+    ritz_problem,
+)
 
 leggauss = cache(np.polynomial.legendre.leggauss)
 
@@ -118,6 +124,19 @@ def stiffness_and_mass(plate, p, size):
     )
     mass = tensor_product(radial_inertia, axial_products[:, :, 0, 0])
     return stiffness + ring_matrix(plate, p, size), mass
+
+
+def translation_mass(plate, size):
+    """Return the mass [kg] of the Ritz model, from its kinetic energy in an axial
+    translation.
+
+    `size` is that of the basis. The edge is free, so that the plate can move as a
+    rigid body.
+    """
+    free = replace(plate, edge="free", ring_stiffness=0.0)
+    p = ritz_problem(free, 0, even=-1)
+    translation = rigid_mode(free, p, size)[:, 0]
+    return float(translation @ stiffness_and_mass(free, p, size)[1] @ translation)
 
 
 def tensor_product(radial, axial):

@@ -49,6 +49,10 @@ class Check:
         return f"{self.expected:g} ± {self.tolerance:g}"
 
 
+CHECK_BY_KEY: dict[str, Callable[..., Check]] = {}
+"""Every checking function by the key of its check."""
+
+
 def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
     """Convert a function that returns a value to one that returns a `Check`."""
 
@@ -60,6 +64,7 @@ def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
                 key=function.__name__, value=value, name=name, source=source, **ends
             )
 
+        CHECK_BY_KEY[function.__name__] = judge
         JUDGE_BY_KEY[function.__name__] = Judge(judge, needs)
         return judge
 
@@ -126,34 +131,8 @@ def friction_cone(motion: Motion):
 )
 def pushing_contact(motion: Motion):
     """The share of the duration in which the normal force is tensile, or zero outside
-    the losses of contact.
-
-    The forces of an elastic contact are interpolated means. A force therefore counts as
-    zero only if it is also zero one averaging interval earlier and later, and each loss
-    of contact is extended by two means at both ends. The end is not evaluated: a
-    lift-off is located where the force is zero up to rounding."""
-    averaging_interval = 1e-5  # s, of the forces
-    t = motion.t[:-1]
-    around = [
-        _contact_force(motion, np.clip(t + shift, 0.0, t[-1]))
-        for shift in (-averaging_interval, 0.0, averaging_interval)
-    ]
-    losses = motion.contact_losses
-    begins = [loss.t - 2 * averaging_interval for loss in losses]
-    ends = [loss.t + loss.duration + 2 * averaging_interval for loss in losses]
-    in_a_loss = np.searchsorted(begins, t, "right") > np.searchsorted(ends, t)
-    pulls = (np.min(around, axis=0) < 0) | ((np.max(around, axis=0) <= 0) & ~in_a_loss)
-    return np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]
-
-
-def _contact_force(motion, t):
-    """Return the normal force of the contact (k,) [N] at t (k,) [s].
-
-    The force of a rattling motion also contains the pressure in the air film, which
-    pulls while the disk rises."""
-    if isinstance(motion, RattlingMotion):
-        return motion.contact_force(t)
-    return motion.force(t)[:, 2]
+    the losses of contact."""
+    return motion.tensile_time() / motion.t[-1]
 
 
 @check(
@@ -199,9 +178,11 @@ def discrete_mass(modes: Modes, disk: Disk):
     one_sided=True,
 )
 def no_sample_clipped(sound: Sound):
-    """The ratio of the peak of sound.wav to full scale; infinite if a pressure sample
-    is not finite."""
-    return sound.peak / sound.full_scale if sound.is_finite else inf
+    """The ratio of the largest sample of sound.wav to full scale; infinite if a
+    pressure sample is not finite."""
+    if not sound.is_finite:
+        return inf
+    return max(np.abs(block).max() for block in sound.playback_copy.blocks())
 
 
 def motion_checks(motion: Motion) -> list[Check]:

@@ -6,6 +6,7 @@ in the record; the event-driven motion; polynomials.
 """
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -302,40 +303,33 @@ def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):
     assert spent > 1e-4
 
 
-class RecordedForce:
-    """A motion of three 1 s pieces and a short one with a given normal force and one recorded loss
-    of contact."""
+SAMPLES = 3000
+"""Mean forces of the motions with recorded forces; each lasts 3 s."""
 
-    def __init__(self, normal_force):
-        self.t = np.array([0.0, 1.0, 2.0, 3.0 - 5e-7, 3.0])
-        self.contact_losses = ContactLosses(np.array([[0.9, 0.2, 1e-6]]))
-        self._normal_force = normal_force
 
-    def force(self, t):
-        return np.column_stack([0 * t, 0 * t, self._normal_force(t)])
+def motion_with_force(rough, force):
+    """Return a motion of 3 s with mean forces (SAMPLES,) [N] and a loss of contact at 0.9 s."""
+    dt = 3.0 / SAMPLES
+    impulses = np.zeros((SAMPLES + 1, 3))
+    impulses[1:, 2] = np.cumsum(force) * dt
+    rows = np.resize(rough.rows, (SAMPLES // FORCES_PER_ROW + 1, rough.rows.shape[1]))
+    losses = ContactLosses(np.array([[0.9, 0.2, 1e-6]]))
+    return replace(rough, dt=dt, impulses=impulses, rows=rows, contact_losses=losses)
 
 
 @pytest.mark.parametrize(
-    ("normal_force", "share"),
+    ("force", "share"),
     [
-        (
-            lambda t: np.where(np.abs(t - 1) < 0.1, 0.0, 4.0),
-            0.0,
-        ),  # zero within the noted loss
-        (lambda t: np.where(np.abs(t - 2) < 0.1, 0.0, 4.0), 1 / 3),  # zero outside it
-        (lambda t: np.abs(t - 2), 0.0),  # grazes zero at one instant
-        (
-            lambda t: 3.0 - 1e-12 - t,
-            0.0,
-        ),  # a lift-off, located with an error of 1e-12 s
-        (
-            lambda t: np.where(np.abs(t - 1) < 0.1, -1.0, 4.0),
-            1 / 3,
-        ),  # pulls, even within it
+        (lambda t: np.where(np.abs(t - 1) < 0.1, 0.0, 4.0), 0.0),  # within the loss
+        (lambda t: np.where(np.abs(t - 2) < 0.1, 0.0, 4.0), 0.2 / 3),  # outside it
+        (lambda t: np.where(np.abs(t - 1) < 0.1, -1.0, 4.0), 0.2 / 3),  # pulls
+        (lambda t: np.where(t < 2.9, 4.0, -1e-7), 0.1 / 3),  # hardly pulls
     ],
 )
-def test_a_contact_pushes_except_in_its_noted_losses(normal_force, share):
-    assert pushing_contact(RecordedForce(normal_force)).value == pytest.approx(share)
+def test_a_contact_pushes_except_in_its_noted_losses(rough, force, share):
+    middle = (np.arange(SAMPLES) + 0.5) * 3.0 / SAMPLES
+    motion = motion_with_force(rough, force(middle))
+    assert pushing_contact(motion).value == pytest.approx(share)
 
 
 def test_losses_of_contact_of_a_disk_that_is_nearly_flat_are_noted():

@@ -164,6 +164,33 @@ def test_columns_describe_the_steady_motion_of_the_release():
     assert np.linalg.norm(state[AXIS]) == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize(
+    ("mu", "nutation", "count"), [(0.05, 3.0, 3), (0.1, 5.0, 0), (0.1, 10.0, 1)]
+)
+def test_it_slides_when_a_disk_on_a_rigid_contact_does(mu, nutation, count):
+    """On a smooth table, with the friction of the slides; the event-driven motion is the oracle."""
+    friction = (f"friction.mu_dynamic={mu}", f"friction.mu_static={mu}")
+    limit = "numerics.time_limit=0.1"
+    scene = coin(2e-6, 1.0, 0.5, 1, 0.5, *friction, limit)
+    _, axial, in_plane = scene.release.omega
+    scene = scene.replace(f"release.omega={[nutation, axial, in_plane]}")
+    motion = settle(model_of(scene, np.zeros(8192)), scene, 0.0, 0.1)
+    document = scene.document
+    document["contact"] = {"law": "rigid", "fillet": 5e-4}
+    document["numerics"]["contact"] = "auto"
+    reference = simulate(from_document(document))
+    t = np.linspace(0.0, motion.t[-1], 2000)
+    slides = motion.regime(t) == "slide"
+    expected = np.char.startswith(reference.regime(t), "slide")
+    assert np.mean(slides != expected) < 0.08
+    assert len(motion.slides) == count
+    force = motion.force(t[slides & expected])
+    friction = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
+    assert friction == pytest.approx(mu, rel=0.06)
+    guards = [event.guard for event in motion.transitions]
+    assert guards.count("slip") + guards.count("grip") >= 2 * count - 2
+
+
 def test_heights_have_the_rms_and_the_spectrum_of_the_roughness():
     roughness = coin(rms=3e-6, exponent=2.0).roughness
     amplitudes = np.abs(rim_amplitudes(roughness, RADIUS))

@@ -460,12 +460,9 @@ def test_a_check_may_have_one_side(value, passed):
     [(0.0, True, True), (1.0, True, True), (1.001, True, False), (0.5, False, False)],
 )
 def test_a_clipped_or_endless_sample_is_found(peak, finite, passed):
-    assert (
-        no_sample_clipped(
-            SimpleNamespace(peak=peak, full_scale=1.0, is_finite=finite)
-        ).passed
-        == passed
-    )
+    copy = SimpleNamespace(blocks=lambda: iter([np.array([[0.0], [-peak]])]))
+    sound = SimpleNamespace(playback_copy=copy, is_finite=finite)
+    assert no_sample_clipped(sound).passed == passed
 
 
 @pytest.mark.parametrize(
