@@ -65,8 +65,8 @@ def simulate(
 
     If `surface.kind` is "modes", the scene contains the modes; those below 24 kHz are
     used, and the motion equals that of `sonify.solve(scene)`. A plate or a mesh
-    requires `surface_modes`. To reproduce the motion of `sonify.solve`, which uses only
-    the modes of its plan, call `simulate(scene,
+    requires `surface_modes`. To reproduce the motion of `sonify.solve`, which uses
+    the modes below 20 kHz, call `simulate(scene,
     surface_modes=sonify.solve(scene).table)`.
 
     Parameters

@@ -137,7 +137,7 @@ def solve(
             modes,
             plan.sounding,
             plan.max_contact_turn,
-            table,
+            plan.rendered_table(table),
             watch,
             stages.pressure,
         )

@@ -74,7 +74,7 @@ class Result:
     out : Path or None
         Folder of the files; None before they are written.
     table : SurfaceModes or None
-        Modes of the table that radiate sound; None for a rigid or infinite table.
+        All modes of the table; None for a rigid or infinite table.
 
     Examples
     --------

@@ -80,7 +80,8 @@ def export_takes(
     stages = stages or Stages()
     paths = []
     with claimed_folder(out or ".") as folder, stages.stage("takes") as watch:
-        table = with_table(plan_of(scene), scene)[1]
+        table_plan, table = with_table(plan_of(scene), scene)
+        rendered = table_plan.rendered_table(table)
         for number, (take, changes) in enumerate(variations, 1):
             title = f"take {number} of {takes}"
 
@@ -89,7 +90,7 @@ def export_takes(
 
             path = folder / f"{scene.name}-{number:0{max(2, len(str(takes)))}}.wav"
             try:
-                sound = sound_of_take(take, table, watch_take)
+                sound = sound_of_take(take, table, rendered, watch_take)
                 write_take(sound, path, f"{title}, seed {seed}; {' '.join(changes)}")
             except SceneError as error:
                 raise InputError(f"{title}: {error}") from None
@@ -121,10 +122,14 @@ def varied_scene(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]
 def sound_of_take(
     scene: Scene,
     table: SurfaceModes | None,
+    rendered: SurfaceModes | None,
     watch: Callable[..., None],
 ) -> Sound:
-    """Return the sound of a take; `watch(fraction, note)` is called with the completed
-    fraction."""
+    """Return the sound of a take.
+
+    The motion uses the modes `table`, the sound those in `rendered`.
+    `watch(fraction, note)` is called with the completed fraction.
+    """
     scene = scene_to_export(scene)
     plan, modes = plan_with_modes(scene, cached_modes)
     motion = solved_motion(scene, lambda share, note="": watch(share / 2, note), table)
@@ -134,7 +139,7 @@ def sound_of_take(
         modes,
         plan.sounding,
         plan.max_contact_turn,
-        table,
+        rendered,
         lambda share: watch(0.5 + share / 2, "sound"),
     )
 

@@ -10,7 +10,7 @@ from dynamics import Disk, Motion
 from dynamics.film.activation import MAX_KNUDSEN_NUMBER, final_inclination
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY, resolved_integrator_name
 from dynamics.steady_motion import squared_rate_times_inclination
-from modal import Material, Modes
+from modal import Material, Modes, SurfaceModes
 from sonify.plan import sentences
 from sonify.plan.predictions import (
     Prediction,
@@ -53,6 +53,8 @@ class Plan:
         Largest rotation of the contact between two evaluations of a smooth force [rad].
     sounding : tuple of int, or None
         Indices of the rendered modes; None before the modes are known.
+    sounding_table : tuple of int
+        Indices of the rendered modes of the table.
     decisions : tuple of Decision
         Choices and their reasons.
     predictions : tuple of Prediction
@@ -68,6 +70,7 @@ class Plan:
     highest_mode: float
     max_contact_turn: float
     sounding: tuple[int, ...] | None = None
+    sounding_table: tuple[int, ...] = ()
     decisions: tuple[Decision, ...]
     predictions: tuple[Prediction, ...] = ()
     modelled: tuple[str, ...]
@@ -92,6 +95,10 @@ class Plan:
             modelled=(*self.modelled, *modelled),
             left_out=(*self.left_out, *left_out),
         )
+
+    def rendered_table(self, table: SurfaceModes | None) -> SurfaceModes | None:
+        """Return the rendered modes of a table, or None without a table."""
+        return None if table is None else table.select(self.sounding_table)
 
     def error(self, key: str) -> float:
         """Return the predicted error of a quantity, or 0 without a prediction."""

@@ -153,6 +153,7 @@ TABLE_MODES_REASON = (
     "the others are more than {range_db:g} dB(A) below the loudest mode at the listener and have "
     "less than {energy:.0%} of the energy"
 )
+MOTION_USES_ALL_MODES_CLAUSE = "; the motion uses all modes"
 ALL_MODES_SOUND_REASON = "all modes are audible"
 TABLE_SOUNDS_ONLY = "radiates sound without affecting the motion"
 TABLE_MOVES_AND_SOUNDS = "moves with the disk and radiates sound"

@@ -16,6 +16,7 @@ from dynamics.compliant.two_way_onset import (
     table_modes,
     table_reaction,
 )
+from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan import sentences
 from sonify.plan.plan import MIN_MODE_ENERGY_SHARE, Decision, Plan, audible_mode_indices
@@ -44,10 +45,11 @@ def check_table(scene: Scene):
 
 
 def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
-    """Return the plan with the model of the table, and the audible modes of the table.
+    """Return the plan with the model of the table, and all modes of the table.
 
-    The modes are None for a rigid or infinite table. Raises SceneError if they cannot
-    be computed."""
+    The motion uses all these modes, and the sound those of `Plan.sounding_table`. The
+    modes are None for a rigid or infinite table. Raises SceneError if they cannot be
+    computed."""
     if scene.imperfection:
         plan = without_unknown_predictions(plan, scene).with_additions(
             modelled=[sentences.WAVY_TABLE_MODELLED],
@@ -67,19 +69,21 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
             modelled=[sentences.INFINITE_TABLE_MODELLED],
             left_out=[*sentences.TABLE_NEGLECTED, sentences.NEAR_LISTENER_NEGLECTED],
         ), None
-    all_modes = modes_of_table(scene, plan)
-    modes = all_modes.select(audible_table_modes(all_modes, scene))
+    modes = modes_of_table(scene, plan.highest_mode)
     moving_modes = table_modes(
         scene, modes if must_compute_table_modes(scene) else None
     )
     action, joins = table_action(scene, modes if moving_modes is None else moving_modes)
+    audible = audible_table_modes(modes, scene, plan.highest_mode)
+    plan = replace(plan, sounding_table=tuple(audible.tolist()))
     selection = Decision(
-        subject="modes of the table",
-        choice=f"{len(modes)} of {len(all_modes)} below {plan.highest_mode:g} Hz; "
-        f"{all_modes.method}, {all_modes.unknowns} unknowns",
+        subject="rendered modes of the table",
+        choice=f"{len(audible)} of {(modes.frequency < plan.highest_mode).sum()} below "
+        f"{plan.highest_mode:g} Hz; {modes.method}, {modes.unknowns} unknowns",
         reason=sentences.TABLE_MODES_REASON.format(
             range_db=scene.numerics.level.range_db, energy=MIN_MODE_ENERGY_SHARE
-        ),
+        )
+        + (sentences.MOTION_USES_ALL_MODES_CLAUSE if joins else ""),
     )
     plan = without_unknown_predictions(plan, scene).with_additions(
         action, selection, modelled=sentences.TABLE_MODELLED[scene.surface.kind]
@@ -87,19 +91,24 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     neglected = [
         *sentences.TABLE_NEGLECTED[1 if joins else 0 :],
         sentences.NO_ERROR_PREDICTION_WITH_TABLE,
-        *deflection_limits(all_modes, scene),
+        *deflection_limits(modes, scene),
     ]
     plan = with_disk(plan, scene, joins_table=joins)
     return plan.with_additions(left_out=neglected), modes
 
 
-def modes_of_table(scene: Scene, plan: Plan) -> SurfaceModes:
-    """Return the modes of the table below the highest frequency of the plan; none for a rigid one.
+def modes_of_table(scene: Scene, highest_audible: float) -> SurfaceModes:
+    """Return the modes of the table that motion or sound may use; none for a rigid one.
 
+    The sound uses those below `highest_audible` [Hz], the highest frequency of the plan.
+    The motion uses those below MAX_AUDIBLE_FREQUENCY, whatever the sample rate.
     Raises SceneError if they cannot be computed.
     """
+    moves = must_compute_table_modes(scene)
     try:
-        return surface_modes(scene, below=plan.highest_mode)
+        return surface_modes(
+            scene, below=MAX_AUDIBLE_FREQUENCY if moves else highest_audible
+        )
     except UnsolvableError as error:
         raise SceneError(str(error)) from None
     except ValueError as error:
@@ -184,12 +193,14 @@ def table_action(scene: Scene, modes: SurfaceModes) -> tuple[Decision, bool]:
     return Decision(subject="table", choice=choice, reason=reason), is_two_way
 
 
-def audible_table_modes(modes: SurfaceModes, scene: Scene) -> np.ndarray:
-    """Return the indices (k,) of the table modes that are audible after a force
-    jump."""
-    return audible_mode_indices(
-        *response_to_unit_jump(modes, scene), scene.numerics.level.range_db
-    )
+def audible_table_modes(
+    modes: SurfaceModes, scene: Scene, below: float = MAX_AUDIBLE_FREQUENCY
+) -> np.ndarray:
+    """Return the indices (k,) of the table modes below a frequency [Hz] that are audible
+    after a force jump."""
+    low = np.flatnonzero(modes.frequency < below)
+    jump = response_to_unit_jump(modes.select(low), scene)
+    return low[audible_mode_indices(*jump, scene.numerics.level.range_db)]
 
 
 def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:

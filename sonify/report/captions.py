@@ -93,10 +93,9 @@ def describe_modes(result: "Result") -> str:
         f"{f:.0f} Hz {kind} of order {n}"
         for f, kind, n in zip(found.frequency, found.family, found.order, strict=True)
     ]
+    rendered = result.plan.rendered_table(result.table)
     table = (
-        f", and of the table from {result.table.frequency[0]:.0f} Hz on"
-        if result.table
-        else ""
+        f", and of the table from {rendered.frequency[0]:.0f} Hz on" if rendered else ""
     )
     return f"Shapes of {len(items)} modes of the disk: {', '.join(items[:12])}{', ...' if items[12:] else ''}{table}."
 

@@ -44,6 +44,7 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
     """
     sound = result.sound
     motion = result.motion
+    table = result.plan.rendered_table(result.table)
     return {
         "name": result.scene.name,
         "duration": sound.duration,
@@ -65,9 +66,7 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
         },
         "motion": parts["motion"],
         "shapes": encoded_mode_shapes(result.modes, result.scene.support),
-        "table": encoded_table_shapes(result.table)
-        if result.table is not None and len(result.table)
-        else None,
+        "table": encoded_table_shapes(table) if table else None,
         "seen": describe_spectrogram(result),
     }
 

@@ -122,6 +122,7 @@ def spectrogram_data(found):
     sound = found.sound
     low = spectrogram(sound.pressure, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ)
     high = spectrogram(sound.pressure, MODE_WINDOW_S)
+    table = found.plan.rendered_table(found.table)
     end = (
         max(sound.source_end - FINAL_INTERVAL_DURATION, 0.0),
         min(sound.source_end + FINAL_INTERVAL_DURATION / 4, sound.duration),
@@ -133,7 +134,7 @@ def spectrogram_data(found):
         "high": high,
         "spans": [(0.0, sound.duration), end],
         "frequencies": found.modes.frequency,
-        "table": found.table.frequency if found.table else [],
+        "table": table.frequency if table else [],
         "carrier": contact_resonance_curve(found.scene, motion, delay),
         "time": time + delay,
         "rates": rates,
@@ -236,7 +237,7 @@ def mode_shape_data(found):
         "support": found.scene.support,
         "moving": mode_changes_text(steps),
     }
-    table = found.table
+    table = found.plan.rendered_table(found.table)
     if table:
         few = range(min(len(table), 10))
         captions = [table_caption(table, i) for i in few]

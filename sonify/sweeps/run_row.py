@@ -103,7 +103,8 @@ def solve_verdict(scene, folder):
     """Return the verdicts on the motion of the simplest model; write it to `folder` if
     given."""
     simple = simplest_scene(scene)
-    motion = solve_motion(simple, table=modes_of_table(simple, plan_of(simple)))
+    table = modes_of_table(simple, plan_of(simple).highest_mode)
+    motion = solve_motion(simple, table=table)
     return outcome_scalars(motion, folder) | verdict_columns(
         verdict_findings(scene, motion), motion_checks(motion)
     )

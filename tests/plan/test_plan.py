@@ -60,8 +60,9 @@ def rendered(scene, accuracy):
     plan, modes = plan_with_modes(scene)
     plan, table = with_table(plan, scene)
     motion = simulate(scene, surface_modes=table)
+    rendered = plan.rendered_table(table)
     renderer = Renderer(
-        scene, motion, modes, plan.sounding, plan.max_contact_turn, table
+        scene, motion, modes, plan.sounding, plan.max_contact_turn, rendered
     )
     return SimpleNamespace(
         plan=plan, modes=modes, motion=motion, sound=renderer.sound(), renderer=renderer

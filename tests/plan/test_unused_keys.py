@@ -215,14 +215,15 @@ def stages(scene):
     """Yield the bytes of the modes, the motion and the sound of a scene lazily."""
     scene = check_solvable_scene(scene, None)
     plan, modes = plan_with_modes(scene, remembered)
-    _, table = with_table(plan, scene)
+    plan, table = with_table(plan, scene)
+    rendered = plan.rendered_table(table)
     yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
     motion = solve_motion(
         scene, table=table if must_compute_table_modes(scene) else None
     )
     yield motion.t.tobytes() + motion.state.tobytes() + motion.force(motion.t).tobytes()
     renderer = Renderer(
-        scene, motion, modes, plan.sounding, plan.max_contact_turn, table
+        scene, motion, modes, plan.sounding, plan.max_contact_turn, rendered
     )
     yield np.ascontiguousarray(next(iter(renderer.blocks()))).tobytes()
 
