@@ -147,7 +147,7 @@ def solve(
         watch_findings = watch
         hearing = in_background(analyse_sound, sound, listen)
         checks = all_checks(scene, motion, modes, sound)
-        findings = motion_and_mode_findings(motion, modes)
+        findings = motion_and_mode_findings(scene, motion, modes)
         heard, silence = hearing.result()
         findings += sound_findings(heard, motion, modes, sound, plan.error("sound"))
         findings += two_way.result()
@@ -165,7 +165,9 @@ def solve(
         else:
             on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
             findings += air_findings(scene, motion, sound) + on_contact
-        findings += literature_findings(scene, motion, modes, sound)
+        findings += literature_findings(
+            scene, motion, modes, sound, heard and heard.tone
+        )
     return Result(
         scene=scene,
         plan=with_motion_end(

@@ -22,6 +22,7 @@ from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.reference_scenes import may_lie_on_granite
 from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
@@ -61,18 +62,20 @@ def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return the findings on the air that follow from the motion alone."""
+    """Return the findings on the air and on the cause of the end that follow from the
+    motion alone."""
+    ended = [] if motion.outcome in OUTCOMES_WITHOUT_END else [what_ends(motion)]
     friction = []
     _, powers = steady_friction_powers(scene)
-    if powers[0] > 0:
+    solid = scene.disk.shape == "solid"
+    if solid and powers[0] > 0 and may_lie_on_granite(scene):
         friction.append(friction_exponent(scene))
     arm = scene.friction.arm_pivoting
     if arm != "contact" and arm > 0:
         friction.append(pivoting_within_contact(scene))
-    if scene.disk.shape != "solid" or not scene.air.pressure or not scene.air.density:
-        return friction
+    if not solid or not scene.air.pressure or not scene.air.density:
+        return [*ended, *friction]
     film = motion.film or film_under(scene.disk, scene.air, scene.surface.curvature)
-    ended = [] if motion.outcome in OUTCOMES_WITHOUT_END else [what_ends(motion)]
     return [
         air_negligible(motion, film),
         *ended,

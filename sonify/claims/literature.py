@@ -6,26 +6,37 @@ from scipy.ndimage import median_filter
 from dynamics import Motion
 from modal import Modes
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.reference_scenes import is_toy_disk
+from sonify.claims.rigid_motion import nutates_while_declining, stays_in_contact
 from sonify.claims.sound import weighted_power
 from sonify.hearing.loudness import level_db
+from sonify.hearing.settling.detector import SettlingRun
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
 
 def literature_findings(
-    scene: Scene, motion: Motion, modes: Modes, sound: Sound
+    scene: Scene,
+    motion: Motion,
+    modes: Modes,
+    sound: Sound,
+    tone: SettlingRun | None,
 ) -> list[Finding]:
     """Return the findings on claims of other authors that apply to this run.
 
-    The claim on impacts needs losses of contact, the claim on force peaks needs
-    roughness on an elastic contact, and the claim on modes needs a free disk."""
+    The claim on impacts needs losses of contact. The claim on force peaks needs
+    roughness on an elastic contact and a force with peaks, that of a disk that stays in
+    contact and nutates. The claim on the rising `tone` needs this tone, and the claim
+    on recorded modes needs the recorded disk without a support."""
     found = motion_findings(motion)
-    if scene.contact.law == "elastic" and scene.roughness:
+    rough = scene.contact.law == "elastic" and scene.roughness is not None
+    if rough and stays_in_contact(motion) and nutates_while_declining(motion):
         found.append(force_peaks_sound(motion, sound))
-    if motion.outcome.name == "SETTLED":
+    if tone is not None and motion.outcome.name == "SETTLED":
         found.append(deformation_makes_the_tone(sound))
-    if scene.support.kind == "free" and len(set(modes.order)) > 1:
+    is_recorded = scene.support.kind == "free" and is_toy_disk(scene.disk)
+    if is_recorded and len(set(modes.order)) > 1:
         found.append(mode_ratio(modes))
     return found
 
@@ -48,15 +59,17 @@ def motion_findings(motion: Motion) -> list[Finding]:
 )
 def slip_is_the_loss(motion: Motion):
     """The share of the energy lost while the disk slides, an upper bound on that of
-    sliding friction."""
+    sliding friction.
+
+    A motion that solves the contact gives the work of sliding friction itself, also in
+    slips shorter than a piece."""
+    if motion.solves_contact:
+        taken = energy_lost_by_cause(motion)
+        unit = "of the energy lost by sliding friction"
+        return Measured(taken["slip"] / sum(taken.values()), fields={"unit": unit})
     middle = (motion.t[1:] + motion.t[:-1]) / 2
     lost = np.diff(motion.state[:, 10])
-    share = lost[np.char.startswith(motion.regime(middle), "slide")].sum() / lost.sum()
-    if not motion.solves_contact:
-        return share
-    # the work of slip also includes slips shorter than a piece
-    taken = energy_lost_by_cause(motion)
-    return Measured(share, abs(taken["slip"] / sum(taken.values()) - share))
+    return lost[np.char.startswith(motion.regime(middle), "slide")].sum() / lost.sum()
 
 
 @finding(

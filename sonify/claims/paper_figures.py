@@ -7,18 +7,7 @@ from dynamics import Motion
 from dynamics.observables import nutations_per_turn, precession_rate
 from sonify.claims.finding import Finding
 from sonify.claims.rigid_motion import PAPER_FORCING_FREQUENCY
-from sonify.scene import Scene, load_scene
 
-PAPER_SECTIONS = (
-    "disk",
-    "friction",
-    "dissipation",
-    "release",
-    "surface",
-    "contact",
-    "air",
-)
-"""Sections of a scene that determine the motion in the paper."""
 PAPER_FIGURE_FINDINGS = (
     "energy_falls",
     "sliding_costs_more",
@@ -29,12 +18,6 @@ PAPER_FIGURE_FINDINGS = (
     "audible_modes",
 )
 """Keys of the findings on figures of the paper and on numbers in its text."""
-
-
-def is_paper_scene(scene: Scene) -> bool:
-    """Return True if a scene has the values of (7.1), (7.3) and (7.4)."""
-    paper = load_scene("published")
-    return all(vars(scene)[name] == vars(paper)[name] for name in PAPER_SECTIONS)
 
 
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:

@@ -21,6 +21,8 @@ from sonify.claims.finding import (
     median_with_margin,
     rise_over_tenths,
 )
+from sonify.claims.reference_scenes import is_paper_scene
+from sonify.scene import Scene
 
 PAPER_FORCING_FREQUENCY = 2.5
 """Frequency of the normal force in figure 4, in units of 1/chi."""
@@ -49,10 +51,16 @@ def repeated_slips(motion: Motion):
 )
 def contact_kept(motion: Motion):
     """The smallest ratio of normal force to weight at the ends and middles of all
-    pieces."""
+    pieces.
+
+    It is 0 if contact is lost, also where the last force is zero only up to
+    rounding."""
+    rounding = 1e-9
     load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
-    min_load = 0.0 if motion.contact_losses else float(load.min())
-    return Measured(min_load, load[::2].min() - load.min())
+    min_load = float(load.min())
+    if motion.contact_losses or abs(min_load) < rounding:
+        return Measured(0.0)
+    return Measured(min_load, load[::2].min() - min_load)
 
 
 @finding(
@@ -202,23 +210,47 @@ def no_singularity(motion: Motion):
     return Measured(exponent, 2 * covariance[0, 0] ** 0.5)
 
 
+def nutates_while_declining(motion: Motion) -> bool:
+    """Return True if the disk nutates while its inclination falls to a quarter.
+
+    The frequency of a steady motion then doubles."""
+    time, _ = nutation_frequency(motion)
+    if not len(time):
+        return False
+    first, last = motion.inclination(time[[0, -1]])
+    return bool(last <= first / 4)
+
+
+def stays_in_contact(motion: Motion) -> bool:
+    """Return True if the disk touches the table for most of the time, so that it rolls
+    or slides."""
+    open_time = sum(loss.duration for loss in motion.contact_losses)
+    return bool(open_time < motion.t[-1] / 2)
+
+
 def allows_end_fit(motion: Motion) -> bool:
     """Return True if a motion comes close enough to inclination 0 for a power-law fit
     of its end."""
     return 16 * (motion.t_end - motion.t[-1]) <= motion.t_end
 
 
-def motion_findings(motion: Motion) -> list[Finding]:
+def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     """Return the findings on the motion.
 
-    Claims about the frequency of the normal force require peaks of that force, claims
-    about sliding require rolling before and after it, and claims about the end require
-    a disk that settles."""
-    claims = [repeated_slips, contact_kept]
-    if len(nutation_frequency(motion)[0]):
-        claims += [load_frequency_rises, load_frequency_reached]
+    Claims about rolling and sliding require a disk that stays in contact, and a power
+    of sliding requires rolling before and after it. Claims about the frequency of the
+    normal force require a disk that nutates while it declines; its time in figure 4
+    refers to the scene of the paper alone. Claims about the end require a disk that
+    settles."""
+    rolls = stays_in_contact(motion)
+    claims = [repeated_slips] if rolls else []
+    claims.append(contact_kept)
+    if nutates_while_declining(motion):
+        claims.append(load_frequency_rises)
+        if is_paper_scene(scene):
+            claims.append(load_frequency_reached)
     claims.append(energy_falls)
-    if len(powers_by_regime(motion)[1]):
+    if rolls and len(powers_by_regime(motion)[1]):
         claims.append(sliding_costs_more)
     if motion.outcome.name == "SETTLED":
         claims.append(centre_comes_to_rest)
@@ -232,6 +264,8 @@ def mode_findings(modes: Modes) -> list[Finding]:
     return [audible_modes(modes)]
 
 
-def motion_and_mode_findings(motion: Motion, modes: Modes) -> list[Finding]:
+def motion_and_mode_findings(
+    scene: Scene, motion: Motion, modes: Modes
+) -> list[Finding]:
     """Return the findings on the motion and the modes of a run."""
-    return motion_findings(motion) + mode_findings(modes)
+    return motion_findings(scene, motion) + mode_findings(modes)

@@ -22,7 +22,9 @@ SURFACE_BY_SCENE = {
 
 
 class AnswerSentences(NamedTuple):
-    """Answers for a claim that holds, fails or is undecided; {value} is its value."""
+    """Answers for a claim that holds, fails or is undecided; {value} is its value.
+
+    An empty answer leaves the question to the next finding."""
 
     yes: str
     no: str
@@ -102,7 +104,7 @@ ANSWERS: dict[str, dict[str, AnswerSentences]] = {
             f"undecided: the table, {TIME_ADVANCE_FORMAT}",
         ),
         "table_takes_little": AnswerSentences(
-            "as on a rigid table",
+            "",  # the table does not end the motion
             "the table, not solved: {value:.1f} s before the end it would hold as much energy as "
             "the disk",
             "undecided: the table, not solved, {value:.1f} s before the end",
@@ -114,8 +116,8 @@ ANSWERS: dict[str, dict[str, AnswerSentences]] = {
         ),
     },
 }
-"""Answers by question and by key of a finding; the first available finding gives the
-answer."""
+"""Answers by question and by key of a finding; the first available finding with an
+answer gives it."""
 LOSS_QUESTION = "is contact lost"
 SOUND_QUESTION = "what do you hear"
 AIR_QUESTION = "in air"
@@ -124,7 +126,7 @@ NO_ANSWER_REASONS = {
     SOUND_QUESTION: "neither a table, nor a noise band, nor a disk that settles",
     "does the pitch rise": "no tone stands out",
     LOSS_QUESTION: "no motion was solved",
-    "what ends the motion": "the motion was interrupted",
+    "what ends the motion": "the motion does not end in this run",
 }
 """Reason for a missing answer, by question."""
 
@@ -147,11 +149,10 @@ def short_answers(findings: Iterable[Finding]) -> dict[str, str]:
     finally loses contact, whether or not it vibrates. Answers about a motion without a
     film are marked as answers in a vacuum."""
     by_key = {finding.key: finding for finding in findings}
-    found = {
-        question: first_answer(by_key, words)
-        for question, words in ANSWERS.items()
-        if by_key.keys() & words
+    answers = {
+        question: first_answer(by_key, words) for question, words in ANSWERS.items()
     }
+    found = {question: answer for question, answer in answers.items() if answer}
     audible = by_key.get("sound_is_audible")
     if audible and audible.verdict == "no":
         found[SOUND_QUESTION] = "nothing above the threshold of hearing"
@@ -196,14 +197,19 @@ def answer_in_air(findings: Iterable[Finding]) -> str:
 def first_answer(
     by_key: Mapping[str, Finding], words: Mapping[str, AnswerSentences]
 ) -> str:
-    """Return the answer of the first finding in `words` that is available in
-    `by_key`."""
-    key = next(key for key in words if key in by_key)
-    finding = by_key[key]
-    cause = CAUSE_IN_WORDS.get(finding.cause, "")
-    return getattr(words[key], finding.verdict).format(
-        value=finding.value, cause=cause, **finding.details
-    )
+    """Return the answer of the first finding in `words` that is available in `by_key`
+    and has an answer; otherwise an empty text."""
+    for key, sentences in words.items():
+        if key in by_key:
+            finding = by_key[key]
+            answer = getattr(sentences, finding.verdict).format(
+                value=finding.value,
+                cause=CAUSE_IN_WORDS.get(finding.cause, ""),
+                **finding.details,
+            )
+            if answer:
+                return answer
+    return ""
 
 
 def answer_table(

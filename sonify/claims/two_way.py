@@ -119,9 +119,13 @@ def motion_findings(
     broken = table_breaks_contact(motion)
     if any(table_breaks_contact(one).holds != broken.holds for one in others.values()):
         broken = replace(broken, margin=max(broken.value, 1.0))
+    runs = [motion, *others.values()]
+    if any(losses_above_flat(one) for one in runs):
+        judged = [broken, number_of_losses(motion, list(others.values()))]
+    else:
+        judged = [broken]
     return [
-        broken,
-        number_of_losses(motion, list(others.values())),
+        *judged,
         *(with_variation_margin(judge, scene, motion, others) for judge in judges),
     ]
 

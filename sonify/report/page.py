@@ -14,9 +14,10 @@ from markupsafe import Markup
 from tomli_w import dumps
 
 from sonify.claims.details import expectation_and_unit, unit_and_details
-from sonify.claims.paper_figures import is_paper_scene, paper_rows
+from sonify.claims.paper_figures import paper_rows
 from sonify.claims.paper_sentences import PAPER_SENTENCES
 from sonify.claims.provenance import depends_on
+from sonify.claims.reference_scenes import is_paper_scene
 from sonify.claims.surface_summary import complete_answers
 from sonify.report import captions
 from sonify.report.headline import headline

@@ -14,7 +14,7 @@ import numpy as np
 
 from dynamics.observables import nutation_frequency, plotted_rates, precession_rate
 from sonify.claims.contact import contact_resonance_curve
-from sonify.claims.paper_figures import is_paper_scene
+from sonify.claims.reference_scenes import is_paper_scene
 from sonify.claims.rigid_motion import (
     PAPER_FORCING_FREQUENCY,
     PAPER_FORCING_FREQUENCY_TIME,

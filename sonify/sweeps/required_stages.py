@@ -44,7 +44,7 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     return [
         *air.motion_findings(scene, motion),
         *literature.motion_findings(motion),
-        *rigid_motion.motion_findings(motion),
+        *rigid_motion.motion_findings(scene, motion),
         *table.motion_findings(scene, motion),
         *two_way.motion_findings(scene, motion),
     ]

@@ -31,9 +31,10 @@ from sonify.claims.details import details_in_words
 from sonify.claims.finding import JUDGE_BY_KEY, Finding, Measured
 from sonify.claims.finding import finding as claim
 from sonify.claims.literature import motion_findings as literature_claims
-from sonify.claims.paper_figures import is_paper_scene, paper_rows
+from sonify.claims.paper_figures import paper_rows
 from sonify.claims.paper_sentences import PAPER_SENTENCES
 from sonify.claims.provenance import depends_on
+from sonify.claims.reference_scenes import is_paper_scene
 from sonify.claims.rigid_motion import contact_kept
 from sonify.claims.sound import modes_take_little
 from sonify.claims.surface_summary import complete_answers

@@ -157,8 +157,8 @@ def answers(motion, sound, tone):
 def test_the_findings_on_a_table_say_yes_and_no(motion, sound):
     """The test repeats the findings with other tables.
 
-    A much fainter table neither carries the tone nor takes energy, noise does not rise, and a rigid
-    table has no findings.
+    A much fainter table neither carries the tone nor takes energy, noise has no tone that could
+    rise, and a rigid table has no findings.
     """
     tone = strongest_tone(sound.pressure)
     yes = {"table_is_louder", "table_tone_rises", "table_carries_the_tone"}
@@ -178,7 +178,7 @@ def test_the_findings_on_a_table_say_yes_and_no(motion, sound):
         np.random.default_rng(1).standard_normal(sound.samples)
         * sound.stem_peaks["table"]
     )
-    assert not answers(motion, with_table(noise, 1.0), tone)["table_tone_rises"]
+    assert "table_tone_rises" not in answers(motion, with_table(noise, 1.0), tone)
     bare = replace(
         sound,
         columns=np.array(sound.columns)[:, :-1],
