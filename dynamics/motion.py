@@ -57,7 +57,8 @@ class Outcome(Enum):
     )
     LEFT_TABLE = "the contact reached the edge of the table: the disk falls off"
     UPRIGHT = "the disk stood upright on its lateral surface: the contact moves to the other rim"
-    FELL = "the disk fell flat while it was still rotating"
+    FELL = "the disk fell onto its face"
+    SANK = "the disk sank onto its face"
     PRECESSION_STOPPED = (
         "the precession stopped, where the dissipation law is undefined"
     )
@@ -68,6 +69,11 @@ class Outcome(Enum):
     def sentence(self) -> str:
         """The sentence that describes the outcome."""
         return self.value
+
+    @property
+    def lies_flat(self) -> bool:
+        """True if the disk finally lies flat on the table."""
+        return self in (Outcome.SETTLED, Outcome.SANK, Outcome.FELL)
 
 
 class Transition(NamedTuple):
@@ -93,6 +99,36 @@ class Transition(NamedTuple):
     before: str
     after: str
     guard: str
+
+
+class MotionEvent(NamedTuple):
+    """An event on the way of the disk.
+
+    Parameters
+    ----------
+    t : float
+        Time [s].
+    kind : str
+        What happened, such as 'fell onto its face'.
+    speed : float
+        Speed of the surfaces towards each other [m/s].
+    energy : float
+        Kinetic energy of this approach [J].
+
+    Examples
+    --------
+    >>> from dynamics import simulate
+    >>> from sonify import load_scene
+    >>> still = "release={inclination_deg=5, omega=[0, 0, 0]}"
+    >>> (event,) = simulate(load_scene("published").replace(still)).events
+    >>> f"{event.kind} at {event.speed:.2f} m/s with {event.energy:.3f} J"
+    'fell onto its face at 0.44 m/s with 0.013 J'
+    """
+
+    t: float
+    kind: str
+    speed: float
+    energy: float
 
 
 class ForceJumps(NamedTuple):
@@ -187,6 +223,14 @@ class Motion(Protocol):
     @property
     def film(self) -> "Film | None":
         """The air film that acts on the disk, or None."""
+
+    @property
+    def rolling_fillet(self) -> float:
+        """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
+
+    @property
+    def events(self) -> tuple[MotionEvent, ...]:
+        """What happened on the way of the disk, in order of time."""
 
     @property
     def solves_contact(self) -> bool:
@@ -502,6 +546,13 @@ class MotionBase:
     def parts(self: Motion) -> tuple[MotionPart, ...]:
         """The whole motion as one part."""
         return (MotionPart(0.0, self),)
+
+    @property
+    def events(self: Motion) -> tuple[MotionEvent, ...]:
+        """The contact of the face with the table, if it ends the motion."""
+        from dynamics.face_contact import face_events  # imports this module
+
+        return face_events(self)
 
     @cached_property
     def state(self: Motion) -> np.ndarray:

@@ -158,6 +158,11 @@ class RigidMotion(MotionBase):
         return find_film(self.loads)
 
     @property
+    def rolling_fillet(self) -> float:
+        """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
+        return self.law.fillet * self.disk.radius
+
+    @property
     def solves_contact(self) -> bool:
         """False, because a rigid contact does not vibrate."""
         return False

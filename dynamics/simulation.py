@@ -12,6 +12,11 @@ import numpy as np
 from dynamics import guards
 from dynamics.disk import Disk
 from dynamics.dissipation import OwnLaw
+from dynamics.face_contact import (
+    face_outcome,
+    outcome_when_flat,
+    turn_in_last_decade,
+)
 from dynamics.film.activation import final_inclination, non_contact_loads
 from dynamics.hybrid import EVENT_CASCADE, STALLED, Arc, Path, StalledError, run_events
 from dynamics.motion import Motion, Outcome, Transition, read_only
@@ -186,6 +191,11 @@ def _solve_with_table(
             # Without it, friction cannot hold the contact and the regimes alternate.
             outcome = outcome_after_guard(guards.LIFT_OFF, progress.state, system)
             return replace(motion, outcome=outcome)
+    if outcome is Outcome.FELL:
+        return replace(motion, outcome=face_outcome(motion))
+    if outcome is Outcome.SETTLED and motion.film is not None:
+        outcome = outcome_when_flat(motion, turn_in_last_decade(motion))
+        return replace(motion, outcome=outcome)
     return motion
 
 

@@ -38,6 +38,7 @@ from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.disk import Disk
 from dynamics.dissipation import power_laws
+from dynamics.face_contact import outcome_when_flat
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import Film
 from dynamics.motion import (
@@ -131,6 +132,11 @@ class CompliantMotion(MotionBase):
     def film(self) -> Film | None:
         """The air film that acts on the disk, or None."""
         return self.model.film
+
+    @property
+    def rolling_fillet(self) -> float:
+        """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
+        return self.model.table.law.rolling_fillet
 
     @property
     def solves_contact(self) -> bool:
@@ -345,10 +351,9 @@ class CompliantMotion(MotionBase):
         return float(self._end + last * duration / (before - last))
 
     @property
-    def fell_flat(self) -> bool:
-        """True if the disk turns by less than 1 rad in the last decade of inclination."""
-        flat = self.outcome is Outcome.SETTLED
-        return flat and abs(self.rows[-1, 0] - self.rows[self._last_decade, 0]) < 1
+    def final_turn(self) -> float:
+        """Precession [rad] in the last decade of inclination."""
+        return float(abs(self.rows[-1, 0] - self.rows[self._last_decade, 0]))
 
     @property
     def _last_decade(self) -> int:
@@ -526,7 +531,10 @@ def simulate_from(
         max_friction_excess=float(y[STATE.friction_excess]),
         outcome=OUTCOME_OF_END[piece.end_reason],
     )
-    return replace(motion, outcome=Outcome.FELL) if motion.fell_flat else motion
+    if motion.outcome is Outcome.SETTLED:
+        outcome = outcome_when_flat(motion, motion.final_turn)
+        return replace(motion, outcome=outcome)
+    return motion
 
 
 def compliant_model(scene: "MotionScene", modes: Any) -> CompliantModel:

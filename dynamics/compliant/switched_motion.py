@@ -53,7 +53,7 @@ def solve_switched(
         return solve_compliant_motion(coupled, watch, modes)
     short = replace(scene.numerics, final_inclination=inclination)
     first = solve_passive(scene.part(numerics=short))
-    if first.outcome is not Outcome.SETTLED:
+    if first.outcome not in (Outcome.SETTLED, Outcome.SANK):
         return first
     t = float(first.t[-1])
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
@@ -100,6 +100,11 @@ class SwitchedMotion(MotionBase):
     def film(self) -> Film | None:
         """The air film that acts on the disk in both parts, or None."""
         return self.passive_part.film
+
+    @property
+    def rolling_fillet(self) -> float:
+        """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
+        return self.coupled_part.rolling_fillet
 
     @property
     def solves_contact(self) -> bool:

@@ -208,6 +208,11 @@ class RattlingMotion(CompliantMotion):
         return self.model.disk
 
     @property
+    def rolling_fillet(self) -> float:
+        """Radius [m] of the edge on which the disk rolls."""
+        return self.model.constants.fillet
+
+    @property
     def moves_table(self) -> bool:
         """True if the table has modes that move with the disk."""
         return self.model.modes is not None

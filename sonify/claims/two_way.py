@@ -105,7 +105,7 @@ def motion_findings(
         return []
     if motion.outcome is Outcome.AIRBORNE and may_be_two_way(scene):
         return [air_carries_earlier(scene, motion)]
-    if found is None or motion.outcome.name not in ("SETTLED", "FELL"):
+    if found is None or not motion.outcome.lies_flat:
         return []
     others = variation_runs(scene, found[0], watch)
     judges = [

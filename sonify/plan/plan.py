@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from dynamics import Disk, Motion
+from dynamics import Disk, Motion, Outcome
 from dynamics.film.activation import MAX_KNUDSEN_NUMBER, final_inclination
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY, resolved_integrator_name
 from dynamics.steady_motion import squared_rate_times_inclination
@@ -218,9 +218,19 @@ def with_motion_end(
     `silence` lists the reasons why claims about the sound cannot be judged.
     """
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
+    events = [
+        sentences.MOTION_EVENT.format(
+            t=event.t,
+            kind=event.kind,
+            speed=1e3 * event.speed,
+            energy=event.energy,
+            share=event.energy / float(motion.energy(0.0)[0]),
+        )
+        for event in motion.events
+    ]
     return plan.with_additions(
         decay_decision(ringing),
-        modelled=[ending],
+        modelled=[ending, *events],
         left_out=[*omissions_after_end(motion), *silence],
     )
 
@@ -250,9 +260,9 @@ def decay_decision(ringing: RingDown) -> Decision:
 def omissions_after_end(motion: Motion) -> list[str]:
     """Return sentences on what is neglected after the end of a motion.
 
-    The list is empty if the disk settled.
+    The list is empty if the disk settled or sank.
     """
-    if motion.outcome.name == "SETTLED":
+    if motion.outcome in (Outcome.SETTLED, Outcome.SANK):
         return []
     omitted = [f"The end of the motion and its sound: {motion.outcome.sentence}."]
     if motion.outcome in sentences.NEGLECTED_AFTER_END:

@@ -274,6 +274,10 @@ NEAR_LISTENER_NEGLECTED = (
     "Level changes for a listener near the contact: the varying distance affects only the arrival "
     "time."
 )
+MOTION_EVENT = (
+    "At t = {t:.6g} s the disk {kind}, at {speed:.3g} mm/s and with {energy:.2g} J, {share:.2%} of "
+    "the initial energy."
+)
 NEGLECTED_AFTER_END = {
     Outcome.FELL: "The final impact of the face on the table and the ringing that it excites.",
     Outcome.AIRBORNE: "The landing of the disk on the table. The modes decay above the film at the "

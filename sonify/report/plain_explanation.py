@@ -15,7 +15,8 @@ END_CLAUSES = {
     Outcome.AIRBORNE: "the disk floats on the air under it",
     Outcome.LEFT_TABLE: "the disk falls off the table",
     Outcome.UPRIGHT: "the disk stands upright",
-    Outcome.FELL: "the disk drops flat while it still turns",
+    Outcome.FELL: "the disk drops onto its face",
+    Outcome.SANK: "the disk sinks onto its face",
 }
 """Clause for each outcome; other outcomes are described by their own sentence."""
 LOUDEST_PARTS = {

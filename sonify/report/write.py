@@ -164,6 +164,7 @@ def run_record(result: "Result") -> dict:
             "name": result.motion.outcome.name,
             "sentence": result.motion.outcome.sentence,
         },
+        "events": [event._asdict() for event in result.motion.events],
         "motion": {
             "end": float(result.motion.t[-1]),
             "integrator": result.motion.integrator,

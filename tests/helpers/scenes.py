@@ -9,6 +9,7 @@ from dynamics import MotionScene, Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
+from dynamics.face_contact import MIN_FALL_SPEED
 from dynamics.guards import MAX_RELATIVE_NUTATION_RATE
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
@@ -77,11 +78,13 @@ def proves_its_outcome(motion, limit) -> bool:
     of a solution."""
     (_, beta, *_) = motion.state[-1]
     nutation = motion.state[-1, 5] * motion.disk.time_unit
+    limit_of_fall = pytest.approx(MAX_RELATIVE_NUTATION_RATE, rel=1e-9)
+    falls = motion.events and nutation / sqrt(beta) == limit_of_fall
     return {
         Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
         Outcome.SETTLED: beta < 1e-8,
-        Outcome.FELL: nutation / sqrt(beta)
-        == pytest.approx(MAX_RELATIVE_NUTATION_RATE, rel=1e-9),
+        Outcome.SANK: falls and motion.events[0].speed < MIN_FALL_SPEED,
+        Outcome.FELL: falls and motion.events[0].speed >= MIN_FALL_SPEED,
         Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0]
         == pytest.approx(0, abs=1e-9),
         Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0]
