@@ -4,6 +4,7 @@ y axis pointing upwards."""
 import json
 from base64 import b64encode
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import acos, ceil, pi
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from dynamics import Disk, Motion
+from dynamics.contact_geometry import centre_height, edge_profile
 from dynamics.surface import PlateSurface
 from sonify import __version__
 from sonify.report.perspective import contact_points, patch_frame
@@ -85,13 +87,14 @@ def animated_model(
     `disk` (animated translation and rotation) and `contact` (animated translation).
     """
     state = motion.at(times)
-    contact = to_y_upwards(contact_points(state, state[:, 1], motion.disk))
-    centre, quaternion = body_poses(state, motion.disk)
+    fillet = motion.rolling_fillet
+    contact = to_y_upwards(contact_points(state, motion.disk, fillet))
+    centre, quaternion = body_poses(state, motion.disk, fillet)
     buffer = Buffer()
     materials = list(COLOURS)
     meshes = {
         "table": table_mesh(scene, contact),
-        "disk": disk_mesh(motion.disk),
+        "disk": disk_mesh(motion.disk, fillet),
         "contact": marker_mesh(0.03 * motion.disk.radius),
     }
     nodes: list[dict] = [{"name": name, "mesh": i} for i, name in enumerate(meshes)]
@@ -138,7 +141,9 @@ def to_y_upwards(points: np.ndarray) -> np.ndarray:
     return np.stack([x, z, -y], axis=-1)
 
 
-def body_poses(state: np.ndarray, disk: Disk) -> tuple[np.ndarray, np.ndarray]:
+def body_poses(
+    state: np.ndarray, disk: Disk, fillet: float = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
     """Return centres (k, 3) [m] and quaternions (k, 4) in the order x, y, z, w for
     states (k, 11).
 
@@ -149,9 +154,7 @@ def body_poses(state: np.ndarray, disk: Disk) -> tuple[np.ndarray, np.ndarray]:
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
     c = np.cos(state[:, 2, None])
     s = np.sin(state[:, 2, None])
-    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(
-        inclination
-    )
+    height = centre_height(inclination, disk, fillet)
     centre = np.column_stack([state[:, 3:5], height])
     axes = np.stack(
         [to_y_upwards(axis) for axis in (c * x + s * y, z, s * x - c * y)], axis=2
@@ -170,32 +173,44 @@ def rim_sides(radius: float) -> int:
     return min(max(ceil(wanted), 96), 4096)
 
 
-def disk_mesh(disk: Disk) -> Mesh:
+def disk_mesh(disk: Disk, fillet: float = 0.0) -> Mesh:
     """Return a disk or hoop centred at the origin, with its axis along y and a mark on
-    face and rim."""
+    face and rim.
+
+    The outer edges are rounded with the radius `fillet` [m]."""
     sides = rim_sides(disk.radius)
     angle = np.arange(sides + 1) % sides * 2 * np.pi / sides
     outward = np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
     up = np.array([0.0, disk.thickness / 2, 0.0])
     axis = np.array([0.0, 1.0, 0.0])
-    outer = disk.radius * outward
     inner = disk.inner_radius * outward
-    strips = [  # bounded by two rings, with their normals
-        (outer - up, outer + up, outward),
-        (outer + up, inner + up, axis),
-        (inner - up, outer - up, -axis),
+    edge = edge_profile(disk, fillet, segments=8)
+    steps = np.linspace(0.0, pi / 2, len(edge))
+    rounded = [
+        (r * outward + level * axis, np.sin(tilt) * outward + np.cos(tilt) * axis)
+        for (r, level), tilt in zip(edge, steps, strict=True)
+    ]
+    face = (disk.radius - fillet) * outward
+    below = [(ring * [1, -1, 1], normal * [1, -1, 1]) for ring, normal in rounded]
+    side = (below[-1][0], outward), (rounded[-1][0], outward)
+    strips = [  # bounded by two rings, each with its normals
+        side,
+        ((face + up, axis), (inner + up, axis)),
+        ((inner - up, -axis), (face - up, -axis)),
+        *pairwise(below),
+        *pairwise(rounded[::-1]),
     ]
     if disk.inner_radius > 0:
-        strips.append((inner + up, inner - up, -outward))
+        strips.append(((inner + up, -outward), (inner - up, -outward)))
     count = sides + 1
-    points = np.concatenate([np.concatenate(rings) for *rings, _ in strips])
+    points = np.concatenate([ring for strip in strips for ring, _ in strip])
     normals = np.concatenate(
-        [np.broadcast_to(normal, (2, count, 3)).reshape(-1, 3) for *_, normal in strips]
+        [np.broadcast_to(normal, (count, 3)) for strip in strips for _, normal in strip]
     )
     first = np.arange(sides)
-    side = np.array([[0, 1, count + 1], [0, count + 1, count]])
+    halves = np.array([[0, 1, count + 1], [0, count + 1, count]])
     triangles = [
-        2 * count * i + first[:, None, None] + side for i in range(len(strips))
+        2 * count * i + first[:, None, None] + halves for i in range(len(strips))
     ]
     rim_and_face = np.array(triangles[:2])
     is_marked = first < sides / 24  # a coloured mark makes the spin visible

@@ -16,12 +16,13 @@ from dynamics.compliant.two_way_onset import (
     table_modes,
     table_reaction,
 )
+from dynamics.contact_geometry import contact_position
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan import sentences
 from sonify.plan.plan import MIN_MODE_ENERGY_SHARE, Decision, Plan, audible_mode_indices
 from sonify.scene import Scene, SceneError
-from sonify.sound.sources.tabletop import contact_position, response_to_unit_jump
+from sonify.sound.sources.tabletop import response_to_unit_jump
 
 MAX_DEFLECTION_RATIO = 0.5
 """Ratio of deflection to thickness above which a plate also stretches and linear theory
@@ -228,7 +229,8 @@ def table_exit_time(scene: Scene, motion: Motion) -> float | None:
     if surface.kind not in ("plate", "mesh"):
         return None
     t = np.linspace(0.0, motion.t[-1], 4096)
-    place = contact_position(motion.at(t), scene.disk) + surface.place
+    place = contact_position(motion.at(t), scene.disk, motion.rolling_fillet)
+    place = place + surface.place
     off = (
         np.hypot(*place.T) > surface.radius
         if surface.kind == "plate"

@@ -13,6 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image, ImageDraw, ImageFont
 
+from dynamics import Outcome
 from dynamics.observables import precession_rate
 from sonify.hearing.spectrogram import spectrogram
 from sonify.report.perspective import (
@@ -91,6 +92,12 @@ class Clip:
         return max(self.max_inclination, MIN_DRAWN_INCLINATION) * np.sqrt(
             state[:, 1] / self.max_inclination
         )
+
+    def drawn(self, state) -> np.ndarray:
+        """Return the states (k, 11) with the drawn inclinations."""
+        drawn = state.copy()
+        drawn[:, 1] = self.drawn_inclination(state)
+        return drawn
 
 
 def require_encoder():
@@ -227,20 +234,22 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
     disk = clip.result.scene.disk
     exposures = (np.arange(exposures_per_frame) + 0.5) / exposures_per_frame
     state = clip.states(t + exposures / FRAME_RATE)
-    rims = rim_points(state, clip.drawn_inclination(state), disk)
-    image = draw_blurred_disk(camera, empty, rims, disk.inner_radius / disk.radius)
+    fillet = clip.result.motion.rolling_fillet
+    rims = rim_points(clip.drawn(state), disk, fillet)
+    hole = disk.inner_radius / (disk.radius - fillet)
+    image = draw_blurred_disk(camera, empty, rims, hole)
     last = min(t + 1 / FRAME_RATE, clip.result.sound.source_end)
     turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
     first = last - min(0.3, MAX_TRACE_TURNS * turn)
     touching = clip.states(np.linspace(first, last, 100 * MAX_TRACE_TURNS))
-    path = contact_points(touching, clip.drawn_inclination(touching), disk)
+    path = contact_points(clip.drawn(touching), disk, fillet)
     return draw_trace(camera, image, path if t < last else path[:0])
 
 
 def frame_caption(clip, t: float) -> str:
     """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
-    settled = clip.result.motion.outcome.name == "SETTLED"
+    settled = clip.result.motion.outcome in (Outcome.SETTLED, Outcome.SANK)
     lines = [f"{'at rest' if settled else 'solution ended'}; its modes ring", ""]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)

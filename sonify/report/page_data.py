@@ -12,6 +12,7 @@ import soundfile
 from scipy.spatial import Delaunay
 
 from dynamics import Motion
+from dynamics.contact_geometry import centre_height, contact_reach, edge_profile
 from dynamics.observables import plotted_rates
 from modal import Modes, Support
 from modal.tabletop.record import SurfaceModes
@@ -63,6 +64,8 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
             "thickness": motion.disk.thickness,
             "inner_radius": motion.disk.inner_radius,
             "weight": motion.disk.weight,
+            "edge": base64_array(edge_profile(motion.disk, motion.rolling_fillet, 8)),
+            "contact": encoded_contact(motion),
         },
         "motion": parts["motion"],
         "shapes": encoded_mode_shapes(result.modes, result.scene.support),
@@ -144,6 +147,22 @@ def encoded_motion(motion: Motion) -> dict[str, Any]:
     columns["energy"] = motion.energy(t)
     encoded = {name: base64_array(column) for name, column in columns.items()}
     return {"columns": list(columns), "t": base64_array(t, float)} | encoded
+
+
+def encoded_contact(motion: Motion) -> dict[str, Any]:
+    """Return the place of the contact relative to the centre, over the inclination [rad].
+
+    The columns `reach` and `height` are the horizontal distance and the height of the
+    centre [m].
+    """
+    inclination = np.linspace(0.0, np.pi / 2, 721)
+    place = inclination, motion.disk, motion.rolling_fillet
+    columns = {
+        "inclination": inclination,
+        "reach": contact_reach(*place),
+        "height": centre_height(*place),
+    }
+    return {name: base64_array(column) for name, column in columns.items()}
 
 
 def sample_times(motion: Motion, begin: float) -> np.ndarray:

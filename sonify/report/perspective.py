@@ -7,6 +7,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from dynamics import Disk
+from dynamics.contact_geometry import centre_height, contact_position, edge_profile
 from sonify.sound.modal_forcing import in_patch_frame
 
 SUPERSAMPLING = 2
@@ -66,28 +67,30 @@ def patch_frame(state, inclination) -> np.ndarray:
     )
 
 
-def contact_points(state, inclination, disk: Disk) -> np.ndarray:
-    """Return the contact points (k, 3) [m] on the table."""
-    x, _, z = patch_frame(state, inclination).swapaxes(0, 1)
-    point = disk.radius * x - disk.thickness / 2 * z
-    return np.column_stack([state[:, 3:5] + point[:, :2], 0 * point[:, 2]])
+def contact_points(state, disk: Disk, fillet: float = 0.0) -> np.ndarray:
+    """Return the contact points (k, 3) [m] on the table for states (k, 11)."""
+    position = contact_position(state, disk, fillet)
+    return np.column_stack([position, np.zeros(len(position))])
 
 
-def rim_points(state, inclination, disk: Disk) -> np.ndarray:
-    """Return body-fixed points (k, 2, n, 3) [m] of the lower and upper rims, drawn as
-    polygons."""
+def rim_points(state, disk: Disk, fillet: float = 0.0) -> np.ndarray:
+    """Return body-fixed points (k, r, n, 3) [m] of r rings, drawn as polygons.
+
+    The rings are ordered from the lower to the upper face; a sharp edge is one ring."""
     side_count = 96
-    x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
+    x, y, z = patch_frame(state, state[:, 1]).swapaxes(0, 1)
     angle = state[:, 2, None] + np.arange(side_count) * 2 * np.pi / side_count
     rim = np.einsum("kn,ki->kni", np.cos(angle), x)
     rim += np.einsum("kn,ki->kni", np.sin(angle), y)
-    half = disk.thickness / 2
-    height = disk.radius * np.sin(inclination) + half * np.cos(inclination)
+    height = centre_height(state[:, 1], disk, fillet)
     centre = np.column_stack([state[:, 3:5], height])
-    faces = (
-        np.array([-0.5, 0.5])[None, :, None, None] * disk.thickness * z[:, None, None]
+    edge = edge_profile(disk, fillet, segments=2)
+    radius, level = np.concatenate([edge * [1, -1], edge[::-1]]).T
+    return (
+        centre[:, None, None]
+        + radius[:, None, None] * rim[:, None]
+        + level[:, None, None] * z[:, None, None]
     )
-    return (centre[:, None] + disk.radius * rim)[:, None] + faces
 
 
 def draw_table(camera, radius: float) -> Image.Image:
@@ -116,8 +119,8 @@ def supersampled_size(camera) -> tuple[int, int]:
 def draw_blurred_disk(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
     """Return the mean image (h, w, 3) of the disk on the `empty` table.
 
-    `bodies` (s, 2, n, 3) [m] contains the two rims at s instants. `hole` is the radius
-    of the hole of a hoop divided by that of the rim.
+    `bodies` (s, r, n, 3) [m] contains the rings of `rim_points` at s instants. `hole`
+    is the radius of the hole of a hoop divided by that of the faces.
     """
     total = np.zeros((*camera.size[::-1], 3), np.uint32)
     for body in bodies:
@@ -153,18 +156,20 @@ def _draw_body(pen, camera, body, hole):
     marked_sides = 5  # they make the rotation visible
     for rim in body:
         pen.polygon(image_polygon(camera, rim * [1.0, 1.0, 0.0]), shadow_colour)
-    lower, upper = body
-    middle = body.mean(axis=1)
-    axis = middle[1] - middle[0]
-    outward = (lower + np.roll(lower, -1, axis=0)) / 2 - middle[0]
-    facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
-    colours = face_grey_levels(outward)
-    colours[:marked_sides] = [mark_colour] * marked_sides
     corners = camera.project(body)
-    for i in np.flatnonzero(facing):
-        j = (i + 1) % len(lower)
-        side = np.concatenate([corners[0, [i, j]], corners[1, [j, i]]]) * SUPERSAMPLING
-        pen.polygon(side.ravel().tolist(), colours[i])
+    for ring in range(len(body) - 1):
+        lower, upper = body[ring : ring + 2]
+        outward = np.cross(np.roll(lower, -1, axis=0) - lower, upper - lower)
+        facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
+        colours = face_grey_levels(outward)
+        colours[:marked_sides] = [mark_colour] * marked_sides
+        for i in np.flatnonzero(facing):
+            j = (i + 1) % len(lower)
+            side = np.concatenate([corners[ring, [i, j]], corners[ring + 1, [j, i]]])
+            pen.polygon((side * SUPERSAMPLING).ravel().tolist(), colours[i])
+    lower, upper = body[[0, -1]]
+    middle = body[[0, -1]].mean(axis=1)
+    axis = middle[1] - middle[0]
     top = np.dot(axis, camera.position - middle[1]) > 0
     if not top and np.dot(axis, camera.position - middle[0]) > 0:
         return

@@ -14,6 +14,7 @@ import pytest
 from plate_theory import thin_plate_frequencies
 
 from dynamics import MeshSurface, ModesSurface, PlateSurface, Surface, SurfaceMode
+from dynamics.contact_geometry import contact_position
 from modal import UnsolvableError, surface_modes
 from modal.tabletop.meshed import table_on_mesh
 from sonify import load_scene
@@ -27,7 +28,6 @@ from sonify.plan.table import (
 )
 from sonify.report.write import copy_table_mesh, scene_record, write_json
 from sonify.scene_errors import SceneError
-from sonify.sound.sources.tabletop import contact_position
 
 GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}
 WOOD = {"young": 11e9, "poisson": 0.3, "density": 700.0}

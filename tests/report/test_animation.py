@@ -58,8 +58,8 @@ def result(scene, tmp_path_factory):
 
 def test_the_disk_stands_on_the_table_where_the_contact_is(scene, motion):
     state = motion.at(np.linspace(0, 15, 50))
-    body = rim_points(state, state[:, 1], scene.disk)
-    touching = contact_points(state, state[:, 1], scene.disk)
+    body = rim_points(state, scene.disk)
+    touching = contact_points(state, scene.disk)
     lowest = body[:, 0, :, 2].min(axis=1)
     corner = (
         scene.disk.radius * np.sin(state[:, 1]) * (1 - np.cos(np.pi / body.shape[2]))
@@ -78,10 +78,7 @@ def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, 
     t = np.array([1.0, 3.0, 6.0])
     h = 1e-6
     assert all(name.startswith("roll") for name in motion.regime(t))
-    bodies = [
-        rim_points(motion.at(t + e), motion.at(t + e)[:, 1], scene.disk)[:, 0]
-        for e in (-h, h)
-    ]
+    bodies = [rim_points(motion.at(t + e), scene.disk)[:, 0] for e in (-h, h)]
     speed = np.linalg.norm(bodies[1] - bodies[0], axis=2) / (2 * h)
     nearest = bodies[0][:, :, 2].argmin(axis=1)
     assert np.all(speed[np.arange(3), nearest] < 0.05 * speed.max(axis=1))
@@ -120,7 +117,7 @@ def test_the_disk_stays_in_the_picture(result, late):
         camera = clip_camera(clip)
         disk = clip.result.scene.disk
         state = clip.states(np.linspace(*clip.span, 200))
-        bodies = rim_points(state, clip.drawn_inclination(state), disk)
+        bodies = rim_points(clip.drawn(state), disk)
         place = camera.project(bodies)
         assert np.all((place > 0) & (place < np.array(DISK_VIEW_SIZE)))
         image = draw_blurred_disk(camera, draw_table(camera, disk.radius), bodies[:1])

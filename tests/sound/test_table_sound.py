@@ -18,6 +18,7 @@ from scipy.fft import next_fast_len
 from scipy.special import iv, jv
 
 from dynamics import simulate
+from dynamics.contact_geometry import contact_position
 from modal import SurfaceModes, surface_modes
 from sonify import SceneError, solve, write
 from sonify.claims.table import table_findings, table_is_louder
@@ -31,7 +32,6 @@ from sonify.sound.radiation import Listener, listener_of
 from sonify.sound.render import Renderer
 from sonify.sound.sources.tabletop import (
     ElasticTable,
-    contact_position,
     radiation_kernels,
     table_latency,
     table_radiation,

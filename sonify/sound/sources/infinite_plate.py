@@ -8,11 +8,12 @@ coincidence the radiated power is rho F^2/(2 pi c m''^2)."""
 
 import numpy as np
 
+from dynamics.contact_geometry import contact_position
 from sonify.sound.force import lagrange_weights
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import Listener
 from sonify.sound.sources.protocol import FADE_OUT, MODAL_FORCE_FADE, Source
-from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable, contact_position
+from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable
 
 LAGRANGE_NODES = np.arange(-2, 4)  # samples
 """Offsets from an arrival time over which Lagrange interpolation distributes the
@@ -74,7 +75,9 @@ class InfiniteTable(Source):
     def input_channels(self, force, state):
         """Return (k, 2): normal force [N] and lead of its sound over sound from the
         centre [samples]."""
-        path = contact_position(state, self._scene.disk) @ self._direction[:2]
+        disk = self._scene.disk
+        fillet = self._scene.contact.rolling_fillet(disk)
+        path = contact_position(state, disk, fillet) @ self._direction[:2]
         advance = path / self._air.sound_speed * self._rate
         return np.column_stack(
             [force[:, 2], np.clip(advance, -self._max_advance, self._max_advance)]

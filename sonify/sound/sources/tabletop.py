@@ -6,6 +6,7 @@ from math import ceil
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
 
+from dynamics.contact_geometry import contact_position
 from modal.tabletop.record import SurfaceModes
 from sonify.sound.audible_modes import (
     MAX_RING_TIME,
@@ -27,19 +28,6 @@ ARRIVAL_MARGIN = 12  # samples
 decay."""
 
 
-def contact_position(state, disk) -> np.ndarray:
-    """Return the positions (k, 2) [m] of the contact for states (k, 11), relative to
-    the disk's centre at release.
-
-    The contact lies along a_2, a quarter turn ahead of the precession angle, at the
-    distance R cos beta - H sin beta from the centre."""
-    reach = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
-    ahead = state[:, 0] + np.pi / 2
-    return state[:, 3:5] + reach[:, None] * np.column_stack(
-        [np.cos(ahead), np.sin(ahead)]
-    )
-
-
 def shapes_at_contact(modes: SurfaceModes, state, scene) -> np.ndarray:
     """Return the shapes w (k, m) [kg^-1/2] of the table at the contact, for states (k,
     11)."""
@@ -50,7 +38,8 @@ def shapes_at_contact(modes: SurfaceModes, state, scene) -> np.ndarray:
         return modes.at(
             scene.disk.radius * np.cos(ahead), scene.disk.radius * np.sin(ahead)
         )
-    return modes.at(*(modes.place + contact_position(state, scene.disk)).T)
+    fillet = scene.contact.rolling_fillet(scene.disk)
+    return modes.at(*(modes.place + contact_position(state, scene.disk, fillet)).T)
 
 
 class ElasticTable(Source):

@@ -47,16 +47,16 @@ export class Disk3D {
     const outward = new THREE.Vector3(c * ax, c * ay, -s)
     const axis = new THREE.Vector3(s * ax, s * ay, c)
     const across = new THREE.Vector3().crossVectors(axis, outward)
-    const { radius, thickness } = this.disk
-    this.body.position.set(x, y, radius * s + (thickness / 2) * c)
+    const { contact } = this.disk
+    this.body.position.set(x, y, at(contact.inclination, contact.height, inclination))
     this.body.setRotationFromMatrix(new THREE.Matrix4().makeBasis(outward, across, axis))
     this.body.rotateZ(spin)
     this.contact.position.set(...this.#contact({ precession, inclination, x, y }))
   }
 
   #contact({ precession, inclination, x, y }) {
-    const { radius, thickness } = this.disk
-    const reach = radius * Math.cos(inclination) - (thickness / 2) * Math.sin(inclination)
+    const { contact } = this.disk
+    const reach = at(contact.inclination, contact.reach, inclination)
     const [ax, ay] = towards(precession)
     return [x + reach * ax, y + reach * ay, 1e-4]
   }
@@ -85,9 +85,13 @@ export class Disk3D {
 // a_2 is horizontal and points from the centre to the contact; a_1 is (y, -x) of a_2.
 const towards = (precession) => [-Math.sin(precession), Math.cos(precession)]
 
-function body({ radius, thickness, inner_radius: hole }) {
-  const outline = [[hole, -1], [radius, -1], [radius, 1], [hole, 1], ...(hole ? [[hole, -1]] : [])]
-  const points = outline.map(([r, side]) => new THREE.Vector2(Math.max(r, 1e-9), (side * thickness) / 2))
+function body({ radius, thickness, inner_radius: hole, edge }) {
+  // pairs of distances from the axis and from the middle plane, from the face to the lateral surface
+  const rounded = Array.from({ length: edge.length / 2 }, (_, i) => [edge[2 * i], edge[2 * i + 1]])
+  const lower = rounded.map(([r, depth]) => [r, -depth])
+  const inner = [[hole, thickness / 2], ...(hole ? [[hole, -thickness / 2]] : [])]
+  const outline = [[hole, -thickness / 2], ...lower, ...rounded.reverse(), ...inner]
+  const points = outline.map(([r, z]) => new THREE.Vector2(Math.max(r, 1e-9), z))
   const solid = new THREE.Mesh(
     new THREE.LatheGeometry(points, 96).rotateX(Math.PI / 2),
     new THREE.MeshStandardMaterial({ color: theme('--steel'), metalness: 0.55, roughness: 0.35, flatShading: true, side: THREE.DoubleSide }),
