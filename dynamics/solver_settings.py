@@ -125,7 +125,7 @@ class Numerics:
     contact: Literal["auto", "filter", "full", "many"] = "auto"
     """Model of an elastic contact: a linear filter applied to the rigid motion, one
     contact solved in full, or many contacts along the rim of a rattling disk; auto
-    selects one of the first two."""
+    selects one of the three, by the unevenness of table and edge."""
     contact_rate: Annotated[float, Ge(1e3), Le(1e8)] | None = None
     """Rate of the time steps of an elastic contact that is solved in full [1/s]."""
     time_limit: Annotated[float, Gt(0), Le(1e6)] = 600.0

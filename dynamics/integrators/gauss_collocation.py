@@ -46,7 +46,6 @@ STEP_TOLERANCE = 1e-12
 DIFFERENCE_ANGLE = 1e-7
 """Step [rad] of the difference quotient in Newton's method; the iteration removes the
 error of the quotient."""
-MAX_STEPS_PER_CALL = 40
 STATE_SIZE = DISSIPATED + 1
 NUTATION_SENSE_INDEX = len(DiskConstants._fields) - 1
 """Index of the sign of nutation among the constants of a flow (branch_formulas.py)."""

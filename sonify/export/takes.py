@@ -20,6 +20,7 @@ from sonify.runtime.files import claimed_folder
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene
 from sonify.scene_errors import InputError, SceneError
+from sonify.sound.fades import raised_cosine
 from sonify.sound.pressure import Sound
 from sonify.sound.render import render_sound
 from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
@@ -190,8 +191,7 @@ def apply_fades(samples: np.ndarray, sample_rate: int) -> None:
     """Apply fades to both ends of samples (k, channels) in place."""
     for part, seconds in ((samples, FADE_IN), (samples[::-1], FADE_OUT)):
         count = min(round(seconds * sample_rate), len(samples))
-        rise = np.sin(np.pi / 2 * np.arange(count) / count) ** 2
-        part[:count] *= rise[:, None]
+        part[:count] *= raised_cosine(np.arange(count) / count)[:, None]
 
 
 def loop_points(samples: np.ndarray, sample_rate: int) -> tuple[int, int] | None:

@@ -7,7 +7,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.mains_hum import vertex, without_hum
+from sonify.hearing.mains_hum import local_maxima, without_hum
 
 FRAME_SPACING_S = 0.005
 """Spacing of the frames."""
@@ -64,7 +64,7 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
         rate = rate / down
         samples = without_hum(samples, rate) if high == max_hum_frequency else samples
         level[:, here] = _levels(samples, rate, time, frequency[here], window)
-    row, column, offset = _local_maxima(level)
+    row, column, offset = local_maxima(level)
     pitch = np.log2(frequency[0]) + (column + offset) / BINS_PER_OCTAVE
     contrast = _contrast(level)
     height = contrast[row, column]
@@ -73,14 +73,6 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
     return LogSpectrogram(
         time=time, frequency=frequency, contrast=contrast, peaks=peaks
     )
-
-
-def _local_maxima(level):
-    """Return the row, the column and the offset from the column, each (n,), of the local
-    maxima in each row of levels (t, f) [dB]."""
-    below, top, above = level[:, :-2], level[:, 1:-1], level[:, 2:]
-    here = row, column = np.nonzero((top >= below) & (top > above))
-    return row, column + 1, vertex(below[here], top[here], above[here])
 
 
 def _contrast(level):

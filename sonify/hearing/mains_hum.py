@@ -44,6 +44,17 @@ def vertex(below, top, above):
     return (below - above) / (2 * (below - 2 * top + above))
 
 
+def local_maxima(level, min_level: float = -np.inf):
+    """Return the row, the column and the offset of the vertex from the column, each
+    (n,), of the local maxima above `min_level` in the rows of levels (t, f) [dB].
+
+    Of equal neighbours, the first one is the maximum.
+    """
+    below, top, above = level[:, :-2], level[:, 1:-1], level[:, 2:]
+    here = np.nonzero((top > below) & (top >= above) & (top > min_level))
+    return here[0], here[1] + 1, vertex(below[here], top[here], above[here])
+
+
 def _steady_tones(frames, bin_count):
     """Return the interpolated bins of the steady tones in the lowest `bin_count` bins
     of the spectra of frames (t, n).

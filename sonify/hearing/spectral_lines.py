@@ -9,7 +9,7 @@ from scipy.interpolate import make_interp_spline
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 from scipy.signal import ShortTimeFFT
 
-from sonify.hearing.mains_hum import MIN_PROMINENCE_DB, vertex
+from sonify.hearing.mains_hum import MIN_PROMINENCE_DB, local_maxima
 
 MIN_LINE_FREQUENCY_HZ = 300.0
 """Lowest frequency of a spectral line or noise band."""
@@ -166,8 +166,10 @@ def _spectral_peaks(level, bin_width):
 
     The returned levels are relative to the background.
     """
-    frame, column, height = _local_maxima(level - _background(level), MIN_PROMINENCE_DB)
-    top = np.round(column).astype(int)
+    raised = level - _background(level)
+    frame, top, offset = local_maxima(raised, MIN_PROMINENCE_DB)
+    column = top + offset
+    height = raised[frame, top]
     neighbours = np.arange(10, 61)  # bins
     sides = [
         np.median(
@@ -181,17 +183,6 @@ def _spectral_peaks(level, bin_width):
     return np.array([frame, column * bin_width, height])[
         :, prominent & (column > MIN_LINE_FREQUENCY_HZ / bin_width)
     ]
-
-
-def _local_maxima(level, min_level):
-    """Return frames, interpolated columns and levels, each (n,), of the local maxima
-    above `min_level` [dB] in the frames of levels (t, f)."""
-    below = level[:, :-2]
-    top = level[:, 1:-1]
-    above = level[:, 2:]
-    here = np.nonzero((top > below) & (top >= above) & (top > min_level))
-    column = here[1] + 1 + vertex(below[here], top[here], above[here])
-    return here[0], column, top[here]
 
 
 def _merge_noise_bands(tracks, level, bin_width):
@@ -239,8 +230,8 @@ def _find_noise_bands(level, bin_width):
     )
     grid = uniform_filter1d(grid, size, axis=1)
     mean = uniform_filter1d(grid, averaged_frames, axis=0)
-    frame, column, height = _local_maxima(mean, min_level)
-    peaks = np.array([frame, _grid_frequency(column), height])
+    frame, column, offset = local_maxima(mean, min_level)
+    peaks = np.array([frame, _grid_frequency(column + offset), mean[frame, column]])
     tracks = _track_peaks(peaks, len(level), max_step=60.0)
     bands = [_centre_noise_band(track, mean, grid) for track in tracks]
     return [band for band in bands if band.half_width < max_half_width]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dynamics.observables import nutation_frequency, precession_rate
+from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.details import unit_and_details
 from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import level_db
@@ -80,8 +81,8 @@ def describe_energy(result: "Result") -> str:
     end = result.motion.t[-1]
     lost = energy_budget(result.motion, np.array([begin, end])).lost
     items = [
-        f"{name} {energy[-1]:.2g} J"
-        for name, energy in sorted(lost.items(), key=lambda item: -item[1][-1])
+        f"{CAUSE_IN_WORDS[cause]} {energy[-1]:.2g} J"
+        for cause, energy in sorted(lost.items(), key=lambda item: -item[1][-1])
     ]
     return f"Energies of disk and table over the last {end - begin:.2g} s, and losses to {', '.join(items)}."
 

@@ -6,6 +6,7 @@ Energies are drawn for motions with two-way coupling to the table.
 
 import numpy as np
 
+from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.report.figure import (
     label_plain_decades,
     place_legend_above,
@@ -151,16 +152,6 @@ LINE_STYLES = (
     (0, (7, 2, 1, 2, 1, 2)),
     (0, (3, 1)),
 )
-CAUSE_NAMES = {
-    "contact": "compression of the contact",
-    "creep": "creep of the contact",
-    "slip": "sliding",
-    "moments": "rolling and pivoting friction",
-    "table": "vibration of the table",
-    "film": "air film",
-    "body": "vibration of the disk",
-}
-"""Name of each cause of energy loss in the legend."""
 
 
 def draw_energy(path, left, held: dict, lost: dict):
@@ -180,7 +171,7 @@ def draw_energy(path, left, held: dict, lost: dict):
                 name: curve for name, curve in curves.items() if curve.max() > least
             }
             for (name, curve), style in zip(shown.items(), LINE_STYLES, strict=False):
-                label = CAUSE_NAMES.get(name, name)
+                label = CAUSE_IN_WORDS.get(name, name)
                 panel.plot(left, curve, ls=style, lw=1.2, label=label)
             panel.set(
                 xscale="log",

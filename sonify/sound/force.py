@@ -8,6 +8,7 @@ from scipy import sparse
 
 from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
+from sonify.sound.fades import raised_cosine
 from sonify.sound.oscillators import Knots
 
 LOW_PASS_HALF_WIDTH = 8  # samples
@@ -293,7 +294,7 @@ class ForceSampler:
         """Return the fade factor (k, c) at t (k,) [s], a raised cosine from 1 to 0 at
         the end."""
         share = (self.end - np.asarray(t)[:, None]) / np.maximum(self.fade, 1e-300)
-        return np.cos(np.pi / 2 * np.clip(1 - share, 0, 1)) ** 2
+        return raised_cosine(share)
 
     def _apply_fade(self, t, values):
         late = np.asarray(t) > self.end - self.fade.max()

@@ -16,6 +16,7 @@ from sonify.hearing.audio_source import BLOCK_SIZE
 from sonify.scene import Scene
 from sonify.sound.absorption import propagation_filter, propagation_latency
 from sonify.sound.audible_modes import modes_below_nyquist
+from sonify.sound.fades import raised_cosine
 from sonify.sound.force import ForceSampler
 from sonify.sound.pressure import Sound, collect_rows, pressure_and_stems
 from sonify.sound.radiation import Listener, listener_of, listeners_of
@@ -227,12 +228,9 @@ class Renderer:
         if fade_in_end < first and first + len(stems) < fade_out_start:
             return stems
         n = first + np.arange(len(stems)) + 0.5
-        rise = np.clip(n / fade_in_end, 0, 1)
-        fall = np.clip((self.samples - n) / (self.samples - fade_out_start), 0, 1)
-        return (
-            stems
-            * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
-        )
+        rise = raised_cosine(n / fade_in_end)
+        fall = raised_cosine((self.samples - n) / (self.samples - fade_out_start))
+        return stems * (rise * fall)[:, None]
 
 
 def render_sound(

@@ -1,7 +1,7 @@
 """Compute modal accelerations block by block, from the contact force or from a solved
 motion."""
 
-from typing import Protocol, runtime_checkable
+from typing import Protocol
 
 import numpy as np
 
@@ -9,9 +9,11 @@ from sonify.sound.audible_modes import RingDown
 from sonify.sound.oscillators import OscillatorBank, free_response
 
 
-@runtime_checkable
-class VibrationPart(Protocol):
-    """Motion that was solved together with the elastic modes of the disk."""
+class SolvedVibration(Protocol):
+    """Vibration of the disk that was solved together with its motion."""
+
+    t: np.ndarray
+    """Breakpoints (n,) [s] of the motion."""
 
     def vibration(self, t: np.ndarray) -> np.ndarray:
         """Return displacement, velocity and acceleration (k, 3, m) of the modes of unit
@@ -42,13 +44,13 @@ class DrivenModes:
 
 
 class SolvedModes:
-    """Response of the modes `chosen` (m,) taken from a VibrationPart; they ring down
-    after the motion.
+    """Response of the modes `chosen` (m,) taken from a solved vibration; they ring
+    down after the motion.
 
     The solution does not distinguish between smooth force and jumps; the whole response
     is assigned to the smooth force."""
 
-    def __init__(self, motion, chosen, ringing: RingDown):
+    def __init__(self, motion: SolvedVibration, chosen, ringing: RingDown):
         self._ringing = ringing
         self._motion = motion
         self._chosen = chosen

@@ -6,7 +6,7 @@ from typing import Any
 
 from sonify.scene import Scene, from_document, load_scene, shipped_scenes
 from sonify.scene_errors import SceneError
-from sonify.scene_keys import schema
+from sonify.scene_keys import meaning_and_unit, schema
 
 NUMBER_KEYS = (
     "disk.radius",
@@ -104,7 +104,7 @@ def _number_control(scene, key):
     middle = typical_roughness if value is None else value
     logarithmic = largest > 100.0 * middle or section == "roughness"
     low, high = (middle / 4.0, middle * 4.0) if logarithmic else (smallest, largest)
-    meaning, unit = _meaning_and_unit(described)
+    meaning, unit = meaning_and_unit(described["description"])
     return Control(
         key=key,
         meaning=meaning,
@@ -124,7 +124,7 @@ def _choice_control(scene, key):
         names += [n for n in shipped_scenes() if load_scene(n).surface.kind != "rigid"]
     else:
         described = _schema_of(key)
-        meaning, _ = _meaning_and_unit(described)
+        meaning, _ = meaning_and_unit(described["description"])
         names = described["enum"]
     if key == "air.film":
         value = scene.air.film
@@ -147,13 +147,3 @@ def _schema_of(key):
             whole["$defs"][inner.rpartition("/")[2]] if inner else entry | option
         )
     return described
-
-
-def _meaning_and_unit(described):
-    """Return the description of a key, without the unit in brackets, and the unit."""
-    text = " ".join(described["description"].split())
-    head, bracket, rest = text.partition(" [")
-    if not bracket:
-        return text, ""
-    unit, _, tail = rest.partition("]")
-    return head + tail, unit

@@ -22,6 +22,7 @@ from dynamics.compliant.model_selection import (
 from dynamics.film.activation import airborne_inclination
 from sonify import load_scene
 from sonify.scene import from_document
+from sonify.scene_keys import keys
 
 GENTLE = (
     "release.inclination_deg=3",
@@ -141,3 +142,14 @@ def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
     assert roughness_energy_share(
         little.replace("roughness.rms=5e-9")
     ) == pytest.approx(0.25 * roughness_energy_share(little), rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("rms", "kind"), [("0.03e-6", "filter"), ("2e-7", "full"), ("5e-6", "many")]
+)
+def test_auto_selects_any_of_the_three_models_as_its_help_states(rms, kind):
+    """Granite as polished, as ground, and as rough as unfinished stone."""
+    scene = load_scene("granite").replace(f"roughness.rms={rms}")
+    assert choose_contact_model(scene).kind == kind
+    (row,) = [key for key in keys() if key.name == "numerics.contact"]
+    assert "auto selects one of the three" in row.meaning

@@ -12,6 +12,7 @@ from scipy.signal import butter, firwin, lfilter, oaconvolve, sosfilt
 
 from sonify import load_scene
 from sonify.claims.resonance_matching import nearest_resonance, resonances
+from sonify.hearing.mains_hum import local_maxima
 from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.spectral_lines import (
     MAX_SIDEBAND_OFFSET_HZ,
@@ -265,3 +266,16 @@ def test_carriers_are_matched_to_modes_and_contact():
         for match in [nearest_resonance(one, known)]
     }
     assert of == {round(mode): "disk", 2000: "contact", 5040: None}
+
+
+def test_a_local_maximum_is_the_vertex_of_a_parabola_and_the_first_of_equals():
+    """Parabolas with known vertices; a plateau counts once, at its first bin."""
+    bins = np.arange(20.0)
+    vertices = np.array([3.0, 7.4, 11.75])
+    level = -((bins - vertices[:, None]) ** 2)
+    row, column, offset = local_maxima(level)
+    assert row.tolist() == [0, 1, 2]
+    assert column + offset == pytest.approx(vertices, abs=1e-12)
+    assert local_maxima(level, min_level=1.0)[0].size == 0
+    plateau = np.array([[0.0, 1.0, 1.0, 0.0]])
+    assert local_maxima(plateau)[1].tolist() == [1]

@@ -13,6 +13,7 @@ from arithmetic import gamma
 
 from dynamics import simulate
 from dynamics.observables import precession_rate
+from sonify.sound.fades import raised_cosine
 from sonify.sound.force import LOW_PASS_HALF_WIDTH, ForceSampler, final_contact_rate
 
 RATE = 48000
@@ -201,3 +202,10 @@ def test_channels_may_turn_with_the_attitude(motion):
     force = ForceSampler(motion, RATE, channels=turning).block(0, 4 * RATE)
     expected = turning(motion.force(force.t), motion.at(force.t)[:, :3])
     assert np.abs(force.samples - expected).max() < 1e-11
+
+
+def test_every_fade_is_the_same_raised_cosine():
+    """Oracle: (1 - cos(pi x))/2, and the constant values outside."""
+    share = np.linspace(-0.5, 1.5, 41)
+    inside = (1 - np.cos(np.pi * np.clip(share, 0, 1))) / 2
+    assert raised_cosine(share) == pytest.approx(inside, abs=1e-15)

@@ -25,6 +25,7 @@ from dynamics.film.activation import decide_film
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.rigid_motion import RigidMotion
 from sonify.sound.block_overlap import overlapping_blocks
+from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
 from sonify.sound.sources.protocol import Source, SourceGroup, ignore_energy
@@ -100,8 +101,8 @@ class ContactFilter:
         ):
             t = begin + (count + 1 + np.arange(len(force))) / rate
             count += len(force)
-            fading = np.sin(pi / 2 * np.clip((self.end - t) / fade, 0, 1))[:, None] ** 2
-            past = np.vstack([past, force * fading])
+            fading = raised_cosine((self.end - t) / fade)
+            past = np.vstack([past, force * fading[:, None]])
             ready = decimate(past, weight, oversampling)
             yield ready
             past = past[len(ready) * oversampling :]

@@ -33,7 +33,6 @@ from sonify.sound.modal_forcing import (
 )
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import NearRim, RigidFace
-from sonify.sound.response import VibrationPart
 from sonify.sound.sources.protocol import (
     FADE_OUT,
     ElasticDisk,
@@ -381,8 +380,6 @@ class ElasticDiskOverFilm(ElasticDisk):
         )
 
     def _response(self, first):
-        if isinstance(self._motion, VibrationPart):
-            return super()._response(first)
         oscillators = GapTunedOscillators(
             self._loaded_modes, self._scene.audio.sample_rate, first[3:], first[2]
         )

@@ -20,7 +20,7 @@ from sonify.sound.modal_forcing import (
 )
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import ElasticFace, RigidFace
-from sonify.sound.response import DrivenModes, SolvedModes, VibrationPart
+from sonify.sound.response import DrivenModes
 
 FADE_IN = 0.02  # s
 """Length of the raised-cosine fade at the start of a sound; the support of the disk
@@ -206,8 +206,6 @@ class ElasticDisk(TwoEarSource):
     def _response(self, first):
         """Return a function that computes the modal accelerations (s, k, m) due to
         successive blocks of the channels."""
-        if isinstance(self._motion, VibrationPart):
-            return SolvedModes(self._motion, self._chosen, self.ringing).advance
         driven = DrivenModes(
             self._modes.frequency,
             self._modes.decay_rate,
