@@ -30,7 +30,7 @@ from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import Plan, with_motion_end
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
-from sonify.plan.unused import unused_keys
+from sonify.plan.unused import unused_keys_notice
 from sonify.report.display import ReportDisplay
 from sonify.report.pictures import Pictures
 from sonify.report.render_worker import painter
@@ -272,8 +272,8 @@ def run(
     with claimed_folder(out or Path("outputs") / scene.name) as folder:
         if notice := replaced_results(scene, folder):
             stages.notice(notice)
-        if unused := unused_keys(scene):
-            stages.notice(f"unused: {', '.join(unused)} (no effect on this run)")
+        if notice := unused_keys_notice(scene):
+            stages.notice(notice)
         pictures = Pictures()
         result = solve(
             scene,

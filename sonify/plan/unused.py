@@ -161,6 +161,13 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
     )
 
 
+def unused_keys_notice(scene: Scene) -> str:
+    """Return the sentence that names the unused keys of a scene, or "" if there are
+    none."""
+    unused = ", ".join(unused_keys(scene))
+    return f"unused: {unused} (no effect on this run)" if unused else ""
+
+
 def keys_set_by_scene(scene: Scene) -> Iterator[str]:
     """Yield the keys that a scene sets to non-default values."""
     sections = vars(scene)

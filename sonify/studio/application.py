@@ -139,7 +139,7 @@ class Session:
         name = request.path_params["scene"]
         if name not in shipped_scenes():
             raise HTTPException(404, "no such scene")
-        return JSONResponse(controls(load_scene(name)))
+        return JSONResponse(_controls(name))
 
     async def run(self, request: Request) -> Response:
         """Run a scene and stream its progress; closing the response cancels the run."""
@@ -261,6 +261,12 @@ async def _body(request: Request, most: int) -> bytes:
         if len(content) > most:
             raise HTTPException(413, f"the request is larger than {most / 1e6:g} MB")
     return bytes(content)
+
+
+@cache
+def _controls(name: str) -> list[dict[str, Any]]:
+    """Return the controls of a shipped scene, which take up to a second to check."""
+    return controls(load_scene(name))
 
 
 @cache

@@ -25,8 +25,8 @@ KEEP_SCENE_VALUE = ""
 class Control:
     """One slider or list of the page.
 
-    `low` and `high` are the ends of the slider, within the range allowed in a scene;
-    any number can be typed next to it.
+    `low` and `high` are the ends of the slider. The scene, otherwise unchanged, accepts
+    both; any number can be typed next to the slider.
     """
 
     key: str
@@ -110,11 +110,48 @@ def _number_control(scene, key):
         meaning=meaning,
         unit=unit,
         value=value,
-        low=max(low, smallest),
-        high=min(high, largest),
+        low=_accepted_end(scene, key, middle, max(low, smallest), logarithmic),
+        high=_accepted_end(scene, key, middle, min(high, largest), logarithmic),
         logarithmic=logarithmic,
         optional=section == "roughness",
     )
+
+
+def _accepted_end(scene, key, accepted, end, logarithmic):
+    """Return the end of a slider or, if a run with this value is refused, the last
+    value before it that is accepted, to a thousandth of the slider."""
+    refused = _rounded(end)
+    if _is_accepted(scene, key, refused):
+        return refused
+    step_count = 10  # halvings
+    for _ in range(step_count):
+        middle = (
+            (accepted * refused) ** 0.5 if logarithmic else (accepted + refused) / 2
+        )
+        middle = _rounded(middle)
+        if _is_accepted(scene, key, middle):
+            accepted = middle
+        else:
+            refused = middle
+    return accepted
+
+
+def _rounded(value):
+    """Return a value with the four significant digits that the page shows."""
+    return float(f"{value:.4g}")
+
+
+def _is_accepted(scene, key, value):
+    """Return True if a run starts with one changed value of a scene."""
+    from sonify.plan.preflight import check_solvable_scene  # slow to import
+
+    document = scene.document
+    _apply_control_value(document, key, value)
+    try:
+        check_solvable_scene(from_document(document), None)
+    except SceneError:
+        return False
+    return True
 
 
 def _choice_control(scene, key):

@@ -22,7 +22,8 @@ length."""
 
 
 class ProgressFile(Stages):
-    """Stages that write a line of progress and the state of the sound to a file."""
+    """Stages that write notices, a line of progress and the state of the sound to a
+    file."""
 
     def __init__(self, folder: Path):
         super().__init__()
@@ -30,6 +31,7 @@ class ProgressFile(Stages):
         self._running: dict[str, StageProgress] = {}
         self._lock = Lock()
         self._written = 0.0
+        self.notices: list[str] = []
         self.heard = False
         self.streams = False
         self._gain = inf
@@ -53,6 +55,11 @@ class ProgressFile(Stages):
         finally:
             with self._lock:
                 del self._running[name]
+
+    def notice(self, line: str):
+        """Write a message for the user."""
+        self.notices.append(line)
+        self.write(at_once=True)
 
     def pressure(self, block, sample_rate: int, samples: int):
         """Append a block of the pressure [Pa] to the stream.
@@ -90,6 +97,7 @@ class ProgressFile(Stages):
             content = {
                 "line": line,
                 "share": min(shares, default=None),
+                "notices": self.notices,
                 "heard": self.heard,
                 "streams": self.streams,
             }
@@ -123,12 +131,15 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     The sound is written to `session` before the other files.
     """
     from sonify import pipeline
+    from sonify.plan.unused import unused_keys_notice
     from sonify.report.pictures import Pictures
     from sonify.runtime.files import claimed_folder
     from sonify.scene import from_document
 
     stages = ProgressFile(session)
     scene = pipeline.check_solvable_scene(from_document(document), None)
+    if notice := unused_keys_notice(scene):
+        stages.notice(notice)
     with claimed_folder(out) as folder:
         pictures = Pictures()
         begin = _callback_with_preview(pictures.begin, stages, session)
@@ -140,6 +151,7 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
         "outcome": result.motion.outcome.sentence,
         "seconds": result.sound.duration,
         "passed": result.passed,
+        "notices": stages.notices,
     }
 
 

@@ -15,15 +15,23 @@ from http.client import HTTPConnection
 import numpy as np
 import pytest
 import soundfile
+from click.testing import CliRunner
 
-from sonify import load_scene
+from sonify import load_scene, shipped_scenes
+from sonify.__main__ import main
+from sonify.plan.preflight import check_solvable_scene
 from sonify.runtime.workers import WorkerDiedError
 from sonify.scene_errors import InputError, SceneError
 from sonify.serve import serve
 from sonify.studio import application as studio_pages
 from sonify.studio.controls import changed_scene, control_key_of_error, controls
 from sonify.studio.job_queue import Job, JobQueue
-from sonify.studio.worker import STREAM_FILE, ProgressFile
+from sonify.studio.worker import (
+    PROGRESS_FILE,
+    STREAM_FILE,
+    ProgressFile,
+    run_scene,
+)
 
 WRONG = "%7B%22disk.radius%22%3A-1%7D"
 """A value that no scene allows, quoted for an address."""
@@ -211,6 +219,65 @@ def test_the_controls_have_the_values_and_limits_of_the_scene(scene):
     for control in given.values():
         if control["low"] is not None and control["value"] is not None:
             assert control["low"] <= control["value"] <= control["high"]
+
+
+SCENES_OF_SLIDERS = ("published", "wavy", "mirror-base", "light-plate")
+"""Scenes of the quick test: a rigid, a wavy, a concave and an elastic table."""
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=() if name in SCENES_OF_SLIDERS else pytest.mark.slow)
+        for name in shipped_scenes()
+    ],
+)
+def test_a_run_with_the_value_at_the_end_of_a_slider_is_accepted(name):
+    """The ends are where the checks of the command line begin to refuse, or less."""
+    for control in controls(load_scene(name)):
+        if control["choices"]:
+            continue
+        assert control["low"] < control["high"]
+        for end in (control["low"], control["high"]):
+            scene = changed_scene(name, {control["key"]: end})
+            assert check_solvable_scene(scene, None).name == name
+            assert end == float(f"{end:.4g}")  # the page shows four digits
+
+
+def test_the_end_of_a_slider_is_close_to_the_first_value_that_is_refused():
+    """The radius may not exceed half the diameter of the mirror, nor the contact's fillet half the
+    thickness of a coin."""
+    ends = {
+        scene: {control["key"]: control for control in controls(load_scene(scene))}
+        for scene in ("mirror-base", "coin")
+    }
+    mirror = load_scene("mirror-base").surface.diameter
+    assert ends["mirror-base"]["disk.radius"]["high"] == pytest.approx(
+        mirror / 2, rel=2e-3
+    )
+    fillet = load_scene("coin").contact.fillet
+    assert ends["coin"]["disk.thickness"]["low"] == pytest.approx(2 * fillet, rel=2e-3)
+
+
+def test_keys_without_effect_are_named_as_on_the_command_line(tmp_path, monkeypatch):
+    """Both name them before they solve anything."""
+    seen = []
+
+    def stopped(scene, **arguments):
+        seen.append(arguments["stages"])
+        raise InputError("stopped")
+
+    monkeypatch.setattr("sonify.pipeline.solve", stopped)
+    given = ["--set", "roughness.rms=1e-7", "--out", str(tmp_path / "command")]
+    told = CliRunner().invoke(main, ["run", "published", *given])
+    values = {"roughness.rms": 1e-7}
+    document = changed_scene("published", values).document
+    with pytest.raises(InputError, match="stopped"):
+        run_scene(document, tmp_path / "studio", tmp_path)
+    written = json.loads((tmp_path / PROGRESS_FILE).read_text("utf-8"))
+    assert written["notices"] == ["unused: roughness.rms (no effect on this run)"]
+    assert written["notices"][0] in told.stderr.splitlines()
+    assert len(seen) == 2
 
 
 def test_a_named_material_brings_its_density_and_a_table_its_section():
@@ -416,11 +483,15 @@ def test_a_browser_hears_a_run(monkeypatch, tmp_path):
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.goto(f"http://127.0.0.1:{port}/{token}/")
         page.fill('[id="control-release.inclination_deg"]', "5")
+        page.fill('[id="control-roughness.rms"]', "1e-7")
         with page.expect_response(lambda answer: "/stream/" in answer.url) as sound:
             page.click("#run")
         assert sound.value.status in (200, 206)
         page.wait_for_selector("#page:not([hidden])")
         assert page.evaluate("document.querySelector('audio').duration") > 1.0
+        assert page.inner_text("#notice") == (
+            "unused: roughness.rms (no effect on this run)"
+        )
         assert faults == []
         browser.close()
     jobs.close()

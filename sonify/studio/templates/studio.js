@@ -87,6 +87,7 @@ async function showControls() {
   controls = await answer.json();
   changed = {};
   showFault("");
+  showNotices([]);
   $("controls").replaceChildren(
     ...controls.map((control) => {
       const parts = control.choices.length ? choiceField(control) : numberField(control);
@@ -119,6 +120,10 @@ async function* linesOf(response) {
     text = lines.pop();
     for (const line of lines) yield JSON.parse(line);
   }
+}
+
+function showNotices(lines) {
+  $("notice").textContent = lines.join(" ");
 }
 
 function progressText(status) {
@@ -173,6 +178,7 @@ async function runScene(event) {
   const run = { name: nameOfRun(), fresh: true, added: false, done: false };
   for (const control of controls) showFault("", control.key);
   showFault("");
+  showNotices([]);
   abort = new AbortController();
   busy(true);
   try {
@@ -188,6 +194,8 @@ async function runScene(event) {
     }
     for await (const status of linesOf(response)) {
       if (status.error) showFault(status.error, status.key);
+      const notices = status.notices ?? status.result?.notices;
+      if (notices) showNotices(notices);
       if ((status.streams || status.heard) && !run.added) {
         const sound = status.heard ? status.sound : status.stream;
         Object.assign(run, { sound, page: status.page, added: true });
