@@ -9,13 +9,14 @@ runs in a folder.
 """
 
 import json
+import re
 import subprocess
 import sys
 
 import numpy as np
 import pytest
 import soundfile
-from paths import REFERENCES
+from paths import REFERENCES, ROOT
 from scipy.signal import stft, welch
 
 from sonify.claims.two_way import halt_comes_earlier
@@ -107,6 +108,15 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
         ):
             changed[key] = (known[key], value, verdict)
     assert changed == {}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(shipped_scenes()))
+def test_the_page_of_a_shipped_scene_has_the_size_that_the_how_to_states(name, record):
+    text = (ROOT / "docs" / "how_to.md").read_text("utf-8")
+    least, most = map(int, re.search(r"have (\d+) to (\d+) MB", text).groups())
+    _, _, folder = record(name)
+    assert least <= (folder / "report.html").stat().st_size / 1e6 <= most
 
 
 @pytest.mark.slow
