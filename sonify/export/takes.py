@@ -1,6 +1,7 @@
 """Export variations of a sound as trimmed WAV files with loop points, for samplers."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from struct import pack
 
@@ -21,6 +22,8 @@ from sonify.runtime.progress import Stages
 from sonify.scene import Scene
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.fades import raised_cosine
+from sonify.sound.mastering import Mastering
+from sonify.sound.playback import ScaledTrack
 from sonify.sound.pressure import Sound
 from sonify.sound.render import render_sound
 from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
@@ -148,12 +151,12 @@ def sound_of_take(
 def write_take(sound: Sound, path: Path, note: str) -> None:
     """Write a sound without the silence at both ends, as 24-bit PCM with loop points.
 
-    The text fields contain the scene, the program with its version, the pressure
+    Its true peak is below -1 dBTP. The text fields contain the scene, the program with its version, the pressure
     represented by 1.0, and `note`. Raises InputError if the sound is silent or too long
     for a WAV file.
     """
-    copy = sound.playback_copy
-    first, last = audible_range(copy)
+    first, last = audible_range(sound.playback_copy)
+    copy = copy_below_limit(sound.playback_copy)
     samples = read_samples(copy, first, last)
     apply_fades(samples, sound.sample_rate)
     if samples.size * BYTES_PER_SAMPLE["PCM_24"] > MAX_RIFF_BYTES:
@@ -164,9 +167,16 @@ def write_take(sound: Sound, path: Path, note: str) -> None:
         path, sound.sample_rate, copy.channels, "PCM_24", "WAV", chunk
     ) as file:
         file.title = f"Euler's disk, {sound.name}"
-        file.comment = f"1.0 = {sound.full_scale:.9g} pascal at the listener; {note}"
+        file.comment = f"1.0 = {copy.full_scale:.9g} pascal at the listener; {note}"
         file.software = f"eulers-disk-sonify {__version__}"
         file.write(samples)
+
+
+def copy_below_limit(copy: ScaledTrack) -> ScaledTrack:
+    """Return a copy with the true peak of a master, which every meter reads below
+    -1 dBTP."""
+    limit = 10 ** (Mastering().limit_dbtp / 20)
+    return replace(copy, full_scale=copy.full_scale * copy.true_peak / limit)
 
 
 def audible_range(source) -> tuple[int, int]:

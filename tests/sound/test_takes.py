@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
+from scipy.signal import resample
 from tinytag import TinyTag
 
 from sonify import __version__, load_scene, solve
@@ -24,9 +25,12 @@ from sonify.export.takes import (
     export_takes,
     loop_points,
     varied_scene,
+    write_take,
 )
 from sonify.runtime.progress import Stages
 from sonify.scene_errors import InputError
+from sonify.sound.playback import ScaledTrack
+from sonify.sound.pressure import Track
 
 BRIEF = ("numerics.accuracy=draft", "numerics.time_limit=0.5")
 
@@ -137,7 +141,47 @@ def test_a_take_is_the_pressure_of_its_scene(exported):
         if n + len(part) <= len(pressure)
     )
     assert nearest < 2e-7 * scale
-    assert np.abs(samples).max() == pytest.approx(10 ** (-1 / 20), abs=1e-6)
+
+
+def true_peak_dbtp(samples, oversampling):
+    """Return the true peak [dBTP] of samples (n,) or (n, channels) by Fourier interpolation."""
+    padded = np.pad(
+        samples, ((1024, 1024 - len(samples) % 1024), (0, 0))[: samples.ndim]
+    )
+    return 20 * np.log10(np.abs(resample(padded, oversampling * len(padded))).max())
+
+
+@pytest.mark.parametrize("oversampling", [4, 16])
+def test_no_take_has_a_true_peak_above_the_limit(exported, oversampling):
+    for path in exported.paths:
+        samples, _ = soundfile.read(path)
+        assert -2.0 < true_peak_dbtp(samples, oversampling) < -1.0
+
+
+@pytest.mark.parametrize("oversampling", [4, 16])
+@pytest.mark.parametrize("rate", [44100, 96000])
+def test_peaks_between_the_samples_of_a_take_stay_below_the_limit(
+    tmp_path, rate, oversampling
+):
+    """At a quarter of the sample rate, every sample of a sine at 45 degrees is 3 dB below its peak;
+    white noise and clicks between two samples have such peaks too."""
+    n = np.arange(rate)
+    noise = np.random.default_rng(1).standard_normal(rate)
+    click = np.sinc(n - rate / 2 - 0.5)
+    for shape in (np.sin(np.pi / 2 * n + np.pi / 4), noise, click):
+        columns = shape.astype(np.float32)[:, None]
+        sound = SimpleNamespace(
+            name="made",
+            sample_rate=rate,
+            playback_copy=ScaledTrack(
+                track=Track(sample_rate=rate, columns=columns, column=0),
+                full_scale=float(np.abs(shape).max() / 10 ** (-1 / 20)),
+            ),
+        )
+        path = tmp_path / "take.wav"
+        write_take(sound, path, "made")
+        samples, _ = soundfile.read(path)
+        assert true_peak_dbtp(samples, oversampling) < -1.0
 
 
 def test_the_text_fields_are_read_by_other_programs(exported):
