@@ -5,6 +5,7 @@ import errno
 import os
 import re
 import sys
+from io import TextIOWrapper
 from math import inf
 from shutil import get_terminal_size
 from signal import SIGINT
@@ -65,8 +66,12 @@ class OneLineErrorGroup(click.Group):
         """Run the command line.
 
         If a process that reads the output, such as `head`, exits early, the files and
-        the exit status remain the same.
+        the exit status remain the same. Bytes of file names that are not UTF-8 are
+        printed as they are.
         """
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(errors="surrogateescape")
         with orderly_exit():
             return super().main(*arguments, **options)
 
@@ -172,7 +177,9 @@ def out_option(help_text, **attributes):
 
 
 def _exit_with_message(message, status):
-    click.echo(f"sonify: {' '.join(str(message).split())}", err=True)
+    lines = str(message).splitlines()
+    line = " ".join(part.strip() for part in lines)  # names may have double spaces
+    click.echo(f"sonify: {line}", err=True)
     sys.exit(status)
 
 
@@ -260,8 +267,11 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
 
 
 @main.command()
-@click.argument("recording", type=PATH)
-@out_option("Output folder; default outputs/listen/<name of the file>.")
+@click.argument("recordings", nargs=-1, required=True, type=PATH)
+@out_option(
+    "Output folder, with a folder in it for each of several recordings; default "
+    "outputs/listen/<name of the file>."
+)
 @click.option(
     "--scene",
     type=TEXT,
@@ -269,16 +279,21 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
 )
 @FROM_OPTION
 @TO_OPTION
-def listen(recording, out, scene, begin, end):
-    """Detect settling disks or coins and spectral lines in the sound file RECORDING."""
+def listen(recordings, out, scene, begin, end):
+    """Detect settling disks or coins and spectral lines in RECORDINGS.
+
+    RECORDINGS are sound files, phyphox exports, or folders of recordings.
+    """
     from sonify.console import Console
 
     with Console(interval=30.0, times=False) as stages:
-        from sonify.report.recording import write_recording_report
+        from sonify.report.recording import write_recording_reports
 
         span = (begin, end)
-        for line in write_recording_report(recording, out, scene, stages, span):
-            click.echo(line)
+        failures = write_recording_reports(
+            recordings, out, scene, stages, span, click.echo
+        )
+    sys.exit(1 if failures else 0)
 
 
 @main.command()
@@ -310,7 +325,8 @@ def fit(recordings, scene, out, like, begin, end):
         from sonify.fitting.result import fit
 
         with stages.stage("recordings") as watch:
-            fits = fit(recordings, scene or "toy", like, watch, (begin, end))
+            span = (begin, end)
+            fits = fit(recordings, scene or "toy", like, watch, span, stages.notice)
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")
@@ -325,6 +341,7 @@ def fit(recordings, scene, out, like, begin, end):
             for line in comparison_sentences(fits, simulated):
                 click.echo(line)
         click.echo(write_fits(fits, out, simulated))
+    sys.exit(0 if all(one.is_input_error for one in fits.not_fitted) else 1)
 
 
 @main.command()

@@ -25,7 +25,7 @@ class Console(Stages, AbstractContextManager):
     def __init__(self, interval: float = 10.0, times: bool = True):
         super().__init__()
         self._shown = times
-        self._console = RichConsole(stderr=True, highlight=False)
+        self._console = RichConsole(stderr=True, highlight=False, emoji=False)
         in_terminal = self._console.is_terminal
         self._bars = Progress(
             BarColumn(bar_width=20),

@@ -15,7 +15,8 @@ def in_worker_processes(
     """Yield `function(*task)` for every task in order, computed by `count` worker
     processes.
 
-    Exceptions raised by the function are raised again.
+    Exceptions raised by the function are raised again. If its process dies, a task has
+    the result RecordingError, and the remaining tasks have a new process.
     """
     idle: SimpleQueue = SimpleQueue()
     processes = [WorkerProcess() for _ in range(count)]
@@ -27,9 +28,9 @@ def in_worker_processes(
         try:
             return process.call(function, *task)
         except WorkerDiedError as error:
-            raise RecordingError(
-                f"{task[0]}: the fitting process ended: {error}"
-            ) from None
+            process = WorkerProcess()
+            processes.append(process)
+            return RecordingError(f"{task[0]}: the fitting process ended: {error}")
         finally:
             idle.put(process)
 

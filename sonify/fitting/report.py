@@ -1,6 +1,8 @@
 """Output files of a fit: fit.json, fit.csv, a picture and a short page."""
 
+import csv
 from dataclasses import asdict
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +14,20 @@ from sonify.fitting.least_squares import Fit, values_in_words
 from sonify.fitting.line_selection import shares_of_power
 from sonify.fitting.result import Fits, Fitted
 from sonify.fitting.settings import FIT
-from sonify.report.figure import label_plain_decades, place_legend_above, png_figure
+from sonify.report.figure import (
+    file_label,
+    label_plain_decades,
+    place_legend_above,
+    png_figure,
+)
 from sonify.report.recording import spectral_line_record
 from sonify.report.write import json_safe, write_json
-from sonify.runtime.files import atomic_write, claimed_folder, first_matching_folder
+from sonify.runtime.files import (
+    atomic_write,
+    claimed_folder,
+    first_matching_folder,
+    readable_text,
+)
 
 MAX_PANELS = 6
 """Largest number of recordings that are drawn."""
@@ -38,9 +50,10 @@ def write_fits(
         with atomic_write(folder / "fit.png") as temporary:
             draw(fits, temporary)
         with atomic_write(folder / "fit.csv") as temporary:
-            temporary.write_text("\n".join(table(record, ",")) + "\n", encoding="utf-8")
+            rows = readable_text(_as_csv(table(record)))
+            temporary.write_text(rows, encoding="utf-8")
         with atomic_write(folder / "fit.md") as temporary:
-            temporary.write_text(page(fits, record), encoding="utf-8")
+            temporary.write_text(readable_text(page(fits, record)), encoding="utf-8")
         if simulated:
             files = [{"file": one.file, "measured": one.measured} for one in fits.files]
             record = {"scene": fits.scene.name, "files": files, "simulated": simulated}
@@ -59,6 +72,10 @@ def as_json(fits: Fits) -> dict[str, Any]:
         "scene": fits.scene.name,
         "neglected": neglected_parts(fits.scene),
         "files": [_record_of_recording(one, fits.resonances) for one in fits.files],
+        "not_fitted": [
+            {"file": one.file, "reason": one.reason} for one in fits.not_fitted
+        ],
+        "skipped": fits.skipped,
         "pooled": {
             "t_end": asdict(fits.pool.value(0)) if len(fits.files) == 1 else None,
             **_values_of_laws(
@@ -129,12 +146,12 @@ def _values_of_laws(values, limits) -> dict[str, Any]:
     return found | {name: asdict(v) for name, v in values.items()}
 
 
-def table(record: dict[str, Any], separator: str = " | ") -> list[str]:
-    """Return a header, a row for each recording in the content of fit.json, and a row
-    for all of them together."""
+def table(record: dict[str, Any]) -> list[list[str]]:
+    """Return the cells of a header, a row for each recording in the content of fit.json,
+    and a row for all of them together."""
     laws = "rolling", "air", "impacts"
     limits = [head for law in laws for head in (law, "low", "high")]
-    lines = [separator.join(("recording", "t_end [s]", *limits, "verdict"))]
+    found = [["recording", "t_end [s]", *limits, "verdict"]]
     rows = [
         (Path(one["file"]).name, f"{one['t_end']['value']:.4f}", one)
         for one in record["files"]
@@ -147,8 +164,8 @@ def table(record: dict[str, Any], separator: str = " | ") -> list[str]:
             value = values.get(law, {})
             numbers = [value.get(key) for key in ("value", "low", "high")]
             cells += ["" if number is None else f"{number:.6g}" for number in numbers]
-        lines.append(separator.join((*cells, values["verdict"])))
-    return lines
+        found.append([*cells, values["verdict"]])
+    return found
 
 
 def sentences(fits: Fits) -> list[str]:
@@ -158,6 +175,7 @@ def sentences(fits: Fits) -> list[str]:
         lines.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
     if not has_film(fits.scene):
         lines.append("air was not considered because the scene has no air film")
+    lines += [f"not fitted: {one.reason}" for one in fits.not_fitted]
     return lines + neglected_parts(fits.scene)
 
 
@@ -220,16 +238,24 @@ def _sentences_on_bursts(judged):
     yield f"  {limits}; at these values it would dissipate all of the power"
 
 
-def _line_table(record: dict[str, Any]) -> list[str]:
-    """Return a header and a row for each spectral line in the first recordings."""
-    lines = [
-        "recording | spectral line [Hz] | level [dB] | spread [cents] | drift [cents/s] | "
-        "from, to [s] | near"
+def _line_table(record: dict[str, Any]) -> list[list[str]]:
+    """Return the cells of a header and a row for each spectral line in the first
+    recordings."""
+    rows = [
+        [
+            "recording",
+            "spectral line [Hz]",
+            "level [dB]",
+            "spread [cents]",
+            "drift [cents/s]",
+            "from, to [s]",
+            "near",
+        ]
     ]
     for one in record["files"][:MAX_PANELS]:
         name = Path(one["file"]).name
-        lines += [_line_row(name, carrier) for carrier in one["carriers"]]
-    return lines
+        rows += [_line_row(name, carrier) for carrier in one["carriers"]]
+    return rows
 
 
 def _line_row(name, c):
@@ -242,9 +268,15 @@ def _line_row(name, c):
         near.append("detected only by its sidebands")
     if c["reach"]:
         near.append(f"noise band with a half-width of {c['reach']:.0f} cents")
-    drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
-    place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
-    return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {'; '.join(near)}"
+    return [
+        name,
+        f"{c['frequency']:.2f} ± {c['error']:.2f}",
+        f"{c['level']:.0f}",
+        f"{c['spread']:.1f}",
+        f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}",
+        f"{c['begin']:.2f}, {c['end']:.2f}",
+        "; ".join(near),
+    ]
 
 
 def page(fits: Fits, record: dict[str, Any]) -> str:
@@ -252,7 +284,7 @@ def page(fits: Fits, record: dict[str, Any]) -> str:
     lines = [
         f"# What slowed the disk '{fits.scene.name}'",
         "",
-        *(f"* {s.strip()}" for s in sentences(fits)),
+        *(f"* {s.strip()}" for s in [*sentences(fits), *fits.skipped]),
         "",
         "![measured and fitted rates](fit.png)",
         "",
@@ -267,11 +299,19 @@ def page(fits: Fits, record: dict[str, Any]) -> str:
 
 def _as_markdown(rows):
     """Return a Markdown table whose first row is the header."""
-    return [
-        f"| {rows[0]} |",
-        "|---" * len(rows[0].split(" | ")) + "|",
-        *(f"| {row} |" for row in rows[1:]),
-    ]
+    lines = ["| " + " | ".join(_cell(text) for text in row) + " |" for row in rows]
+    return [lines[0], "|---" * len(rows[0]) + "|", *lines[1:]]
+
+
+def _cell(text):
+    return text.replace("|", "\\|")
+
+
+def _as_csv(rows):
+    """Return the text of a CSV file; cells with a comma are in quotes."""
+    text = StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
 
 
 def comparison_sentences(fits: Fits, simulated: dict[str, Any] | None) -> list[str]:
@@ -297,7 +337,7 @@ def _interval(estimate):
 def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
     """Draw measured and simulated turns, band levels, decays of lines, and levels over
     time."""
-    shown = [(Path(one.file).name, one.measured) for one in fits.files[:MAX_PANELS]]
+    shown = [(file_label(one.file), one.measured) for one in fits.files[:MAX_PANELS]]
     with png_figure(path, 2, 2, (11, 8)) as (_, axes):
         (rates, bands), (lines, levels) = axes
         for offset, (name, numbers) in enumerate([*shown, ("simulated", simulated)]):
@@ -396,7 +436,8 @@ def _draw_one(above, below, fitted):
     )
     above.set(xscale="log", yscale="log", xlabel="time left [s]")
     above.set_ylabel(f"{fitted.judged.line}, periods per second [Hz]")
-    above.set_title(f"{Path(fitted.file).name}\n", loc="left")  # its legend is below
+    name = file_label(fitted.file)
+    above.set_title(f"{name}\n", loc="left")  # its legend is below
     above.tick_params(labelbottom=True)
     above.yaxis.set_major_formatter("{x:g}")
     above.yaxis.set_minor_formatter("{x:g}")

@@ -1,11 +1,9 @@
 """Fits of single recordings and of all of them together, with a test of the radius."""
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
 from math import inf
 from pathlib import Path
-
-import soundfile
 
 from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
@@ -18,11 +16,12 @@ from sonify.fitting.line_selection import Judged, detect_run, verdict_of
 from sonify.fitting.parallel import in_worker_processes
 from sonify.fitting.recordings_io import is_recording, recording_files, source_of_file
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
+from sonify.hearing.audio_source import Truncation, excerpt, truncation_of
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.runtime.workers import core_count
 from sonify.scene import Scene, from_document, load_scene
+from sonify.scene_errors import InputError
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -45,6 +44,17 @@ class Fitted:
         return f"Fitted({self.file}: {self.judged.verdict}; {values_in_words(self.judged.values())})"
 
 
+@dataclass(frozen=True, kw_only=True)
+class NotFitted:
+    """Recording that could not be fitted, and the `reason`.
+
+    `is_input_error` is False if the program failed."""
+
+    file: str
+    reason: str
+    is_input_error: bool
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fits:
     """Fits of recordings of one disk.
@@ -63,6 +73,10 @@ class Fits:
     resonances : list of (str, float)
         Origin ("disk", "table" or "contact") and frequency [Hz] of each resonance of
         the scene.
+    not_fitted : list of NotFitted
+        Recordings that could not be fitted, with the reason.
+    skipped : list of str
+        Lines on the files of folders that are no recordings.
 
     Examples
     --------
@@ -76,6 +90,8 @@ class Fits:
     pool: Fit
     verdict: str
     resonances: list[tuple[str, float]]
+    not_fitted: list[NotFitted] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
 
     def values(self) -> dict[str, Value]:
         """Return the fitted shares of all recordings together.
@@ -99,8 +115,11 @@ def fit(
     like: str | None = None,
     watch: Callable[[float, str], None] = lambda share, doing: None,
     span: tuple[float, float] = (0.0, inf),
+    notice: Callable[[str], None] = lambda line: None,
 ) -> Fits:
     """Determine the causes that slowed the disk in recordings.
+
+    A recording that cannot be fitted does not affect the others.
 
     Parameters
     ----------
@@ -116,6 +135,8 @@ def fit(
         recordings that are finished.
     span : pair of float
         Start and end [s] of the analysed part of each recording.
+    notice : callable
+        Called as notice(line) with a line on each skipped file of a folder.
 
     Returns
     -------
@@ -125,7 +146,7 @@ def fit(
     Raises
     ------
     RecordingError
-        If a recording cannot be fitted.
+        If none of the recordings can be fitted.
     SceneError
         If the scene is invalid.
 
@@ -135,26 +156,78 @@ def fit(
     >>> fit("coin.wav", scene="coin").verdict  # doctest: +SKIP
     'rolling'
     """
-    from sonify.claims.resonance_matching import resonances  # slow to import
+    from sonify.plan.preflight import known_resonances  # slow to import
 
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
-    paths = recording_files([files] if isinstance(files, (str, Path)) else files)
-    known = resonances(scene)
+    skipped: list[str] = []
+    paths = recording_files(
+        [files] if isinstance(files, (str, Path)) else files, skipped.append
+    )
+    for line in skipped:
+        notice(line)
+    known = known_resonances(scene)
     fitted = []
+    errors = {}
     tasks = [(path, scene.document, like, span) for path in paths]
-    min_parallel_count = 3
-    for one in (
-        (fit_one(*task) for task in tasks)
-        if len(tasks) < min_parallel_count
-        else in_worker_processes(fit_one, tasks, min(core_count(), len(tasks)))
-    ):
-        fitted.append(one)
-        watch(len(fitted) / len(paths), one.file)
+    for path, one in zip(paths, _attempts(tasks), strict=True):
+        if isinstance(one, Fitted):
+            fitted.append(one)
+        else:
+            errors[path] = one
+        watch((len(fitted) + len(errors)) / len(paths), str(path))
+    not_fitted = [_not_fitted(path, error) for path, error in errors.items()]
+    if not fitted:
+        raise _error_of_all(list(errors.values()), not_fitted)
     decay = fitted[0].judged.decay
     fits = [one.judged.fit for one in fitted]
     pool = fits[0] if len(fits) == 1 else pool_fits(fits)
     verdict = _verdict_together([one.judged for one in fitted], decay, pool)
-    return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict, resonances=known)
+    return Fits(
+        scene=scene,
+        files=fitted,
+        pool=pool,
+        verdict=verdict,
+        resonances=known,
+        not_fitted=not_fitted,
+        skipped=skipped,
+    )
+
+
+def _attempts(tasks) -> Iterator[Fitted | Exception]:
+    """Yield the fit of every recording, or the exception that ended it."""
+    min_parallel_count = 3
+    if len(tasks) < min_parallel_count:
+        return (fit_or_error(*task) for task in tasks)
+    return in_worker_processes(fit_or_error, tasks, min(core_count(), len(tasks)))
+
+
+def fit_or_error(*task) -> Fitted | Exception:
+    """Return the fit of one recording, or the exception that ended it; the arguments
+    are those of `fit_one`."""
+    try:
+        return fit_one(*task)
+    except Exception as error:  # one recording must not end the fit of the others
+        return error
+
+
+def _not_fitted(path, error):
+    is_input_error = isinstance(error, InputError)
+    reason = str(error) if is_input_error else f"{type(error).__name__}: {error}"
+    if not reason.startswith(str(path)):
+        reason = f"{path}: {reason}"
+    return NotFitted(file=str(path), reason=reason, is_input_error=is_input_error)
+
+
+def _error_of_all(errors, not_fitted):
+    """Return the error if no recording can be fitted: a failure of the program, if there
+    is one."""
+    failures = [error for error in errors if not isinstance(error, InputError)]
+    if failures or len(errors) == 1:
+        return (failures or errors)[0]
+    reasons = "; ".join(one.reason for one in not_fitted)
+    return RecordingError(
+        f"none of the {len(errors)} recordings can be fitted: {reasons}"
+    )
 
 
 def _verdict_together(judged, decay, pool):
@@ -180,11 +253,8 @@ def fit_one(
     """
     scene = from_document(document)
     recording = source_of_file(path)
-    try:
-        part = excerpt(source_of(recording), *span)
-    except (soundfile.LibsndfileError, OSError):
-        part = recording  # `detect_run` raises an error with the reason
-    sound = detect_run(part, str(path), recorded=is_recording(path), begin=span[0])
+    part = excerpt(recording, *span)
+    sound = detect_run(part, str(path), recorded=is_recording(recording), begin=span[0])
     decay = DecayModel(scene)
     judged = judge_sound(decay, sound)
     published = {}

@@ -3,17 +3,29 @@ position."""
 
 import re
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cached_property
 from io import SEEK_END, BytesIO
 from pathlib import Path
-from typing import Protocol
+from typing import BinaryIO, Protocol
 
 import numpy as np
 import soundfile
 
-from sonify.hearing.mp3 import read_mp3
+from sonify.hearing.mp3 import Mp3, mp3_frames
+from sonify.hearing.phyphox import may_contain_table, read_table
+from sonify.hearing.recording_errors import (
+    conversion_advice,
+    is_container,
+    unreadable,
+)
+from sonify.hearing.true_lengths import (
+    FlacStream,
+    PatchedFile,
+    flac_stream,
+    patched_sizes,
+)
 from sonify.scene_errors import InputError
 
 LENGTH_MISMATCH_NOTE = re.compile(
@@ -23,6 +35,8 @@ LENGTH_MISMATCH_NOTE = re.compile(
 header [bytes]."""
 BLOCK_SIZE = 1 << 16
 """Number of samples read from a file at a time."""
+UNRECOGNISED_FORMAT = 1
+"""Code of the error of libsndfile for a file of unknown format."""
 
 
 class Source(Protocol):
@@ -60,25 +74,114 @@ class Truncation:
         return f"the file is truncated: it contains {self.held:.3f} s of sound, and {announced}"
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recording:
+    """Audio source from samples (n,) in memory."""
+
+    samples: np.ndarray
+    sample_rate: int
+    name: str = "the sound"
+
+    @property
+    def frames(self) -> int:
+        """Number of samples."""
+        return len(self.samples)
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield blocks (k, 1) of samples, beginning with sample number `start`."""
+        for first in range(start, self.frames, BLOCK_SIZE):
+            yield self.samples[first : first + BLOCK_SIZE, None]
+
+
 @dataclass(frozen=True)
 class SoundFile:
     """Source in a file of any format that libsndfile reads.
 
-    In a truncated file, only the decodable samples are used. Raises
-    soundfile.LibsndfileError for other files."""
+    The content of the file determines its format, and its name does not. In a truncated
+    file, only the decodable samples are used. Raises soundfile.LibsndfileError for other
+    files."""
 
     path: str | Path
 
     @cached_property
-    def _mp3(self):
-        return read_mp3(self.path) if Path(self.path).suffix.lower() == ".mp3" else None
+    def _piped(self) -> bytes | None:
+        """Content of a pipe, which can be read only once; None for other files."""
+        path = Path(self.path)
+        return path.read_bytes() if path.is_fifo() else None
 
-    def open(self) -> soundfile.SoundFile:
-        """Return the open file; a missing or incorrect header of an MP3 file is
+    def stream(self) -> BinaryIO:
+        """Return the open binary file. Raises OSError if it is unreadable."""
+        return open(self.path, "rb") if self._piped is None else BytesIO(self._piped)
+
+    @cached_property
+    def _mp3(self) -> Mp3 | None:
+        """Frames of an MP3 file, or of MP3 in a WAV file; None for other files.
+
+        libsndfile opens a file first, unless it begins like an MP3 file."""
+        with self.stream() as file:
+            head = file.read(3)
+            if head != b"ID3" and not (head[:1] == b"\xff" and head[1:2] >= b"\xe0"):
+                try:
+                    with soundfile.SoundFile(PatchedFile(file, {})) as known:
+                        if known.subtype != "MPEG_LAYER_III":
+                            return None
+                except soundfile.LibsndfileError as error:
+                    if error.code != UNRECOGNISED_FORMAT or is_container(self.head):
+                        return None
+            return mp3_frames(file)
+
+    @cached_property
+    def head(self) -> bytes:
+        """First 4096 bytes of the file."""
+        with self.stream() as file:
+            return file.read(4096)
+
+    @cached_property
+    def _flac(self) -> FlacStream | None:
+        with self.stream() as file:
+            return flac_stream(file)
+
+    @cached_property
+    def _replaced(self) -> dict[int, bytes]:
+        """Replaced bytes of the header of the file, by position."""
+        flac = self._flac
+        if flac is None:
+            with self.stream() as file:
+                return patched_sizes(file)
+        if flac.last is None:
+            return {}
+        first, samples = flac.last
+        for total in (first + samples, first):  # the last frame may be incomplete
+            replaced = flac.patch(total) if total != flac.announced else {}
+            if self._is_decodable(replaced, total):
+                return replaced
+        return {}
+
+    def _is_decodable(self, replaced, count):
+        """Return True if sample number `count` can be decoded."""
+        with suppress(soundfile.LibsndfileError), self._open_patched(replaced) as sound:
+            sound.seek(max(count - 1, 0))
+            return len(sound.read(1)) == 1
+        return False
+
+    @contextmanager
+    def _open_patched(self, replaced):
+        """Yield the open sound in the file with some bytes replaced."""
+        with self.stream() as file:
+            content = PatchedFile(file, replaced)
+            with soundfile.SoundFile(content) as sound:
+                yield sound
+
+    @contextmanager
+    def open(self) -> Iterator[soundfile.SoundFile]:
+        """Yield the open sound; a missing or incorrect length in its header is
         replaced."""
-        mp3 = self._mp3
-        wrong = mp3 is not None and mp3.frames != mp3.announced
-        return soundfile.SoundFile(BytesIO(mp3.content) if wrong else self.path)
+        if self._mp3 is None or self._mp3.content is None:
+            with self._open_patched(self._replaced) as sound:
+                yield sound
+            return
+        with soundfile.SoundFile(BytesIO(self._mp3.content)) as sound:
+            yield sound
 
     @cached_property
     def _header(self):
@@ -121,7 +224,13 @@ class SoundFile:
             )
             return Truncation(held, held + missing)
         if kind == "OGG":
-            return None if ends_with_its_stream(self.path) else Truncation(held, None)
+            with self.stream() as file:
+                return None if ends_with_last_page(file) else Truncation(held, None)
+        if self._flac is not None and self._flac.last is not None:
+            announced = max(self._flac.announced, sum(self._flac.last))
+            if self.frames >= announced:
+                return None
+            return Truncation(held, self._flac.announced / rate or None)
         if self.frames < announced:
             return Truncation(held, announced / rate)
         noted = LENGTH_MISMATCH_NOTE.search(notes)
@@ -133,28 +242,47 @@ class SoundFile:
         )
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield the samples from number `start` on in float32 blocks (k, channels)."""
+        """Yield the samples from number `start` on in float32 blocks (k, channels).
+
+        Raises RecordingError if a part cannot be decoded."""
         left = self.frames - start
         with self.open() as file:
-            file.seek(min(start, self.frames))
+            if start:
+                _move(file, min(start, self.frames))
             while left > 0:
-                block = file.read(
-                    min(BLOCK_SIZE, left), dtype="float32", always_2d=True
-                )
+                count = min(BLOCK_SIZE, left)
+                try:
+                    block = file.read(count, dtype="float32", always_2d=True)
+                except soundfile.LibsndfileError as error:
+                    raise unreadable(self.path, error.error_string) from None
                 left -= len(block)
                 yield block
                 if not len(block):
                     break
 
 
+def _move(file, start):
+    """Move from the start of a sound to a sample; read up to it if it is not seekable."""
+    if file.seekable():
+        file.seek(start)
+        return
+    while start > 0 and (count := len(file.read(min(start, BLOCK_SIZE)))):
+        start -= count
+
+
 def ends_with_its_stream(path: str | Path) -> bool:
     """Return True if the last page of an Ogg file is complete and marked as the end
     (RFC 3533)."""
+    with open(path, "rb") as file:
+        return ends_with_last_page(file)
+
+
+def ends_with_last_page(file: BinaryIO) -> bool:
+    """Return True if an open Ogg file ends with its last page, which is complete."""
     max_page_length = 65_307  # bytes
-    with Path(path).open("rb") as file:
-        size = file.seek(0, SEEK_END)
-        file.seek(max(size - 2 * max_page_length, 0))
-        tail = file.read()
+    size = file.seek(0, SEEK_END)
+    file.seek(max(size - 2 * max_page_length, 0))
+    tail = file.read()
     at = tail.rfind(b"OggS")
     if at < 0 or at + 27 > len(tail):
         return False
@@ -165,8 +293,41 @@ def ends_with_its_stream(path: str | Path) -> bool:
 
 def source_of(sound: Source | str | Path) -> Source:
     """Return `sound` itself if it is a source, otherwise the source in the file at this
-    path."""
-    return SoundFile(sound) if isinstance(sound, (str, Path)) else sound
+    path.
+
+    Raises RecordingError if the file contains neither sound nor a table of amplitude
+    against time."""
+    return source_of_file(sound) if isinstance(sound, (str, Path)) else sound
+
+
+def source_of_file(path: str | Path) -> SoundFile | Recording:
+    """Return the sound in a file, or the table of amplitude against time, as determined
+    by its content.
+
+    Raises RecordingError with the reason, and with what helps, for other files."""
+    sound = SoundFile(path)
+    try:
+        with sound.open():
+            return sound
+    except soundfile.LibsndfileError as error:
+        fault = error
+    except OSError as error:
+        raise unreadable(path, error.strerror or str(error)) from None
+    if may_contain_table(sound.head):
+        with sound.stream() as file:
+            table = read_table(file, path)
+        return Recording(
+            samples=table.samples, sample_rate=table.sample_rate, name=str(path)
+        )
+    if not sound.head:
+        raise unreadable(path, "the file is empty")
+    advice = conversion_advice(path)
+    if is_container(sound.head):
+        raise unreadable(path, advice)
+    reason = " ".join(fault.error_string.split()).removesuffix(".")
+    if fault.code == UNRECOGNISED_FORMAT:
+        advice = f"if it contains sound, {advice}"
+    raise unreadable(path, f"{reason}; {advice}")
 
 
 @dataclass(frozen=True)
@@ -258,3 +419,12 @@ def truncation_of(sound: Source | str | Path) -> Truncation | None:
     """Return the `truncation` of a sound file, or None for any other source."""
     source = source_of(sound)
     return source.truncation if isinstance(source, SoundFile) else None
+
+
+def name_of(source: Source) -> str:
+    """Return the path of a source in a file, or the name of a recording in memory."""
+    if isinstance(source, Excerpt):
+        return name_of(source.source)
+    if isinstance(source, SoundFile):
+        return str(source.path)
+    return source.name if isinstance(source, Recording) else "the sound"

@@ -1,13 +1,18 @@
 """Frame counts of MP3 files, and copies with a corrected header.
 
 libsndfile reads the length from the Xing or Info header, or estimates it from the first
-frame. This module counts the frames of the file. Source: ISO 11172-3 and 13818-3,
-section 2.4; the Xing and LAME headers."""
+frame; it refuses files that do not begin with a frame. This module counts the frames of
+the file. Source: ISO 11172-3 and 13818-3, section 2.4; the Xing and LAME headers."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from struct import pack, unpack_from
-from typing import NamedTuple
+from typing import BinaryIO, NamedTuple
+
+from sonify.hearing.true_lengths import audio_start
+
+SEARCHED_LENGTH = 1 << 16
+"""Length after the tags of a file in which its first frame is sought [bytes]."""
 
 KILOBITS = {
     1: (0, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320),
@@ -43,12 +48,13 @@ class Mp3:
     per frame.
 
     `announced` is the number in the header, or None if the header states none.
-    `content` is a copy of the file with the true number in its header."""
+    `content` is a copy of the frames with the true number in its header, or None if the
+    file itself has it."""
 
     frames: int
     announced: int | None
     samples: int
-    content: bytes
+    content: bytes | None
 
     @property
     def is_truncated(self) -> bool:
@@ -61,25 +67,32 @@ def read_mp3(path: str | Path) -> Mp3 | None:
 
     Raises OSError if the file is unreadable.
     """
-    data = Path(path).read_bytes()
-    first = _first_frame_position(data)
-    header = frame_header(data, first)
-    if header is None:
+    with open(path, "rb") as file:
+        return mp3_frames(file)
+
+
+def mp3_frames(file: BinaryIO) -> Mp3 | None:
+    """Return the frames of an open file, or None if it is not an MP3 file."""
+    tags_end = audio_start(file)
+    file.seek(tags_end)
+    offset = _first_frame_position(file.read(SEARCHED_LENGTH))
+    if offset is None:
         return None
-    place = _find_length_header(data, first, header)
-    begin = first if place is None else first + header.length
+    file.seek(tags_end + offset)
+    data = file.read()
+    header = frame_header(data, 0)
+    place = _find_length_header(data, header)
+    begin = 0 if place is None else header.length
     frames, end = _count_frames(data, begin, header.kind)
-    announced = None
     if place is None:
-        content = (
-            data[:first]
-            + _length_header_frame(data[first : first + 4], header, frames)
-            + data[first:end]
-        )
+        content = _length_header_frame(data[:4], header, frames) + data[:end]
+        return Mp3(frames, None, header.samples, content)
+    flags = unpack_from(">I", data, place + 4)[0]
+    announced = unpack_from(">I", data, place + 8)[0] if flags & 1 else None
+    if frames != announced:
+        content = _with_lengths(data[:end], place, flags, frames, end)
     else:
-        flags = unpack_from(">I", data, place + 4)[0]
-        announced = unpack_from(">I", data, place + 8)[0] if flags & 1 else None
-        content = _with_lengths(data[:end], place, flags, frames, end - first)
+        content = data[:end] if offset else None
     return Mp3(frames, announced, header.samples, content)
 
 
@@ -120,17 +133,36 @@ def frame_header(data: bytes, at: int) -> FrameHeader | None:
 
 
 def _first_frame_position(data):
-    """Return the position of the first frame, which may follow an ID3 version 2 tag."""
-    if data[:3] != b"ID3" or len(data) < 10:
-        return 0
-    a, b, c, d = data[6:10]
-    return 10 + (a << 21 | b << 14 | c << 7 | d)
+    """Return the position of the first frame, or None if there is none.
+
+    Two more frames of its kind follow it, or the end of the data."""
+    at = data.find(b"\xff")
+    while at >= 0:
+        if _begins_frames(data, at):
+            return at
+        at = data.find(b"\xff", at + 1)
+    return None
 
 
-def _find_length_header(data, first, header):
+def _begins_frames(data, at):
+    """Return True if three frames of one kind begin at a position, or fewer up to the
+    end of the data."""
+    first = frame_header(data, at)
+    header = first
+    for _ in range(2):
+        if header is None or header.kind != first.kind:
+            return False
+        at += header.length
+        if at >= len(data):
+            return True
+        header = frame_header(data, at)
+    return header is not None and header.kind == first.kind
+
+
+def _find_length_header(data, header):
     """Return the position of the Xing or LAME header in the first frame, or None if
     there is none."""
-    place = first + 4 + header.side_size
+    place = 4 + header.side_size
     return (
         place
         if data[place : place + 4] in (b"Xing", b"Info") and place + 12 <= len(data)

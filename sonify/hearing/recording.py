@@ -13,11 +13,13 @@ from sonify.hearing.audio_source import (
     Source,
     Truncation,
     loudest_channel,
+    name_of,
     overlapping_pieces,
     read_samples,
     source_of,
     truncation_of,
 )
+from sonify.hearing.recording_errors import RecordingError, unreadable
 from sonify.hearing.settling.detector import (
     SettlingRun,
     non_overlapping_runs,
@@ -25,7 +27,6 @@ from sonify.hearing.settling.detector import (
     strongest_tone,
 )
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
-from sonify.scene_errors import InputError
 
 MAX_ANALYSED_LENGTH_S = 120.0
 """Maximum length of the part of a recording in which spectral lines are sought."""
@@ -33,31 +34,6 @@ ANALYSED_LENGTH_AFTER_END_S = 6.0
 """Length of the analysed part after the end of a run or after the loudest second."""
 MIN_ENVELOPE_FREQUENCY_HZ = 700.0
 """Corner frequency of the high-pass filter before the envelope detector."""
-UNSUPPORTED_SUFFIXES = {
-    ".3gp",
-    ".aac",
-    ".amr",
-    ".m4a",
-    ".m4v",
-    ".mkv",
-    ".mov",
-    ".mp4",
-    ".webm",
-    ".wma",
-}
-"""Suffixes of phone and camera files that libsndfile cannot read."""
-
-
-class RecordingError(InputError):
-    """Error for a recording that cannot be analysed; the message is one line.
-
-    Examples
-    --------
-    >>> from sonify import listen
-    >>> listen("missing.wav")
-    Traceback (most recent call last):
-    sonify.hearing.recording.RecordingError: missing.wav: not a readable sound file: No such file or directory
-    """
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,7 +118,8 @@ def listen(
     Parameters
     ----------
     sound : Source, str or Path
-        A source, or a file of any sample rate and format that libsndfile reads.
+        A source, or a file of any sample rate and format that libsndfile reads, or an
+        export of the app phyphox.
     end : float, optional
         Time in the source [s] before which spectral lines are sought in a long sound;
         by default the end of the last run, or the loudest second if there is none.
@@ -170,14 +147,15 @@ def listen(
     >>> [round(line.frequency) for line in listen("coin.wav").lines]  # doctest: +SKIP
     [4310, 8120]
     """
-    part = read(sound, end)
-    events = settling_events(source_of(sound), watch) if tones else []
+    source = source_of(sound)
+    part = read(source, end)
+    events = settling_events(source, watch) if tones else []
     runs = sorted(non_overlapping_runs(events), key=lambda run: run.start)
     if end is None and runs:
-        part = read(sound, runs[-1].t_end.value)
+        part = read(source, runs[-1].t_end.value)
     rising = [event for event in events if event.kind == "tone"]
     tone = max(rising, key=lambda event: event.score, default=None)
-    heard = _with_spectral_lines(sound, part, begin, tone)
+    heard = _with_spectral_lines(source, part, begin, tone)
     return replace(heard, runs=[run.later(begin) for run in runs])
 
 
@@ -188,18 +166,19 @@ def listen_to_known_disk(sound: Source | str | Path, end: float | None = None) -
     runs are sought. In a long sound, spectral lines are sought only before the `end`
     [s] of the run. The errors are those of `listen`.
     """
-    part = read(sound, end)
+    source = source_of(sound)
+    part = read(source, end)
     with ThreadPoolExecutor() as pool:  # the array code releases the GIL
-        tone = pool.submit(strongest_tone, source_of(sound))
-        heard = _with_spectral_lines(sound, part)
+        tone = pool.submit(strongest_tone, source)
+        heard = _with_spectral_lines(source, part)
     return replace(heard, tone=tone.result())
 
 
-def _with_spectral_lines(sound, part, begin=0.0, tone=None):
+def _with_spectral_lines(source, part, begin=0.0, tone=None):
     """Return the analysis of a sound that begins at a time [s] of its file, with the
     spectral lines of the `part` that `read` returned, and with the tone of the sound."""
     samples, rate, start, duration = part
-    truncation = truncation_of(sound)
+    truncation = truncation_of(source)
     start += begin
     return Heard(
         duration=duration,
@@ -224,15 +203,15 @@ def read(sound: Source | str | Path, end: float | None = None):
     min_length = 0.2  # s
     min_sample_rate = 1000  # Hz
     source = source_of(sound)
-    name = str(getattr(source, "path", "the sound"))
+    name = name_of(source)
     try:
         rate = source.sample_rate
         start, stop = _analysed_part(source, end)
         channels = read_samples(source, start, stop)
-    except (soundfile.LibsndfileError, OSError) as error:
-        raise RecordingError(
-            f"{name}: not a readable sound file: {_read_failure_reason(name, error)}"
-        ) from None
+    except soundfile.LibsndfileError as error:
+        raise unreadable(name, " ".join(error.error_string.split())) from None
+    except OSError as error:
+        raise unreadable(name, error.strerror or str(error)) from None
     if not np.isfinite(channels).all():
         raise RecordingError(f"{name}: contains samples that are not finite")
     if rate < min_sample_rate:
@@ -273,17 +252,3 @@ def _analysed_part(source, end):
         end = float(np.argmax(energies))
     stop = min(int((end + ANALYSED_LENGTH_AFTER_END_S) * rate), source.frames)
     return max(stop - max_frames, 0), max(stop, max_frames)
-
-
-def _read_failure_reason(path, error):
-    """Return the reason why a file cannot be read, or a suggestion for its
-    conversion."""
-    try:
-        open(path, "rb").close()
-    except OSError as refusal:
-        return refusal.strerror
-    if Path(path).suffix.lower() in UNSUPPORTED_SUFFIXES:
-        return (
-            f"convert it first, e.g. ffmpeg -i {Path(path).name} {Path(path).stem}.wav"
-        )
-    return " ".join(str(getattr(error, "error_string", None) or error.args[-1]).split())

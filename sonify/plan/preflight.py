@@ -12,6 +12,7 @@ from dynamics.simulation import chosen_integrator
 from modal import Modes, SurfaceModes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP_FACE
 from modal.solve import check_solvable
+from sonify.claims.resonance_matching import resonances
 from sonify.plan.contact import with_contact
 from sonify.plan.plan import Plan, plan_of, with_sounding_modes
 from sonify.plan.supports import support_comparison
@@ -34,6 +35,17 @@ def check_solvable_scene(scene: Scene | str | Path, accuracy: str | None) -> Sce
     except ValueError as error:
         raise SceneError(str(error)) from None
     return scene
+
+
+def known_resonances(scene: Scene) -> list[tuple[str, float]]:
+    """Return the resonances of a scene with which a recording is compared.
+
+    Raises SceneError if the scene cannot be solved."""
+    check_solvable_scene(scene, None)
+    try:
+        return resonances(scene)
+    except ValueError as error:  # too many modes, or an unreadable mesh
+        raise SceneError(str(error)) from None
 
 
 def plan_with_modes(

@@ -1,6 +1,8 @@
 """Lay out figures in a common style and write them as PNG files."""
 
+import warnings
 from contextlib import contextmanager
+from pathlib import Path
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -8,6 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormatter
 from PIL import Image
 from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
+
+from sonify.runtime.files import readable_text
 
 
 @contextmanager
@@ -31,7 +35,10 @@ def png_figure(path, rows, columns, size, **options):
     for panel in np.ravel(axes):
         _fix_layout(panel)
     canvas = FigureCanvasAgg(figure)
-    canvas.draw()
+    with warnings.catch_warnings():
+        # a file name in letters that the font does not have is drawn with boxes
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")
+        canvas.draw()
     drawn = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
     drawn.quantize(256, Image.Quantize.FASTOCTREE).save(path, "PNG", compress_level=6)
 
@@ -54,6 +61,11 @@ def _fix_layout(panel):
         panel.set_title(panel.get_title(side), loc=side, y=1.0)
     panel.xaxis.set_label_coords(0.5, -0.3 / height)
     panel.yaxis.set_label_coords(-0.58 / width, 0.5)
+
+
+def file_label(path):
+    """Return the name of a file as a label; dollars in it do not begin a formula."""
+    return readable_text(Path(path).name).replace("$", r"\$").lstrip("_")
 
 
 def label_plain_decades(axis):

@@ -1,12 +1,15 @@
 """Report the analysis of a user's sound file in words, numbers and pictures."""
 
 import json
+from collections.abc import Callable, Iterable
 from dataclasses import asdict
 from math import inf
 from pathlib import Path
 
 from sonify.hearing.audio_source import excerpt, source_of, truncation_of
 from sonify.hearing.recording import Heard, listen, read
+from sonify.hearing.recording_errors import RecordingError
+from sonify.hearing.recording_files import recording_files
 from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.spectral_lines import SpectralLine
 from sonify.hearing.spectrogram import (
@@ -21,8 +24,65 @@ from sonify.report.settling import (
     run_sentences,
     settling_run_record,
 )
-from sonify.runtime.files import atomic_write, create_folder, first_matching_folder
+from sonify.runtime.files import (
+    OutputError,
+    atomic_write,
+    create_folder,
+    first_matching_folder,
+)
 from sonify.runtime.progress import Stages
+from sonify.scene_errors import InputError
+
+
+def write_recording_reports(
+    recordings: Iterable[str | Path],
+    out: str | Path | None,
+    scene: str | Path | None,
+    stages: Stages,
+    span: tuple[float, float],
+    echo: Callable[[str], None],
+) -> int:
+    """Analyse sound files, phyphox exports and folders of them, and pass the results as
+    lines of text to `echo`.
+
+    A recording that cannot be analysed does not affect the others. Each of several
+    recordings has a folder in `out`. Returns the number of recordings for which the
+    program failed. Raises RecordingError if none can be analysed, SceneError if the
+    scene is invalid, and OutputError if `out` cannot be written."""
+    given = [Path(recording) for recording in recordings]
+    known = resonances_of_scene(scene)
+    paths = recording_files(given, stages.notice)
+    if len(given) == 1 and paths == given:
+        for line in _write_report(given[0], out, known, stages, span):
+            echo(line)
+        return 0
+    errors: list[Exception] = []
+    for path in paths:
+        folder = default_report_folder(path, out)
+        try:
+            lines = _write_report(path, folder, known, stages, span)
+        except OutputError:
+            raise
+        except Exception as error:  # one recording must not end the analysis of others
+            errors.append(error)
+            stages.notice(_failure_sentence(path, error))
+            continue
+        echo(f"{path}:")
+        for line in lines:
+            echo(line)
+    failures = [error for error in errors if not isinstance(error, InputError)]
+    if len(errors) == len(paths):
+        raise (failures or [RecordingError("none of the recordings can be analysed")])[
+            0
+        ]
+    return len(failures)
+
+
+def _failure_sentence(path, error):
+    """Return the reason why a recording could not be analysed."""
+    if not isinstance(error, InputError):
+        return f"{path}: {type(error).__name__}: {error}"
+    return str(error) if str(error).startswith(str(path)) else f"{path}: {error}"
 
 
 def write_recording_report(
@@ -42,12 +102,18 @@ def write_recording_report(
     Raises RecordingError and SceneError before anything is written, and OutputError if
     `out` cannot be written.
     """
-    known = _resonances(scene) if scene else []
-    read(recording)  # raises RecordingError if the file is not a sound file
+    known = resonances_of_scene(scene)
+    return _write_report(recording, out, known, stages or Stages(), span)
+
+
+def _write_report(recording, out, known, stages, span):
+    """Write the files of `write_recording_report` and return its lines of text.
+
+    `known` are the resonances of the scene."""
     whole_sound = source_of(recording)
+    read(whole_sound)  # raises RecordingError if it cannot be analysed
     begin = max(span[0], 0.0)
     part = excerpt(whole_sound, *span)
-    stages = stages or Stages()
     with stages.stage("detection") as watch:
         heard = listen(part, begin=begin, watch=watch)
     runs = heard.runs
@@ -90,12 +156,14 @@ def write_recording_report(
     ]
 
 
-def default_report_folder(recording: str | Path) -> Path:
-    """Return the folder outputs/listen/<name of the recording>.
+def default_report_folder(
+    recording: str | Path, root: str | Path | None = None
+) -> Path:
+    """Return the folder <name of the recording> in `root`, outputs/listen by default.
 
     If it belongs to another recording, <name>-2, <name>-3, ... are tried.
     """
-    first = Path("outputs") / "listen" / Path(recording).stem
+    first = Path(root or Path("outputs") / "listen") / Path(recording).stem
     return first_matching_folder(
         first,
         lambda folder: (
@@ -122,11 +190,16 @@ def absolute_path_text(recording):
     return str(Path(recording).resolve())
 
 
-def _resonances(scene):
-    from sonify.claims.resonance_matching import resonances  # slow import of modes
+def resonances_of_scene(scene: str | Path | None) -> list[tuple[str, float]]:
+    """Return the resonances of a scene, and none without a scene.
+
+    Raises SceneError if the scene is invalid or cannot be solved."""
+    if not scene:
+        return []
+    from sonify.plan.preflight import known_resonances  # slow import of modes
     from sonify.scene import load_scene
 
-    return resonances(load_scene(scene))
+    return known_resonances(load_scene(scene))
 
 
 def matching_resonance(carrier, known):

@@ -34,6 +34,15 @@ def create_folder(folder: str | Path) -> Path:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
 
 
+def readable_text(text: str) -> str:
+    """Return a text for files and pictures, in which bytes of file names that are not
+    UTF-8 are shown as `\\xe9`.
+
+    Python represents them by surrogates, which cannot be encoded.
+    """
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")
+
+
 def first_matching_folder(first: Path, is_suitable: Callable[[Path], bool]) -> Path:
     """Return the first of the folders `first`, `first`-2, ... for which `is_suitable`
     is True."""

@@ -367,11 +367,12 @@ def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_tru
     [("absent.wav", "No such file"), ("voice.m4a", "ffmpeg -i voice.m4a voice.wav")],
 )
 def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(
-    tmp_path, name, why
+    tmp_path, monkeypatch, name, why
 ):
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "voice.m4a").write_bytes(b"\0\0\0\x18ftypM4A " + bytes(100))
     with pytest.raises(RecordingError, match=why) as refused:
-        listen(tmp_path / name)
+        listen(name)
     assert "System error" not in str(refused.value)
 
 

@@ -13,6 +13,7 @@ import pytest
 import soundfile
 from click.testing import CliRunner
 from disk_recordings import recording
+from sound_files import DECODER_DELAY, FORMATS, LENGTH, written
 
 from sonify import load_scene
 from sonify.__main__ import main
@@ -20,38 +21,6 @@ from sonify.fitting.decay_model import DecayModel
 from sonify.hearing.audio_source import SoundFile, ends_with_its_stream, read_samples
 from sonify.hearing.mp3 import frame_header, read_mp3
 from sonify.hearing.recording import listen
-
-LENGTH = 8.0
-"""Duration of the whole sound [s]."""
-DECODER_DELAY = 529
-"""Delay of a layer III decoder [samples]; libsndfile omits these samples."""
-FORMATS = {
-    "wav": {"subtype": "PCM_16"},
-    "aiff": {"subtype": "PCM_16"},
-    "flac": {"subtype": "PCM_16"},
-    "ogg": {"subtype": "VORBIS"},
-    "opus": {"format": "OGG", "subtype": "OPUS"},
-    "constant.mp3": {
-        "subtype": "MPEG_LAYER_III",
-        "bitrate_mode": "CONSTANT",
-        "compression_level": 0.5,
-    },
-    "variable.mp3": {
-        "subtype": "MPEG_LAYER_III",
-        "bitrate_mode": "VARIABLE",
-        "compression_level": 0.5,
-    },
-}
-
-
-def written(path, rate=48_000, channels=1):
-    """Write a tone of 900 Hz in noise and return its bytes."""
-    t = np.arange(round(LENGTH * rate)) / rate
-    noise = np.random.default_rng(0).standard_normal(len(t))
-    sound = 0.2 * np.sin(2 * np.pi * 900 * t) + 0.02 * noise
-    kind = next(kind for end, kind in FORMATS.items() if path.name.endswith(end))
-    soundfile.write(path, np.column_stack([sound] * channels), rate, **kind)
-    return path.read_bytes()
 
 
 @pytest.mark.parametrize("kind", FORMATS)

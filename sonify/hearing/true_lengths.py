@@ -1,0 +1,261 @@
+"""True lengths for sound files whose header states none, or one that was not reached.
+
+A program that writes to a pipe cannot return to the header. FLAC then states 0 samples,
+CAF a length of -1 and RF64 a length of 0 or -1; a recorder that stops without power
+leaves a length of 0 in WAV. libsndfile does not decode the last samples of the first and
+refuses the others. Source: RFC 9639 (FLAC); Apple Core Audio
+Format Specification 1.0; EBU Tech 3306 (RF64)."""
+
+from collections.abc import Iterator, Mapping
+from io import SEEK_CUR, SEEK_END, SEEK_SET
+from struct import calcsize, pack, unpack
+from typing import BinaryIO, NamedTuple
+
+UNKNOWN_SIZE = 2**64 - 1
+"""Size in a header of 64 bits that states none."""
+
+
+class PatchedFile:
+    """Open binary file in which some bytes are replaced, by their position.
+
+    The file has no name, because soundfile takes the format of some files from it."""
+
+    def __init__(self, file: BinaryIO, replaced: Mapping[int, bytes]):
+        self._file = file
+        self._replaced = replaced
+        file.seek(0)
+
+    def read(self, count: int) -> bytes:
+        """Return the next `count` bytes, or those up to the end of the file."""
+        first = self._file.tell()
+        data = self._file.read(count)
+        for position, new in self._replaced.items():
+            at = position - first
+            if -len(new) < at < len(data):
+                changed = bytearray(max(-at, 0)) + data
+                shift = max(-at, 0)
+                changed[at + shift : at + shift + len(new)] = new
+                data = bytes(changed[shift : shift + len(data)])
+        return data
+
+    def seek(self, offset: int, whence: int = SEEK_SET) -> int:
+        """Move to a position and return it.
+
+        The position remains the same if the new one is invalid, as with a file that
+        libsndfile opens itself; an error here cannot reach libsndfile."""
+        position = self._file.tell()
+        if whence == SEEK_CUR:
+            offset += position
+        if whence == SEEK_END:
+            offset += self._file.seek(0, SEEK_END)
+        is_valid = 0 <= offset < 2**63
+        return self._file.seek(offset if is_valid else position)
+
+    def tell(self) -> int:
+        """Return the position."""
+        return self._file.tell()
+
+
+class FlacFrame(NamedTuple):
+    """First sample and number of samples of a frame."""
+
+    first: int
+    samples: int
+
+
+class FlacStream(NamedTuple):
+    """Number of samples in the header (0 if it states none), and its last frame.
+
+    `place` is the position [bytes] of eight bytes `fields` of the header, which contain the
+    number. `last` is None if no frame is found."""
+
+    announced: int
+    last: FlacFrame | None
+    place: int
+    fields: int
+
+    def patch(self, samples: int) -> dict[int, bytes]:
+        """Return the bytes of a header that states a number of samples, by position."""
+        number_bits = 36
+        return {
+            self.place: pack(">Q", self.fields >> number_bits << number_bits | samples)
+        }
+
+
+def audio_start(file: BinaryIO) -> int:
+    """Return the position of the first byte after the ID3 tags at the start of a file."""
+    header_size = 10  # bytes, of the tag and of its copy at the end
+    start = 0
+    while True:
+        file.seek(start)
+        head = file.read(header_size)
+        if len(head) < header_size or not head.startswith(b"ID3"):
+            return start
+        a, b, c, d = head[6:]
+        has_footer = bool(head[5] & 0x10)
+        start += (a << 21 | b << 14 | c << 7 | d) + header_size * (1 + has_footer)
+
+
+def patched_sizes(file: BinaryIO) -> dict[int, bytes]:
+    """Return the missing sizes of a CAF, RF64 or WAV file, by their position.
+
+    They follow from the length of the file."""
+    file.seek(0)
+    head = file.read(12)
+    if head.startswith(b"caff"):
+        return _patched_caf_sizes(file)
+    if head.startswith(b"RF64") and head.endswith(b"WAVE"):
+        return _patched_rf64_sizes(file)
+    if head.startswith(b"RIFF") and head.endswith(b"WAVE"):
+        return _patched_wav_size(file, 8 + unpack("<I", head[4:8])[0])
+    return {}
+
+
+def _chunks(file, first, form) -> Iterator[tuple[bytes, int, int]]:
+    """Yield name, size and position of the content of each chunk of a file.
+
+    `form` is the binary form of the head of a chunk, its name and its size."""
+    at = first
+    head_size = calcsize(form)
+    while True:
+        file.seek(at)
+        head = file.read(head_size)
+        if len(head) < head_size:
+            return
+        name, size = unpack(form, head)
+        yield name, size, at + head_size
+        at += head_size + size + (size & 1 if form.startswith("<") else 0)
+
+
+def _patched_caf_sizes(file):
+    for name, size, content in _chunks(file, 8, ">4sQ"):
+        if name == b"data":
+            length = file.seek(0, SEEK_END)
+            return (
+                {content - 8: pack(">Q", length - content)}
+                if size == UNKNOWN_SIZE
+                else {}
+            )
+    return {}
+
+
+def _patched_wav_size(file, stated_length):
+    """Return the size of the sound in a file whose header was never completed; the
+    stated length of the file then ends before the sound."""
+    max_size = 2**32 - 1  # bytes
+    for name, size, content in _chunks(file, 12, "<4sI"):
+        if name == b"data":
+            held = min(file.seek(0, SEEK_END) - content, max_size)
+            is_missing = size == 0 and stated_length <= content
+            return {content - 4: pack("<I", held)} if is_missing else {}
+    return {}
+
+
+def _patched_rf64_sizes(file):
+    max_size = 2**32 - 1  # bytes; the size of a chunk is then in the chunk ds64
+    sizes = None
+    bytes_per_frame = 1
+    for name, size, content in _chunks(file, 12, "<4sI"):
+        file.seek(content)
+        if name == b"ds64":
+            sizes = content
+            stated = unpack("<QQQ", file.read(24))[1]
+        elif name == b"fmt ":
+            bytes_per_frame = max(unpack("<12xH", file.read(14))[0], 1)
+        elif name == b"data":
+            length = file.seek(0, SEEK_END)
+            if sizes is None or size < max_size or stated not in (0, UNKNOWN_SIZE):
+                return {}
+            held = length - content
+            return {sizes: pack("<QQQ", length - 8, held, held // bytes_per_frame)}
+    return {}
+
+
+def flac_stream(file: BinaryIO) -> FlacStream | None:
+    """Return what the header and the last frame of a FLAC file state about its length.
+
+    The result is None for other files."""
+    tail_size = 1 << 22  # bytes, more than the last two frames
+    number_bits = 36
+    place = audio_start(file) + 18
+    file.seek(place - 18)
+    head = file.read(26)
+    if len(head) < 26 or not head.startswith(b"fLaC"):
+        return None
+    block_size = unpack(">H", head[10:12])[0]
+    fields = unpack(">Q", head[18:])[0]
+    length = file.seek(0, SEEK_END)
+    file.seek(max(length - tail_size, place))
+    last = _last_frame(file.read(), block_size)
+    return FlacStream(fields & (1 << number_bits) - 1, last, place, fields)
+
+
+def _last_frame(tail, block_size):
+    """Return the last frame that begins in the last bytes of a file, or None.
+
+    The frame before it ends where it begins; only a first frame has none before it."""
+    later: list[FlacFrame] = []
+    at = len(tail)
+    while (at := tail.rfind(b"\xff", 0, at)) >= 0:
+        frame = _flac_frame(tail, at, block_size)
+        if frame is None:
+            continue
+        for last in later:
+            if frame.first + frame.samples == last.first:
+                return last
+        later.append(frame)
+    return next((frame for frame in later if not frame.first), None)
+
+
+def _flac_frame(data, at, block_size):
+    """Return the frame whose header begins at a position, or None if there is none.
+
+    The header ends with a checksum. With a fixed block size [samples] it contains the
+    number of the frame, otherwise that of its first sample."""
+    head = data[at : at + 16]
+    if len(head) < 6 or head[1] not in (0xF8, 0xF9) or head[3] & 1:
+        return None
+    has_variable_size = bool(head[1] & 1)
+    size_code = head[2] >> 4
+    rate_code = head[2] & 15
+    number, end = _coded_number(head, 4)
+    size_end = end + {6: 1, 7: 2}.get(size_code, 0)
+    check = size_end + {12: 1, 13: 2, 14: 2}.get(rate_code, 0)
+    if not size_code or rate_code == 15 or not 4 < check < len(head):
+        return None
+    if _checksum(head[:check]) != head[check]:
+        return None
+    if size_code in (6, 7):
+        samples = int.from_bytes(head[end:size_end], "big") + 1
+    elif size_code == 1:
+        samples = 192
+    else:
+        samples = 576 << size_code - 2 if size_code < 6 else 256 << size_code - 8
+    return FlacFrame(number if has_variable_size else number * block_size, samples)
+
+
+def _coded_number(head, at):
+    """Return the number at a position, which is coded as in UTF-8, and its end.
+
+    The end is 0 if the code is invalid."""
+    first = head[at]
+    if first < 0x80:
+        return first, at + 1
+    length = 8 - (first ^ 0xFF).bit_length()
+    rest = head[at + 1 : at + length]
+    if not 2 <= length <= 7 or any(byte >> 6 != 2 for byte in rest):
+        return 0, 0
+    number = first & (0x7F >> length)
+    for byte in rest:
+        number = number << 6 | byte & 0x3F
+    return number, at + length
+
+
+def _checksum(data):
+    """Return the checksum of bytes, with the polynomial x^8 + x^2 + x + 1."""
+    remainder = 0
+    for byte in data:
+        remainder ^= byte
+        for _ in range(8):
+            remainder = remainder << 1 ^ (0x107 if remainder & 0x80 else 0)
+    return remainder
