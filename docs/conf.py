@@ -1,5 +1,6 @@
 """Sphinx configuration: `sphinx-build -W docs build/docs` needs the extra `docs` and no network."""
 
+import re
 from pathlib import Path
 
 from sonify import __version__
@@ -80,6 +81,19 @@ def escape_bars(
     lines[:] = [line.replace("|", r"\|") for line in lines]
 
 
+HIDDEN_DIRECTIVE = re.compile(
+    r"^<!-- sphinx: (.*?)-->\n(?:.*?)^<!-- end of fallback -->$",
+    re.DOTALL | re.MULTILINE,
+)
+"""Directive in a comment of a page, followed by the text that other renderers of Markdown show."""
+
+
+def show_directives(app, page: str, source: list[str]) -> None:
+    """Put the directives in the comments of a page in place of their fallback texts."""
+    source[0] = HIDDEN_DIRECTIVE.sub(r"```\1```", source[0])
+
+
 def setup(app) -> None:
-    """Escape docstrings before numpydoc reads them."""
+    """Read the pages as for Sphinx, and escape docstrings before numpydoc reads them."""
+    app.connect("source-read", show_directives)
     app.connect("autodoc-process-docstring", escape_bars, priority=100)

@@ -8,6 +8,7 @@ package declares; the names that it exports; the output of the code on the pages
 import re
 import tomllib
 from importlib import import_module
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import pytest
@@ -95,6 +96,62 @@ def test_the_sweep_of_the_how_to_is_a_sweep():
     (document,) = blocks(ROOT / "docs" / "how_to.md", "toml")
     asked = load_sweep(tomllib.loads(document))
     assert asked.points.count == 24 * 2
+
+
+def module_of_docs(name: str):
+    """Return a module of the folder docs, which is no package."""
+    spec = spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+SHOWN_PAGES = sorted((ROOT / "docs").glob("*.md")) + sorted(
+    (ROOT / "docs" / "charts").glob("*.md")
+)
+
+
+@pytest.mark.parametrize("page", SHOWN_PAGES, ids=lambda page: page.stem)
+def test_a_page_reads_well_without_sphinx(page):
+    """No block with a directive and no link without words is displayed; a comment with a directive
+    is followed by links to what the directive includes."""
+    text = page.read_text("utf-8")
+    assert "```{" not in text
+    assert "[](" not in text
+    hidden = list(module_of_docs("conf").HIDDEN_DIRECTIVE.finditer(text))
+    assert len(hidden) == text.count("<!-- sphinx:")
+    for match in hidden:
+        directive = match[1]
+        fallback = match[0].partition("\n-->\n")[2]
+        if directive.startswith("{include}"):
+            included = directive.split()[1]
+            assert (page.parent / included).is_file()
+            assert f"]({included}" in fallback
+        else:
+            listed = directive.partition("\n\n")[2].split()
+            assert directive.startswith("{toctree}")
+            assert len(re.findall(r"^\* \[.+\]\(.+\)$", fallback, re.MULTILINE)) == len(
+                listed
+            )
+
+
+def test_sphinx_reads_the_directive_in_place_of_its_fallback():
+    page = ["before\n\n<!-- sphinx: {include} a.md\n:x: y\n-->\n[a](a.md)\n"]
+    page[0] += "<!-- end of fallback -->\n\nafter\n"
+    module_of_docs("conf").show_directives(None, "page", page)
+    assert page == ["before\n\n```{include} a.md\n:x: y\n```\n\nafter\n"]
+
+
+def test_the_pages_show_the_conclusions_of_the_sweeps():
+    copies = module_of_docs("copy_conclusions")
+    shown = set()
+    for page in PAGES:
+        assert copies.with_copies(TEXTS[page], page.parent) == TEXTS[page]
+        for match in copies.COPY.finditer(TEXTS[page]):
+            assert match[3]
+            shown.add((page.parent / match[2]).resolve())
+    conclusions = (ROOT / "outputs" / "shown" / "sweeps").glob("*/conclusion.md")
+    assert shown == set(conclusions)
 
 
 def test_the_sounds_of_the_pages_are_short_and_small():
