@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from dynamics.disk import Disk
 from dynamics.equations import Contact, DiskConstants
+from dynamics.face_contact import face_events
 from dynamics.film.wedge import Film, film_powers, find_film
 from dynamics.guards import STOP_SLIP_SPEED
 from dynamics.kinematics import energy, precession_rate
@@ -18,6 +19,7 @@ from dynamics.motion import (
     CAUSES,
     ForceJumps,
     MotionBase,
+    MotionEvent,
     Outcome,
     Transition,
     piece_ends_and_middles,
@@ -161,6 +163,11 @@ class RigidMotion(MotionBase):
     def rolling_fillet(self) -> float:
         """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
         return self.law.fillet * self.disk.radius
+
+    @property
+    def events(self) -> tuple[MotionEvent, ...]:
+        """The contact of the face with the table, if it ends the motion."""
+        return face_events(self)
 
     @property
     def solves_contact(self) -> bool:

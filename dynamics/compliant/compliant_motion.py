@@ -38,7 +38,7 @@ from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.disk import Disk
 from dynamics.dissipation import power_laws
-from dynamics.face_contact import outcome_when_flat
+from dynamics.face_contact import face_events, outcome_when_flat
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import Film
 from dynamics.motion import (
@@ -46,6 +46,7 @@ from dynamics.motion import (
     COLUMNS,
     ForceJumps,
     MotionBase,
+    MotionEvent,
     Outcome,
     Transition,
     read_only,
@@ -137,6 +138,11 @@ class CompliantMotion(MotionBase):
     def rolling_fillet(self) -> float:
         """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
         return self.model.table.law.rolling_fillet
+
+    @property
+    def events(self) -> tuple[MotionEvent, ...]:
+        """The contact of the face with the table, if it ends the motion."""
+        return face_events(self)
 
     @property
     def solves_contact(self) -> bool:

@@ -12,12 +12,14 @@ from dynamics.compliant.compliant_motion import CompliantMotion, solve_compliant
 from dynamics.compliant.law.sections import SwitchedContact
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.disk import Disk
+from dynamics.face_contact import face_events
 from dynamics.film.wedge import Film
 from dynamics.motion import (
     CAUSES,
     ForceJumps,
     Motion,
     MotionBase,
+    MotionEvent,
     MotionPart,
     Outcome,
     Transition,
@@ -105,6 +107,11 @@ class SwitchedMotion(MotionBase):
     def rolling_fillet(self) -> float:
         """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
         return self.coupled_part.rolling_fillet
+
+    @property
+    def events(self) -> tuple[MotionEvent, ...]:
+        """The contact of the face with the table, if it ends the motion."""
+        return face_events(self)
 
     @property
     def solves_contact(self) -> bool:
