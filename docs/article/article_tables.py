@@ -16,6 +16,7 @@ from article_numbers import (
     with_powers,
 )
 
+from sonify.claims.finding_texts import texts_with
 from sonify.runtime.toml_files import read_toml
 from sonify.scene import shipped_scenes
 from sonify.scene_errors import InputError
@@ -154,13 +155,7 @@ def claim_in_words(numbers: Numbers, key: str) -> str:
     return key.replace("_", " ")
 
 
-VERDICT_CLAIMS = {
-    "contact_breaks_before_end": "contact breaks before the end",
-    "air_carries_disk": "the air carries the disk",
-    "table_brings_end_forward": "the table ends it earlier",
-    "precession_rises": "the precession doubles",
-    "resonance_rises": "the resonance rises by a fifth",
-}
+VERDICT_CLAIMS: dict[str, str] = texts_with("short")
 """Claim of the verdict sweeps -> its short form."""
 VERDICT_PREFIX = "verdict-"
 

@@ -22,14 +22,13 @@ from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.limits import FINAL_ENERGY_SHARE
 from sonify.claims.reference_scenes import may_lie_on_granite
 from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-FINAL_ENERGY_SHARE = 0.1
-"""Final share of the energy loss for which the cause of the end is determined."""
 CAUSE_IN_WORDS = {
     "contact": "impacts and compression of the contact",
     "creep": "creep of the contact",
@@ -111,13 +110,7 @@ def end_cause_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
     return scalars
 
 
-@finding(
-    "The air film under the disk may be neglected",
-    "of the duration, before the film first dissipates 1 % of the power",
-    "Reynolds' equation on the film; Moffatt (2000)",
-    needs=("motion", "film law"),
-    at_least=1.0,
-)
+@finding(needs=("motion", "film law"), at_least=1.0)
 def air_negligible(motion: Motion, film: Film) -> Measured:
     """The share of the duration before the film first dissipates, or would dissipate, 1
     % of the power."""
@@ -145,13 +138,7 @@ def final_loss_shares(motion: Motion) -> dict[str, float]:
     return {cause: energy / whole for cause, energy in taken.items()}
 
 
-@finding(
-    "A single cause ends the motion",
-    f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy",
-    "energy lost to each cause along the motion",
-    needs=("motion",),
-    at_least=0.5,
-)
+@finding(needs=("motion",), at_least=0.5)
 def what_ends(motion: Motion) -> Measured:
     """The largest share of a single cause in the final tenth of the energy loss.
 
@@ -161,21 +148,12 @@ def what_ends(motion: Motion) -> Measured:
     return Measured(
         shares[cause],
         details={name: share for name, share in shares.items() if share},
-        fields={
-            "claim": f"What ends the motion is {CAUSE_IN_WORDS[cause]}",
-            "cause": cause,
-        },
+        words={"cause": CAUSE_IN_WORDS[cause]},
+        fields={"cause": cause},
     )
 
 
-@finding(
-    "The contact is lost to the air",
-    "times the vertical force (greatest lift of the film)",
-    "Reynolds' equation on the falling film",
-    needs=("motion", "film law"),
-    at_least=1.0,
-    tolerance=1e-6,
-)
+@finding(needs=("motion", "film law"), at_least=1.0, tolerance=1e-6)
 def carried_by_air(motion: Motion, film: Film) -> Measured:
     """The greatest ratio of the lift of the film to the vertical force of film and
     contact.
@@ -186,8 +164,9 @@ def carried_by_air(motion: Motion, film: Film) -> Measured:
     contact = motion.steady_load(motion.t)
     borne = contact + lift if motion.film else contact
     share = np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight))
-    claim = "With the air film included, the disk would become airborne"
-    fields = {"cause": "film"} if motion.film else {"claim": claim}
+    if motion.film is None:
+        return Measured(share, variant="no film")
+    fields = {"cause": "film"}
     if motion.outcome is not Outcome.AIRBORNE:
         return Measured(share, fields=fields)
     turns = abs(precession_rate(motion.state[-1:])[0]) / (2 * np.pi)
@@ -199,13 +178,7 @@ def carried_by_air(motion: Motion, film: Film) -> Measured:
     return Measured(1.0, details=end, fields=fields)
 
 
-@finding(
-    "The motion of the rigid disk is audible through the open film",
-    "dB above the threshold of hearing",
-    "ISO 226; air flows around the rim as the face moves",
-    needs=("sound",),
-    at_least=0.0,
-)
+@finding(needs=("sound",), at_least=0.0)
 def heard_through_film(sound: Sound) -> float:
     """The greatest level of heave or tilt of the rigid disk above the threshold of
     hearing in any third-octave band [dB]."""
@@ -216,15 +189,7 @@ def heard_through_film(sound: Sound) -> float:
     return max((levels - HEARING_THRESHOLD_DB[:, None]).max() for levels in seen)
 
 
-@finding(
-    "The friction of the scene lets the precession rate grow as measured",
-    "exponent of the precession rate as a power of the remaining time",
-    "recordings of disks on granite, 2026: 0.31(3)",
-    needs=("scene",),
-    at_least=0.31,
-    at_most=0.31,
-    tolerance=0.03,
-)
+@finding(needs=("scene",), at_least=0.31, at_most=0.31, tolerance=0.03)
 def friction_exponent(scene: Scene):
     """The exponent of the precession rate of a steady disk as a power of the remaining
     time.
@@ -236,13 +201,7 @@ def friction_exponent(scene: Scene):
     return 1 / (2 * (1 - slope)) if slope < 1 else inf
 
 
-@finding(
-    "A Hertzian contact can produce the pivoting friction of the scene",
-    "times the arm of a slipping contact at 0.1 rad",
-    "Hertzian pressure; the moment of full spin slip is mu N times the mean distance from the centre",
-    needs=("scene",),
-    at_most=1.0,
-)
+@finding(needs=("scene",), at_most=1.0)
 def pivoting_within_contact(scene: Scene) -> Measured:
     """The ratio of the arm k_3 of the scene to the greatest arm of a Hertzian contact.
 

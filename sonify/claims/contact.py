@@ -205,13 +205,7 @@ def measured_noise_band(
     return heard._replace(time=heard.time - delay)
 
 
-@finding(
-    "A noise band rises",
-    "times",
-    "abstract: the pitch rises; determined from the sound alone",
-    needs=("sound",),
-    at_least=1.2,
-)
+@finding(needs=("sound",), at_least=1.2)
 def carrier_rises(heard: NoiseBand):
     """The ratio of the final to the initial frequency of the noise band.
 
@@ -292,14 +286,7 @@ def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     return np.interp(f, *welch(load, sample_rate, nperseg=min(segment_length, len(t))))
 
 
-@finding(
-    "The noise band is the resonance of the disk on its elastic contact",
-    "times the expected resonance of the contact, median along the motion",
-    "contact laws of Hertz, Mindlin and Kalker; noise band determined from the sound alone",
-    needs=("motion", "contact law", "sound"),
-    at_least=0.98,
-    at_most=1.02,
-)
+@finding(needs=("motion", "contact law", "sound"), at_least=0.98, at_most=1.02)
 def carrier_is_contact(found: RadiatedBands):
     """The median ratio of the measured to the predicted frequency of the noise band.
 
@@ -311,14 +298,7 @@ def carrier_is_contact(found: RadiatedBands):
     )
 
 
-@finding(
-    "The resonance of film and air sets the noise band",
-    "times that of the force alone, median",
-    "contact force and radiation of a disk over its film; noise band determined from the "
-    "sound alone",
-    needs=("motion", "contact law", "sound"),
-    at_least=1.1,
-)
+@finding(needs=("motion", "contact law", "sound"), at_least=1.1)
 def air_moves_carrier(found: RadiatedBands):
     """The median frequency ratio of the measured noise band to that of the contact
     force."""
@@ -328,13 +308,7 @@ def air_moves_carrier(found: RadiatedBands):
     )
 
 
-@finding(
-    "The contact resonance passes the peaks recorded on granite, 1.84 to 2.28 kHz",
-    "s between these peaks",
-    "recordings of the toy on granite, 2026",
-    needs=("motion", "contact law"),
-    at_least=1.0,
-)
+@finding(needs=("motion", "contact law"), at_least=1.0)
 def carrier_passes_recorded_peaks(expected: PredictedVibration):
     """The time [s] during which the contact resonance is within the range of the
     recorded peak."""
@@ -349,14 +323,7 @@ def carrier_passes_recorded_peaks(expected: PredictedVibration):
     return Measured(len(when) * end / count, 2 * end / count, span)
 
 
-@finding(
-    "The constant peaks of recordings, 5.04 and 8.23 kHz, come from the contact",
-    "of the motion, within 2 % of either",
-    "recordings of the toy on granite, 2026; peaks that remain constant as the disk falls come "
-    "from the table or the air",
-    needs=("motion", "contact law"),
-    at_least=0.5,
-)
+@finding(needs=("motion", "contact law"), at_least=0.5)
 def constant_peaks_are_the_contact(expected: PredictedVibration):
     """The share of the duration in which the contact resonance is within 2 % of a
     constant peak.
@@ -372,13 +339,7 @@ def constant_peaks_are_the_contact(expected: PredictedVibration):
     return Measured(max(stays) / expected.t[-1], 2 / len(expected.t))
 
 
-@finding(
-    "Vibrations finally break the contact",
-    "of the time without contact",
-    "abstract: the vibrations will result in a loss of contact",
-    needs=("motion", "contact law"),
-    at_least=MIN_OPEN_SHARE,
-)
+@finding(needs=("motion", "contact law"), at_least=MIN_OPEN_SHARE)
 def contact_is_lost(motion: Motion, expected: PredictedVibration):
     """The share of the time without contact.
 
@@ -415,13 +376,7 @@ def open_contact_share(expected: PredictedVibration, factor) -> np.ndarray:
     )
 
 
-@finding(
-    "Contact is lost in micro-flights, too short to be seen",
-    "s (the longest flight)",
-    "Borisov et al. (2015)",
-    needs=("motion", "contact law"),
-    at_most=1e-3,
-)
+@finding(needs=("motion", "contact law"), at_most=1e-3)
 def micro_flights(motion: Motion):
     """The duration [s] of the longest loss of contact."""
     flights = motion.contact_losses
@@ -430,13 +385,7 @@ def micro_flights(motion: Motion):
     return Measured(longest[0], longest[0] - longest[len(longest) // 10], details)
 
 
-@finding(
-    "The roughness of an ordinary surface, 0.1 um, breaks the contact",
-    "m (least rms of table and edge that breaks the contact)",
-    "abstract; N' is proportional to the rms of the heights",
-    needs=("motion", "contact law"),
-    at_most=1e-7,
-)
+@finding(needs=("motion", "contact law"), at_most=1e-7)
 def loss_begins_at(rms: float, expected: PredictedVibration):
     """The rms height [m] at which the rms of N' reaches LIFT_OFF_FORCE_RMS times the
     weight.
@@ -449,13 +398,7 @@ def loss_begins_at(rms: float, expected: PredictedVibration):
     return Measured(rms * LIFT_OFF_FORCE_RMS / most, margin)
 
 
-@finding(
-    "Roughness ends the motion",
-    "of the energy lost",
-    "power of N' on the rising heights",
-    needs=("motion", "contact law"),
-    at_least=0.5,
-)
+@finding(needs=("motion", "contact law"), at_least=0.5)
 def roughness_ends_it(
     loss: str, motion: Motion, expected: PredictedVibration
 ) -> Measured:
@@ -477,11 +420,8 @@ def roughness_ends_it(
         where = "included in friction" if fitted else f"{where} and to this motion"
     # error of the prediction, and differences between surfaces
     relative_margin = 0.2
-    fields = {
-        "unit": f"of the energy lost, {where}",
-        "source": f"power of N' on the rising heights; roughness.loss = '{loss}'",
-    }
-    return Measured(share, relative_margin * share, fields=fields)
+    words = {"where": where, "loss": loss}
+    return Measured(share, relative_margin * share, words=words)
 
 
 def several_contacts_notes(t, shift) -> list[str]:

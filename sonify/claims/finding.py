@@ -9,6 +9,7 @@ from typing import Any, Literal, NamedTuple, SupportsIndex, overload
 
 import numpy as np
 
+from sonify.claims.finding_texts import FINDING_TEXTS
 from sonify.suggestions import did_you_mean
 
 Verdict = Literal["yes", "no", "undecided"]
@@ -21,13 +22,16 @@ class Measured(NamedTuple):
     """Result of a measuring function: value, uncertainty, further numbers, and the
     reason for an undecided claim, if any.
 
-    `fields` replaces fields of the `Finding` that depend on the run, such as its claim.
+    `variant` selects other texts of the finding, `words` are inserted into its texts,
+    and `fields` replaces further fields of the `Finding` that depend on the run.
     """
 
     value: float
     margin: float = 0.0
     details: Mapping[str, float] = {}
     undecided_because: str = ""
+    variant: str = ""
+    words: Mapping[str, str] = {}
     fields: Mapping[str, Any] = {}
 
 
@@ -151,21 +155,14 @@ JUDGE_BY_KEY: dict[str, Judge] = {}
 import."""
 
 
-def finding(
-    claim: str,
-    unit: str,
-    source: str,
-    *,
-    needs: tuple[Need, ...],
-    **limits: Any,
-):
+def finding(*, needs: tuple[Need, ...], **limits: Any):
     """Convert a function that returns a number or `Measured` to one that returns a
     `Finding`.
 
+    Its texts are the record of FINDING_TEXTS with the name of the function.
+
     Parameters
     ----------
-    claim, unit, source
-        As in `Finding`.
     needs : tuple of str
         Inputs of the function.
     **limits : float
@@ -174,11 +171,12 @@ def finding(
     """
 
     def decorator(function: Callable[..., float | Measured]) -> Callable[..., Finding]:
+        texts = FINDING_TEXTS[function.__name__]
+
         @wraps(function)
         def judge(*arguments, **options) -> Finding:
             found = function(*arguments, **options)
             measured = found if isinstance(found, Measured) else Measured(float(found))
-            texts = {"claim": claim, "unit": unit, "source": source}
             return Finding(
                 key=function.__name__,
                 value=float(measured.value),
@@ -188,7 +186,8 @@ def finding(
                 },
                 undecided_because=measured.undecided_because,
                 needs=needs,
-                **{**texts, **limits, **measured.fields},
+                **texts.of_run(measured.variant, measured.words),
+                **{**limits, **measured.fields},
             )
 
         JUDGE_BY_KEY[function.__name__] = Judge(judge, needs)

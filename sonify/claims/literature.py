@@ -50,13 +50,7 @@ def motion_findings(motion: Motion) -> list[Finding]:
     return [slip_is_the_loss(motion), *impacts]
 
 
-@finding(
-    "Slip dissipates most of the energy",
-    "of the energy lost while the disk slides",
-    "Caps et al. (2004)",
-    needs=("motion",),
-    at_least=0.5,
-)
+@finding(needs=("motion",), at_least=0.5)
 def slip_is_the_loss(motion: Motion):
     """The share of the energy lost while the disk slides, an upper bound on that of
     sliding friction.
@@ -65,20 +59,13 @@ def slip_is_the_loss(motion: Motion):
     slips shorter than a piece."""
     if motion.solves_contact:
         taken = energy_lost_by_cause(motion)
-        unit = "of the energy lost by sliding friction"
-        return Measured(taken["slip"] / sum(taken.values()), fields={"unit": unit})
+        return Measured(taken["slip"] / sum(taken.values()), variant="solved")
     middle = (motion.t[1:] + motion.t[:-1]) / 2
     lost = np.diff(motion.state[:, 10])
     return lost[np.char.startswith(motion.regime(middle), "slide")].sum() / lost.sum()
 
 
-@finding(
-    "Causes other than impacts end the motion",
-    "of the energy lost by compression of the contact",
-    "Baranyai & Varkonyi (2017)",
-    needs=("motion",),
-    at_most=0.5,
-)
+@finding(needs=("motion",), at_most=0.5)
 def impacts_are_not_the_loss(motion: Motion):
     """The share of the energy loss due to compression of the contact, with or without
     impacts.
@@ -99,13 +86,7 @@ def energy_lost_by_cause(motion: Motion) -> dict[str, float]:
     }
 
 
-@finding(
-    "The peaks of the normal force are the peaks of the sound",
-    "correlation of level and normal force",
-    "Saje & Zupan (2006)",
-    needs=("motion", "sound"),
-    at_least=0.5,
-)
+@finding(needs=("motion", "sound"), at_least=0.5)
 def force_peaks_sound(motion: Motion, sound: Sound):
     """The correlation of sound level and normal force after removal of slow
     variations."""
@@ -131,13 +112,7 @@ def force_peaks_sound(motion: Motion, sound: Sound):
     return Measured(np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / smoothing_samples))
 
 
-@finding(
-    "Transverse deformation of the disk alone makes the rising tone",
-    "dB(A), modes driven by the smooth force relative to all other sources",
-    "Villanueva & Epstein (2005)",
-    needs=("sound",),
-    at_least=0.0,
-)
+@finding(needs=("sound",), at_least=0.0)
 def deformation_makes_the_tone(sound: Sound):
     """The level of the modes driven by the smooth force relative to all other sound in
     the last second [dB(A)]."""
@@ -147,13 +122,7 @@ def deformation_makes_the_tone(sound: Sound):
 
 
 @finding(
-    "The highest recorded peaks, 10.945 and 17.438 kHz, are the first two modes of the free disk",
-    "ratio of the first two free modes",
-    "recordings of the toy on granite, 2026",
-    needs=("modes",),
-    at_least=17438 / 10945,
-    at_most=17438 / 10945,
-    tolerance=0.03,
+    needs=("modes",), at_least=17438 / 10945, at_most=17438 / 10945, tolerance=0.03
 )
 def mode_ratio(modes: Modes):
     """The frequency ratio of the first two modes of the free disk with different

@@ -6,6 +6,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.observables import nutations_per_turn, precession_rate
 from sonify.claims.finding import Finding
+from sonify.claims.finding_texts import FINDING_TEXTS
 from sonify.claims.rigid_motion import PAPER_FORCING_FREQUENCY
 
 PAPER_FIGURE_FINDINGS = (
@@ -30,66 +31,18 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
     alpha = np.pi / 2 - motion.at(motion.t[[0, -1]])[:, 1]
     shown = {finding.key: finding for finding in findings}
     own = [
+        _paper_number("unit_of_time", disk.time_unit, 0.0691712, 5e-8),
+        _paper_number("half_height", disk.aspect, 1.28 / 7.51, 1e-9),
+        _paper_number("density", disk.mass / disk.volume, 7737.27, 5e-3),
         _paper_number(
-            "unit_of_time",
-            "The unit of time is χ = 0.0691712 s",
-            disk.time_unit,
-            "s",
-            0.0691712,
-            5e-8,
-            "(7.2)",
+            "named_rate", PAPER_FORCING_FREQUENCY / disk.time_unit, 36.0, 0.5
         ),
-        _paper_number(
-            "half_height",
-            "H/R = 1.28/7.51 (the paper prints the reciprocal)",
-            disk.aspect,
-            "H/R",
-            1.28 / 7.51,
-            1e-9,
-            "(7.2)",
-        ),
-        _paper_number(
-            "density",
-            "The density is 7737.27",
-            disk.mass / disk.volume,
-            "kg/m³",
-            7737.27,
-            5e-3,
-            "footnote 4",
-        ),
-        _paper_number(
-            "named_rate",
-            "f = 2.5 is 36 Hz",
-            PAPER_FORCING_FREQUENCY / disk.time_unit,
-            "Hz",
-            36.0,
-            0.5,
-            "figure 4, caption",
-        ),
-        _paper_number(
-            "begins_at",
-            "α begins at 1.0",
-            alpha[0],
-            "rad",
-            1.0,
-            1e-9,
-            "figure 3 (a), (7.4)",
-        ),
-        _paper_number(
-            "ends_at",
-            "α tends to π/2",
-            alpha[1],
-            "rad",
-            np.pi / 2,
-            1e-6,
-            "figure 3 (a)",
-        ),
+        _paper_number("begins_at", alpha[0], 1.0, 1e-9),
+        _paper_number("ends_at", alpha[1], np.pi / 2, 1e-6),
         *_rates_are_alike(motion),
         Finding(
             key="precession_grows",
-            claim="dθ/dτ increases considerably",
             value=float(rate[2] / rate[0]),
-            unit="times, from the release to 99 % of the time",
             details=dict(
                 zip(
                     ("release", "half_way", "late"),
@@ -98,7 +51,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
                 )
             ),
             at_least=2.0,
-            source="figure 6",
+            **FINDING_TEXTS["precession_grows"].of_run(),
         ),
     ]
     return own + [shown[key] for key in PAPER_FIGURE_FINDINGS if key in shown]
@@ -114,34 +67,22 @@ def _rates_are_alike(motion):
     return [
         Finding(
             key="rates_are_alike",
-            claim="The curve of dθ/dτ mostly resembles that of the frequency of the normal force",
             value=float((high - low) / middle / 2),
-            unit="half the 5-95 % range of their ratio, relative to its median",
             details={"nutations_per_turn": float(middle)},
             at_most=0.1,
-            source="section 7, on figures 4 (b) and 6",
+            **FINDING_TEXTS["rates_are_alike"].of_run(),
         )
     ]
 
 
-def _paper_number(
-    key: str,
-    claim: str,
-    value: float,
-    unit: str,
-    paper: float,
-    digits: float,
-    source: str,
-) -> Finding:
+def _paper_number(key: str, value: float, paper: float, digits: float) -> Finding:
     """Return the finding on a number printed in the paper; `digits` is the
     tolerance."""
     return Finding(
         key=key,
-        claim=claim,
         value=float(value),
-        unit=unit,
         at_least=paper,
         at_most=paper,
         tolerance=digits,
-        source=source,
+        **FINDING_TEXTS[key].of_run(),
     )

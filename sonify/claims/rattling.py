@@ -17,14 +17,13 @@ from dynamics.rattling.rattling_motion import (
 from modal import Modes
 from sonify.claims.contact import micro_flights
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.limits import MODE_BAND_HALF_WIDTH
 from sonify.claims.literature import energy_lost_by_cause
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
 FITTED_INSTANT_COUNT = 400
 """Number of instants in the fit of the precession rate."""
-MODE_BAND_HALF_WIDTH = 0.03
-"""Half-width of the band around a mode, relative to its frequency."""
 
 
 def rattling_findings(
@@ -48,13 +47,7 @@ def rattling_findings(
     return found
 
 
-@finding(
-    "The disk rattles: it flies from crest to crest of the unevenness",
-    "of the time without contact",
-    "contact with an uneven table is lost where the curvature of its heights exceeds that of the rim",
-    needs=("motion", "contact law"),
-    at_least=0.2,
-)
+@finding(needs=("motion", "contact law"), at_least=0.2)
 def disk_rattles(motion: RattlingMotion):
     """The share of the time without contact.
 
@@ -74,13 +67,7 @@ def disk_rattles(motion: RattlingMotion):
     return Measured(motion.open_share, margin, details)
 
 
-@finding(
-    "Vibration of the disk breaks the contact",
-    "of the time without contact vanishes without the modes of the disk",
-    "section 8: vibrations excited by the contact force break the contact",
-    needs=("scene", "motion", "contact law"),
-    at_least=0.5,
-)
+@finding(needs=("scene", "motion", "contact law"), at_least=0.5)
 def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Measured:
     """The share of the time without contact that vanishes in a motion without the disk
     modes.
@@ -123,15 +110,7 @@ def open_share_until(motion: RattlingMotion, until: float) -> tuple[float, float
     return float(inside.sum() / until), float(2 * np.sqrt(np.sum(inside**2)) / until)
 
 
-@finding(
-    "The sound is that of the modes of the disk",
-    f"of the sound power above 100 Hz, within {MODE_BAND_HALF_WIDTH:.0%} of the frequencies of the "
-    "modes",
-    "recorded coins: the spectral lines of a rolling coin are within 0.3 % of those of the free "
-    "coin",
-    needs=("sound", "modes"),
-    at_least=0.5,
-)
+@finding(needs=("sound", "modes"), at_least=0.5)
 def free_modes_are_heard(sound: Sound, modes: Modes) -> Measured:
     """The share of the sound power near the frequencies of the modes.
 
@@ -151,13 +130,7 @@ def free_modes_are_heard(sound: Sound, modes: Modes) -> Measured:
     return Measured(shares[1], max(shares) - min(shares))
 
 
-@finding(
-    "Impacts bring the disk to rest",
-    "of the energy is lost in the dashpots of the contacts",
-    "the disk makes thousands of small impacts on the crests of an uneven table",
-    needs=("motion", "contact law"),
-    at_least=0.5,
-)
+@finding(needs=("motion", "contact law"), at_least=0.5)
 def impacts_end_it(motion: RattlingMotion):
     """The share of the energy loss in the compression of the contacts.
 
@@ -169,13 +142,7 @@ def impacts_end_it(motion: RattlingMotion):
     return Measured(taken["contact"] / total, abs(start - end - total) / total)
 
 
-@finding(
-    "The precession rate rises as the spectrum of the unevenness implies",
-    "exponent n of the precession rate ~ (t_end - t)^-n",
-    "n = (2 - H)/(4 - H) for a power spectrum k^-(1 + 2H) of the heights",
-    needs=("motion", "contact law"),
-    tolerance=0.05,
-)
+@finding(needs=("motion", "contact law"), tolerance=0.05)
 def rate_follows_unevenness(
     spectrum_exponent: float, motion: RattlingMotion
 ) -> Measured:
@@ -197,14 +164,7 @@ def rate_follows_unevenness(
 
 
 @finding(
-    "On this table the precession rate is the same function of time for disks of any size",
-    "times the precession rate due to impacts alone, a function of the rms height and the "
-    "restitution, median over the last second",
-    "d beta/dt = -k sqrt(g s)/R for impacts on unevenness without a preferred scale",
-    needs=("scene", "motion", "contact law"),
-    at_least=1.0,
-    at_most=1.0,
-    tolerance=0.25,
+    needs=("scene", "motion", "contact law"), at_least=1.0, at_most=1.0, tolerance=0.25
 )
 def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion):
     """The ratio of the precession rate to that of a disk slowed by impacts alone.

@@ -30,25 +30,13 @@ PAPER_FORCING_FREQUENCY_TIME = 214.6
 """Time at which figure 4 reaches PAPER_FORCING_FREQUENCY, in units of chi."""
 
 
-@finding(
-    "The disk repeatedly changes from rolling to sliding",
-    "transitions",
-    "section 1 of the paper",
-    needs=("motion",),
-    at_least=2.0,
-)
+@finding(needs=("motion",), at_least=2.0)
 def repeated_slips(motion: Motion):
     """The number of changes from rolling to sliding; rounding may change it by one."""
     return Measured(len(slip_start_times(motion)), 1.0)
 
 
-@finding(
-    "The normal force stays positive",
-    "times the weight (least normal force)",
-    "section 7, figure 4 (a)",
-    needs=("motion",),
-    at_least=1e-9,
-)
+@finding(needs=("motion",), at_least=1e-9)
 def contact_kept(motion: Motion):
     """The smallest ratio of normal force to weight at the ends and middles of all
     pieces.
@@ -63,13 +51,7 @@ def contact_kept(motion: Motion):
     return Measured(min_load, load[::2].min() - min_load)
 
 
-@finding(
-    "The frequency of the normal force rises as the disk declines",
-    "times the frequency of the first tenth of the peaks (last tenth)",
-    "section 7, figure 4 (b)",
-    needs=("motion",),
-    at_least=1.5,
-)
+@finding(needs=("motion",), at_least=1.5)
 def load_frequency_rises(motion: Motion):
     """The ratio of the frequencies of the normal force in the last and first tenths of
     its peaks."""
@@ -86,14 +68,7 @@ def nutation_end_times(motion: Motion) -> dict[str, float]:
     return {"nutates_until": end, "motion_ends": float(motion.t[-1])}
 
 
-@finding(
-    "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
-    "χ of (4.5) after the release (inf: never)",
-    "figure 4 (b), read in quadruple precision; footnote 3",
-    needs=("motion",),
-    at_most=PAPER_FORCING_FREQUENCY_TIME,
-    tolerance=0.5,
-)
+@finding(needs=("motion",), at_most=PAPER_FORCING_FREQUENCY_TIME, tolerance=0.5)
 def load_frequency_reached(motion: Motion):
     """The first time, in units of chi of (4.5), at which the normal force has the
     frequency 2.5/chi."""
@@ -104,14 +79,7 @@ def load_frequency_reached(motion: Motion):
     return Measured(first, 1 / PAPER_FORCING_FREQUENCY, nutation_end_times(motion))
 
 
-@finding(
-    "The energy falls monotonically",
-    "times the initial energy (greatest increase between two instants)",
-    "sections 6.3 and 7, figure 3 (b)",
-    needs=("motion",),
-    at_most=0.0,
-    tolerance=1e-12,
-)
+@finding(needs=("motion",), at_most=0.0, tolerance=1e-12)
 def energy_falls(motion: Motion):
     """The greatest increase of energy between successive instants, relative to the
     initial energy."""
@@ -119,13 +87,7 @@ def energy_falls(motion: Motion):
     return Measured(gain, 16 * np.finfo(float).eps)
 
 
-@finding(
-    "Sliding dissipates more than rolling",
-    "times the greater of the powers before and after a slide, median",
-    "section 7, figure 3 (b)",
-    needs=("motion",),
-    at_least=1.0,
-)
+@finding(needs=("motion",), at_least=1.0)
 def sliding_costs_more(motion: Motion):
     """The median ratio of the power lost in a slide to that in the adjacent rolling.
 
@@ -151,13 +113,7 @@ def powers_by_regime(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     return power, np.arange(first_slide, len(power) - 1, 2)
 
 
-@finding(
-    "At least four modes of vibration are in the audible range",
-    "modes from 20 Hz to 20 kHz",
-    "section 8",
-    needs=("modes",),
-    at_least=4.0,
-)
+@finding(needs=("modes",), at_least=4.0)
 def audible_modes(modes: Modes):
     """The number of modes in the audible range."""
     low, high = audible_range = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
@@ -167,13 +123,7 @@ def audible_modes(modes: Modes):
     return Measured(int(inside.sum()), int(uncertain.sum()))
 
 
-@finding(
-    "The motion of the centre diminishes until it is almost negligible",
-    "times the extent of the path in its first fifth (last fifth)",
-    "section 7, figure 5",
-    needs=("motion",),
-    at_most=0.1,
-)
+@finding(needs=("motion",), at_most=0.1)
 def centre_comes_to_rest(motion: Motion):
     """The ratio of the extents of the path of the centre in the last and first fifths
     of the time."""
@@ -189,14 +139,7 @@ def extent_ratio(path: np.ndarray) -> float:
     return np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max()
 
 
-@finding(
-    "The precession rate stays finite",
-    "exponent of the precession rate as a power of the remaining time (negative: it diverges)",
-    "section 7",
-    needs=("motion",),
-    at_least=0.0,
-    tolerance=0.05,
-)
+@finding(needs=("motion",), at_least=0.0, tolerance=0.05)
 def no_singularity(motion: Motion):
     """The exponent of the precession rate as a power of the remaining time."""
     min_remaining_time = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)

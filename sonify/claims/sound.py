@@ -96,13 +96,7 @@ def tone_rate_findings(tone, motion: Motion, sound: Sound) -> list[Finding]:
     return found
 
 
-@finding(
-    "The pitch rises sharply towards the end",
-    "times from the start to the end of the detected tone",
-    "abstract and section 1; determined from the sound alone",
-    needs=("tone",),
-    at_least=2.0,
-)
+@finding(needs=("tone",), at_least=2.0)
 def pitch_rises(tone):
     """The ratio of the final to the initial frequency of the tone."""
     return rise_of(tone)
@@ -115,55 +109,28 @@ def rise_of(tone) -> Measured:
     return Measured(factor, margin)
 
 
-@finding(
-    "In the last second the rising tone is the precession of the contact",
-    "times the solved precession, median",
-    "section 8 does not state which frequency rises; here it is compared with the precession",
-    needs=("tone", "motion", "sound"),
-    at_least=0.97,
-    at_most=1.03,
-)
+@finding(needs=("tone", "motion", "sound"), at_least=0.97, at_most=1.03)
 def tone_is_precession(tone, last, motion: Motion, sound: Sound):
     """The median ratio of the tone frequency to the solved precession in the frames
     `last` (r,)."""
     return _tone_ratio(tone, last, motion, sound, precession_frequency(motion))
 
 
-@finding(
-    "Until four seconds before the end the tone is the nutation, the frequency of the normal force",
-    "times the solved nutation, median",
-    "section 8: the normal force is a measure of the forcing",
-    needs=("tone", "motion", "sound"),
-    at_least=0.97,
-    at_most=1.03,
-)
+@finding(needs=("tone", "motion", "sound"), at_least=0.97, at_most=1.03)
 def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
     """The median ratio of the tone frequency to the solved nutation in the frames
     `early` (r,)."""
     return _tone_ratio(tone, early, motion, sound, nutation_frequency(motion))
 
 
-@finding(
-    "The rising tone lasts until the end of the motion",
-    "s from the end of the motion to the fitted end of the tone",
-    "section 1: the abrupt halt",
-    needs=("tone", "sound"),
-    at_least=-0.1,
-    at_most=0.1,
-)
+@finding(needs=("tone", "sound"), at_least=-0.1, at_most=0.1)
 def tone_ends_with_the_motion(tone, sound: Sound):
     """The time [s] from the end of the motion, at the listener, to the fitted end of
     the tone."""
     return Measured(tone.t_end.value - sound.source_end, tone.t_end.half_width)
 
 
-@finding(
-    "The rising tone can be heard",
-    "s of uninterrupted audibility before the end (threshold of ISO 226)",
-    "section 8: the frequencies are in the audible range",
-    needs=("tone", "sound"),
-    at_least=0.5,
-)
+@finding(needs=("tone", "sound"), at_least=0.5)
 def tone_is_heard(tone, sound: Sound):
     """The time before the end [s] from which the third-octave band of the tone stays
     above the threshold of hearing."""
@@ -181,13 +148,7 @@ def tone_is_heard(tone, sound: Sound):
     return Measured(sound.source_end - begin, window)
 
 
-@finding(
-    "The sound exceeds the threshold of hearing",
-    "dB above the threshold (greatest third-octave level in 200 ms)",
-    "ISO 389-7, equal to the thresholds of ISO 226",
-    needs=("sound",),
-    at_least=0.0,
-)
+@finding(needs=("sound",), at_least=0.0)
 def sound_is_audible(sound: Sound):
     """The greatest third-octave level above the threshold of hearing [dB] in short
     windows.
@@ -201,13 +162,7 @@ def sound_is_audible(sound: Sound):
     return Measured(float(loudest.max()), details=details)
 
 
-@finding(
-    "In the last second, the sound of the disk is the vibration of its modes",
-    "dB(A), ringing modes relative to the rigid motion of the disk",
-    "section 8: the motion of the disk is not the primary sound source; the forcing excites modes",
-    needs=("sound",),
-    at_least=0.0,
-)
+@finding(needs=("sound",), at_least=0.0)
 def modes_carry_the_end(sound: Sound, error: float):
     """The level of the modes relative to the rigid motion of the disk in the last
     second [dB(A)].
@@ -221,13 +176,7 @@ def modes_carry_the_end(sound: Sound, error: float):
     return Measured(louder, 20 * np.log10(1 + error))
 
 
-@finding(
-    "The modes hold too little energy to affect the motion",
-    "s before the end when the modes first hold as much energy as the disk",
-    "section 8: the vibrations will result in a loss of contact; here the coupling is one-way",
-    needs=("motion", "sound"),
-    at_most=0.0,
-)
+@finding(needs=("motion", "sound"), at_most=0.0)
 def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0):
     """The time before the end [s] at which the energy of the modes first exceeds that
     of the disk.
@@ -260,13 +209,7 @@ def time_of_energy_share(
     return Measured(value, margin)
 
 
-@finding(
-    "The strongest steady tone keeps its pitch",
-    "cents, spread over the sound",
-    "modes are linear; determined from the sound alone",
-    needs=("sound",),
-    at_most=5.0,
-)
+@finding(needs=("sound",), at_most=5.0)
 def carriers_are_steady(heard: Heard):
     """The greater of the spread and the drift of the strongest spectral line [cents].
 
@@ -279,13 +222,7 @@ def carriers_are_steady(heard: Heard):
     return Measured(max(one.spread, drift), max(one.spread / 2, 2 * error))
 
 
-@finding(
-    "The strongest steady tone is a mode of the disk",
-    "cents to the nearest mode",
-    "section 8",
-    needs=("sound", "modes"),
-    at_most=5.0,
-)
+@finding(needs=("sound", "modes"), at_most=5.0)
 def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest spectral line from the nearest mode [cents]."""
     one = heard.lines[0]

@@ -4,10 +4,16 @@ The questions concern the sound source, the pitch, losses of contact and the cau
 the end."""
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
+from sonify.claims.finding_texts import (
+    LOSS_QUESTION,
+    NO_ANSWER_REASONS,
+    SOUND_QUESTION,
+    AnswerSentences,
+    texts_by_question,
+)
 
 SURFACE_BY_SCENE = {
     "published": "rigid table",
@@ -21,114 +27,11 @@ SURFACE_BY_SCENE = {
 """Surface under the disk, by scene."""
 
 
-class AnswerSentences(NamedTuple):
-    """Answers for a claim that holds, fails or is undecided; {value} is its value.
-
-    An empty answer leaves the question to the next finding."""
-
-    yes: str
-    no: str
-    undecided: str
-
-
-ENERGY_SHARE_FORMAT = "{value:.0%}"
-LEVEL_FORMAT = "{value:+.0f} dB(A)"
-TIME_ADVANCE_FORMAT = (
-    "{value:.2f} s early (1e-5 rad), {advance_at_100_urad:.2f} s (1e-4 rad)"
-)
-ANSWERS: dict[str, dict[str, AnswerSentences]] = {
-    "what do you hear": {
-        "table_is_louder": AnswerSentences(
-            f"the table, {LEVEL_FORMAT}",
-            f"the disk, the table {LEVEL_FORMAT}",
-            f"undecided: the table, {LEVEL_FORMAT}",
-        ),
-        "carrier_is_contact": AnswerSentences(
-            "the contact resonance, {value:.2f} of its prediction",
-            "a resonance at {value:.2f} times the contact's",
-            "undecided: the contact resonance, {value:.2f} of its prediction",
-        ),
-        "modes_carry_the_end": AnswerSentences(
-            f"the modes at the end, {LEVEL_FORMAT}",
-            f"the motion of the disk, modes {LEVEL_FORMAT}",
-            f"undecided: the modes at the end, {LEVEL_FORMAT}",
-        ),
-        "free_modes_are_heard": AnswerSentences(
-            "the modes of the disk, {value:.0%} of the power",
-            "more than the modes of the disk, {value:.0%} of the power",
-            "undecided: the modes of the disk, {value:.0%} of the power",
-        ),
-        "heard_through_film": AnswerSentences(
-            "the motion of the disk, {value:+.0f} dB relative to the threshold of hearing",
-            "not the motion of the disk: {value:+.0f} dB relative to the threshold of hearing",
-            "undecided: the motion of the disk, {value:+.0f} dB relative to the threshold of hearing",
-        ),
-    },
-    "does the pitch rise": {
-        "table_tone_rises": AnswerSentences(
-            "yes", "no", "undecided"
-        ),  # without the factor, which is chaotic
-        "carrier_rises": AnswerSentences(
-            "yes, {value:.1f}-fold",
-            "no, {value:.1f}-fold",
-            "undecided, {value:.1f}-fold",
-        ),
-        "pitch_rises": AnswerSentences(
-            "yes, {value:.1f}-fold",
-            "no, {value:.1f}-fold",
-            "undecided, {value:.1f}-fold",
-        ),
-    },
-    "is contact lost": {
-        "table_breaks_contact": AnswerSentences("yes", "no", "undecided"),
-        "contact_is_lost": AnswerSentences(
-            "yes, {value:.1%} of the time",
-            "no, {value:.1%} of the time",
-            "undecided, {value:.1%} of the time",
-        ),
-        "contact_kept": AnswerSentences(
-            "no, least force {value:.1f} of the weight",
-            "yes",
-            "undecided, least force {value:.1f} of the weight",
-        ),
-    },
-    "what ends the motion": {
-        "impacts_end_it": AnswerSentences(
-            "impacts: {value:.0%} of the energy",
-            "several causes, impacts with {value:.0%} of the energy",
-            "undecided: impacts, {value:.0%} of the energy",
-        ),
-        "halt_comes_earlier": AnswerSentences(
-            f"the table: {TIME_ADVANCE_FORMAT}",
-            f"not the table: {TIME_ADVANCE_FORMAT}",
-            f"undecided: the table, {TIME_ADVANCE_FORMAT}",
-        ),
-        "table_takes_little": AnswerSentences(
-            "",  # the table does not end the motion
-            "the table, not solved: {value:.1f} s before the end it would hold as much energy as "
-            "the disk",
-            "undecided: the table, not solved, {value:.1f} s before the end",
-        ),
-        "what_ends": AnswerSentences(
-            f"{{cause}}: {ENERGY_SHARE_FORMAT}",
-            f"several causes, mainly {{cause}}: {ENERGY_SHARE_FORMAT}",
-            f"undecided: {{cause}}, {ENERGY_SHARE_FORMAT}",
-        ),
-    },
-}
+ANSWERS: dict[str, dict[str, AnswerSentences]] = texts_by_question("answers")
 """Answers by question and by key of a finding; the first available finding with an
 answer gives it."""
-LOSS_QUESTION = "is contact lost"
-SOUND_QUESTION = "what do you hear"
 AIR_QUESTION = "in air"
 """Table column on the same scene with an air film."""
-NO_ANSWER_REASONS = {
-    SOUND_QUESTION: "neither a table, nor a noise band, nor a disk that settles",
-    "does the pitch rise": "no tone stands out",
-    LOSS_QUESTION: "no motion was solved",
-    "what ends the motion": "the motion does not end in this run",
-}
-"""Reason for a missing answer, by question."""
 
 
 def complete_answers(findings: Iterable[Finding]) -> dict[str, str]:

@@ -62,14 +62,7 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     return [waves_break_contact(scene, motion)] if scene.imperfection else []
 
 
-@finding(
-    "The waves of the table break the contact where they outweigh the inclination",
-    "times (n^2 - 1) amplitude/radius (inclination at the first loss of contact)",
-    "section 8: the vibrations will result in a loss of contact; here the table is wavy",
-    needs=("scene", "motion"),
-    at_least=0.7,
-    at_most=1.8,
-)
+@finding(needs=("scene", "motion"), at_least=0.7, at_most=1.8)
 def waves_break_contact(scene: Scene, motion: Motion) -> float:
     """The ratio of the inclination at the first loss of contact to (n^2 - 1) delta/R,
     or 0.
@@ -101,13 +94,7 @@ def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]
     return found
 
 
-@finding(
-    "The table is louder than the disk",
-    "dB(A), table relative to disk, median over the seconds of the motion",
-    "section 1: vibrations of disk and surface",
-    needs=("motion", "sound"),
-    at_least=0.0,
-)
+@finding(needs=("motion", "sound"), at_least=0.0)
 def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measured:
     """The median over the seconds of the motion of the table level relative to all
     other sound [dB(A)]."""
@@ -117,26 +104,14 @@ def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measure
     return Measured(louder, 20 * np.log10(1 + error))
 
 
-@finding(
-    "The tone of the table rises",
-    "times from the start to the end of the tone in the stem of the table",
-    "section 8: the frequencies rise; the table is driven at n times the precession frequency",
-    needs=("sound",),
-    at_least=2.0,
-)
+@finding(needs=("sound",), at_least=2.0)
 def table_tone_rises(tone: SettlingRun) -> Measured:
     """The ratio of the final to the initial frequency of the rising tone in the stem of
     the table."""
     return rise_of(tone)
 
 
-@finding(
-    "The table emits the rising tone of the last second",
-    "dB, table relative to disk in the third-octave band of the tone",
-    "abstract: the vibrations of disk and surface produce the sound",
-    needs=("tone", "sound"),
-    at_least=0.0,
-)
+@finding(needs=("tone", "sound"), at_least=0.0)
 def table_carries_the_tone(sound: Sound, tone, error: float) -> Measured:
     """The level of the table relative to all other sound, in the third-octave band of
     the tone during the last second [dB]."""
@@ -155,26 +130,14 @@ def table_carries_the_tone(sound: Sound, tone, error: float) -> Measured:
     return Measured(louder, 20 * np.log10(1 + error))
 
 
-@finding(
-    "The table holds too little energy to affect the motion",
-    "s before the end when the modes of the table first hold as much energy as the disk",
-    "section 8: the vibrations will result in a loss of contact; here the coupling is one-way",
-    needs=("motion", "sound"),
-    at_most=0.0,
-)
+@finding(needs=("motion", "sound"), at_most=0.0)
 def table_takes_little(motion: Motion, sound: Sound, error: float):
     """The time before the end [s] at which the energy of the table modes first exceeds
     that of the disk, for one-way coupling."""
     return time_of_energy_share(motion, sound.energy_time, sound.table_energy, error)
 
 
-@finding(
-    "The table may be neglected in the motion until the last half second",
-    f"s before the end when the modes of the table first hold {MIN_RELEVANT_SHARE:.0%} of the energy of the disk",
-    "energies of a motion on a rigid table and of the table modes driven by its force",
-    needs=("motion", "sound"),
-    at_most=0.5,
-)
+@finding(needs=("motion", "sound"), at_most=0.5)
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float):
     """The time before the end [s] at which the table modes first have MIN_RELEVANT_SHARE
     of the energy of the disk."""
@@ -201,13 +164,7 @@ def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.nda
     return (first + np.arange(len(power))) / rate - listener.delay, power
 
 
-@finding(
-    "The table converts most of the energy of its waves to heat and little to sound",
-    "of the energy lost by the modes of the table is radiated",
-    "energy balance of a table with two-way coupling",
-    needs=("motion", "sound"),
-    at_most=0.5,
-)
+@finding(needs=("motion", "sound"), at_most=0.5)
 def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measured:
     """The ratio of radiated energy to energy lost by the table modes, with two-way
     coupling.
@@ -222,13 +179,7 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
     return Measured(share, share)
 
 
-@finding(
-    "The disk has enough energy to supply the sound of the table",
-    "s before the end when the table would first radiate more energy than the disk has",
-    "energy balance: a table that radiates more must affect the motion",
-    needs=("motion", "sound"),
-    at_most=0.0,
-)
+@finding(needs=("motion", "sound"), at_most=0.0)
 def radiation_takes_little(
     motion: Motion, sound: Sound, listener: Listener, error: float
 ) -> Measured:

@@ -23,14 +23,10 @@ from dynamics.compliant.two_way_onset import may_be_two_way, table_reaction
 from dynamics.observables import precession_rate
 from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
-from sonify.claims.air import FINAL_ENERGY_SHARE
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.limits import ALMOST_FLAT_INCLINATION, FINAL_ENERGY_SHARE
 from sonify.scene import Scene
 
-ALMOST_FLAT_INCLINATION = 2 * FLAT_INCLINATION
-"""Smallest inclination [rad] at which losses of contact count; below it they depend on the
-time step."""
-REMAINING_AT_ONSET_CLAUSE = "that remained at the onset of two-way coupling"
 HALF_STEP = "half_step"
 """Name of the rerun with half the time step."""
 TWICE_STIFF = "twice_stiff"
@@ -192,13 +188,7 @@ def two_way_start(scene: Scene, part: CompliantMotion) -> float:
     return float(is_two_way.argmax() * FORCES_PER_ROW * part.dt)
 
 
-@finding(
-    "The table brings the halt forward",
-    f"s earlier at {FLAT_INCLINATION:g} rad than with one-way coupling",
-    "section 8: the vibrations will result in an abrupt halt",
-    needs=("scene", "motion"),
-    at_least=0.05,
-)
+@finding(needs=("scene", "motion"), at_least=0.05)
 def halt_comes_earlier(scene: Scene, motion: Motion):
     """The time [s] by which the table modes advance the passage of FLAT_INCLINATION.
 
@@ -219,13 +209,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
     return Measured(advance[0], MIN_RELEVANT_SHARE * (t[-1] - start), details)
 
 
-@finding(
-    "The table brings forward the time at which the air carries the disk",
-    "s earlier than with one-way coupling",
-    "section 8: the vibrations will result in an abrupt halt; here in air",
-    needs=("scene", "motion"),
-    at_least=0.05,
-)
+@finding(needs=("scene", "motion"), at_least=0.05)
 def air_carries_earlier(scene: Scene, motion: Motion):
     """The time [s] by which the table modes advance the end of a disk that the air
     carries.
@@ -265,13 +249,7 @@ def last_time_above(limit: float, t: np.ndarray, inclination: np.ndarray) -> flo
     return float(t[min(above[-1] + 1, len(t) - 1)] if len(above) else t[0])
 
 
-@finding(
-    "The waves of the table dissipate the final energy",
-    f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy {REMAINING_AT_ONSET_CLAUSE}",
-    "section 8: loss of contact and the following impact end the motion",
-    needs=("scene", "motion"),
-    at_least=0.5,
-)
+@finding(needs=("scene", "motion"), at_least=0.5)
 def waves_make_the_halt(scene: Scene, motion: Motion):
     """The share of the table modes in the energy lost by the disk and its contact
     during the halt."""
@@ -283,13 +261,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
     return Measured(shares["table"], details=shares)
 
 
-@finding(
-    "The table finally holds more energy than the disk",
-    "of the energy of both",
-    "abstract: the vibrations of disk and surface",
-    needs=("scene", "motion"),
-    at_least=0.5,
-)
+@finding(needs=("scene", "motion"), at_least=0.5)
 def table_rings_at_the_halt(scene: Scene, motion: Motion):
     """The share of the table modes in the energy of disk and table at their maximum
     energy."""
@@ -300,14 +272,7 @@ def table_rings_at_the_halt(scene: Scene, motion: Motion):
     return Measured(share, details={"before_end": motion.t[-1] - t[most]})
 
 
-@finding(
-    "The vibrations of the disk contribute to the halt",
-    f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy {REMAINING_AT_ONSET_CLAUSE} (greatest energy of "
-    "its elastic modes)",
-    "abstract: the vibrations of disk and surface",
-    needs=("scene", "motion"),
-    at_least=0.1,
-)
+@finding(needs=("scene", "motion"), at_least=0.1)
 def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     """The greatest energy of the elastic modes of the disk during the halt, relative to
     the total energy at its start."""
@@ -315,26 +280,13 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     return budget.bending.max() / (budget.disk[0] + budget.table[0])
 
 
-@finding(
-    "Two-way coupling with the table breaks the contact",
-    f"losses of contact above {ALMOST_FLAT_INCLINATION:g} rad; their occurrence is checked with "
-    "half the time step and twice the contact stiffness",
-    "abstract: the vibrations will result in a loss of contact",
-    needs=("motion",),
-    at_least=1.0,
-)
+@finding(needs=("motion",), at_least=1.0)
 def table_breaks_contact(motion: Motion):
     """The number of losses of contact above the inclination ALMOST_FLAT_INCLINATION."""
     return losses_above_flat(motion)
 
 
-@finding(
-    "The number of losses of contact is definite",
-    f"losses of contact above {ALMOST_FLAT_INCLINATION:g} rad",
-    "the same motion with half the time step and with twice the contact stiffness",
-    needs=("motion",),
-    at_least=1.0,
-)
+@finding(needs=("motion",), at_least=1.0)
 def number_of_losses(motion: Motion, others: list[CompliantMotion]):
     """The number of losses of contact, which is chaotic unless it is 0."""
     number = losses_above_flat(motion)
@@ -353,14 +305,7 @@ def losses_above_flat(motion: Motion) -> int:
     return int((motion.at(begins)[:, 1] > ALMOST_FLAT_INCLINATION).sum())
 
 
-@finding(
-    "Contact is first lost where the contact moves as fast as the waves of a mode",
-    "n times the precession frequency, relative to the frequency of the nearest mode",
-    "section 8: the vibrations will result in a loss of contact",
-    needs=("scene", "motion"),
-    at_least=0.8,
-    at_most=1.2,
-)
+@finding(needs=("scene", "motion"), at_least=0.8, at_most=1.2)
 def loss_at_resonance(scene: Scene, motion: Motion):
     """The ratio n Omega/w at the first loss of contact for the table mode closest to
     resonance, or 0."""

@@ -66,13 +66,7 @@ def verdict_findings(scene: Scene, motion: Motion) -> list[Finding]:
     return found
 
 
-@finding(
-    "Vibrations or waves break the contact before the motion ends",
-    "times the final inclination (inclination at which contact is lost)",
-    "abstract: the vibrations will result in a loss of contact",
-    needs=("scene", "motion", "contact law"),
-    at_least=1.0,
-)
+@finding(needs=("scene", "motion", "contact law"), at_least=1.0)
 def contact_breaks_before_end(scene: Scene, motion: Motion):
     """The ratio of the greatest inclination at which contact is lost to the final
     inclination.
@@ -113,25 +107,13 @@ def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
     return float(inclination[rms > LIFT_OFF_FORCE_RMS * load].max(initial=0.0))
 
 
-@finding(
-    "The air carries the disk at the end",
-    "1 if it does",
-    "the air film under the disk, Reynolds' equation",
-    needs=("motion",),
-    at_least=1.0,
-)
+@finding(needs=("motion",), at_least=1.0)
 def air_carries_disk(motion: Motion):
     """1 if the motion ends with the disk carried by the air film, otherwise 0."""
     return float(motion.outcome is Outcome.AIRBORNE)
 
 
-@finding(
-    "The table brings the end forward",
-    "s earlier than without its vibration",
-    "section 8: the vibrations will result in an abrupt halt",
-    needs=("scene", "motion"),
-    at_least=0.05,
-)
+@finding(needs=("scene", "motion"), at_least=0.05)
 def table_brings_end_forward(scene: Scene, motion: Motion):
     """The time [s] by which the vibration of the table brings forward the end of the
     motion."""
@@ -140,13 +122,7 @@ def table_brings_end_forward(scene: Scene, motion: Motion):
     return halt_comes_earlier(scene, motion).value
 
 
-@finding(
-    "The precession rate of the contact rises sharply towards the end",
-    "times the mean precession rate halfway through the motion (in its last fiftieth)",
-    "abstract and section 1: the pitch rises sharply",
-    needs=("motion",),
-    at_least=2.0,
-)
+@finding(needs=("motion",), at_least=2.0)
 def precession_rises(motion: Motion):
     """The ratio of the mean precession rates in the last fiftieth and just before half
     of the duration."""
@@ -155,13 +131,7 @@ def precession_rises(motion: Motion):
     return float(abs(turned[3] - turned[2]) / max(abs(turned[1] - turned[0]), 1e-9))
 
 
-@finding(
-    "The resonance of the disk on its contact rises",
-    "times its frequency at the release (frequency at the end)",
-    "abstract: the pitch rises; contact laws of Hertz and Mindlin",
-    needs=("scene", "motion", "contact law"),
-    at_least=1.2,
-)
+@finding(needs=("scene", "motion", "contact law"), at_least=1.2)
 def resonance_rises(scene: Scene, motion: Motion):
     """The ratio of the final to the initial frequency of the contact resonance."""
     last = last_single_ellipse_time(motion)

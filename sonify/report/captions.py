@@ -10,18 +10,12 @@ import numpy as np
 from dynamics.observables import nutation_frequency, precession_rate
 from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.details import unit_and_details
+from sonify.claims.finding_texts import texts_with
 from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import level_db
 
 if TYPE_CHECKING:
     from sonify.result import Result
-
-OMITTED_EFFECTS = {
-    "modes_take_little": "The modes of the disk affect its motion",
-    "table_takes_a_hundredth": "The table affects the motion",
-}
-"""Effects that become significant at a time [s] before the end, by the key of the
-finding that states this time."""
 
 
 def describe_spectrogram(result: "Result") -> str:
@@ -109,7 +103,7 @@ def omitted_effects(result: "Result") -> list[str]:
     items = [
         f"{what} from t = {end - found[key].value:.3f} s on, {found[key].measured} "
         f"{unit_and_details(found[key])}."
-        for key, what in OMITTED_EFFECTS.items()
+        for key, what in texts_with("omitted_effect").items()
         if key in found and found[key].value > 0
     ]
     air = found.get("air_negligible")

@@ -3,61 +3,10 @@
 from collections.abc import Iterable
 
 from sonify.claims.finding import Finding
+from sonify.claims.finding_texts import HeadlineClauses, texts_by_question
 
-HEADLINE_CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
-    "sound": {
-        "table_is_louder": (
-            "you hear the table more than the disk",
-            "you hear the disk more than the table",
-        ),
-        "carrier_is_contact": (
-            "you hear the disk vibrate on its contact",
-            "you hear a resonance other than that of the contact alone",
-        ),
-        "modes_carry_the_end": (
-            "you hear the disk ring",
-            "you hear the disk move rather than ring",
-        ),
-        "free_modes_are_heard": (
-            "you hear the disk ring",
-            "you hear more than the ringing of the disk",
-        ),
-        "heard_through_film": (
-            "you hear the disk move",
-            "the motion of the disk is inaudible",
-        ),
-    },
-    "pitch": {
-        "table_tone_rises": ("the pitch rises", "the pitch does not rise"),
-        "carrier_rises": ("the pitch rises", "the pitch does not rise"),
-        "pitch_rises": ("the pitch rises", "the pitch does not rise"),
-    },
-    "contact": {
-        "table_breaks_contact": (
-            "vibrations break the contact",
-            "vibrations do not break the contact",
-        ),
-        "disk_rattles": (
-            "the disk rattles on the table",
-            "the disk hardly leaves the table",
-        ),
-        "contact_is_lost": (
-            "the disk leaves the table",
-            "the disk never leaves the table",
-        ),
-        "contact_kept": (
-            "the disk never leaves the table",
-            "the disk leaves the table",
-        ),
-    },
-    "end": {
-        "impacts_end_it": (
-            "impacts dissipate most of its final energy",
-            "impacts dissipate less than half of its final energy",
-        ),
-    },
-}
-"""Clauses for findings that hold and for those that do not, by subject and key; the
+HEADLINE_CLAUSES: dict[str, dict[str, HeadlineClauses]] = texts_by_question("headline")
+"""Clauses for findings that hold and for those that do not, by question and key; the
 first available finding is used."""
 
 

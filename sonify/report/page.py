@@ -14,8 +14,8 @@ from markupsafe import Markup
 from tomli_w import dumps
 
 from sonify.claims.details import expectation_and_unit, unit_and_details
+from sonify.claims.finding_texts import texts_with
 from sonify.claims.paper_figures import paper_rows
-from sonify.claims.paper_sentences import PAPER_SENTENCES
 from sonify.claims.provenance import depends_on
 from sonify.claims.reference_scenes import is_paper_scene
 from sonify.claims.surface_summary import complete_answers
@@ -97,7 +97,7 @@ def templates() -> Environment:
         depends_on=depends_on,
         unit_and_details=unit_and_details,
         expectation_and_unit=expectation_and_unit,
-        paper_sentences=PAPER_SENTENCES,
+        paper_sentences=texts_with("quotation"),
     )
     return environment
 

@@ -7,6 +7,8 @@ from math import pi
 from dynamics import Motion, Outcome
 from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
+from sonify.claims.finding_texts import PITCH_QUESTION, texts_with
+from sonify.claims.surface_summary import ANSWERS
 
 END_CLAUSES = {
     Outcome.SETTLED: "the disk lies flat",
@@ -19,15 +21,10 @@ END_CLAUSES = {
     Outcome.SANK: "the disk sinks onto its face",
 }
 """Clause for each outcome; other outcomes are described by their own sentence."""
-LOUDEST_PARTS = {
-    "table_is_louder": "the table vibrates under the moving contact and sounds like a drum skin",
-    "carrier_is_contact": "the disk vibrates on its springy contact, too fast to be seen",
-    "modes_carry_the_end": "the disk rings like a bell under the moving contact",
-    "free_modes_are_heard": "the disk rings like a bell at every knock",
-}
+LOUDEST_PARTS: dict[str, str] = texts_with("loudest")
 """Description of the loudest part if a finding holds, by its key; the first one that
 holds is used."""
-PITCH_KEYS = ("table_tone_rises", "carrier_rises", "pitch_rises")
+PITCH_KEYS = tuple(ANSWERS[PITCH_QUESTION])
 
 
 def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:

@@ -8,18 +8,11 @@ from typing import NamedTuple
 import numpy as np
 import pyarrow as pa
 
+from sonify.claims.finding_texts import VERDICT_TEXTS
 from sonify.claims.shares import share_of
 from sonify.sweeps.axes import salib_problem
 from sonify.sweeps.sweep import Sweep
 
-CLAIM_TEXTS = {
-    "contact_breaks_before_end": "Vibrations or waves break the contact before the end",
-    "air_carries_disk": "The air carries the disk at the end",
-    "table_brings_end_forward": "The vibration of the table brings the end forward by at least 0.05 s",
-    "precession_rises": "The final precession rate is at least twice that half-way",
-    "resonance_rises": "The contact resonance rises by at least a fifth",
-}
-"""Text of each claim, by table column."""
 WIDTH_IN_WORDS = {0.5: "halved", 2.0: "doubled"}
 
 
@@ -106,7 +99,7 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
     ranks = np.array([value_ranks(table, name) for name in names]).T
     errors = table["error"].drop_null()
     sentences = []
-    for key, claim in CLAIM_TEXTS.items():
+    for key, text in VERDICT_TEXTS.items():
         if f"{key}_holds" not in table.column_names:
             continue
         holds = table[f"{key}_holds"]
@@ -115,7 +108,7 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
         nominal = known & (width == 1.0)
         if not nominal.any():
             continue
-        words = f"{claim}: {share_of(yes[nominal])}"
+        words = f"{text.claim}: {share_of(yes[nominal])}"
         if 0 < yes[nominal].sum() < nominal.sum():
             words += "; " + dependence_clause(
                 first_order_indices(names, ranks[nominal], yes[nominal].astype(float))

@@ -30,9 +30,9 @@ from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.details import details_in_words
 from sonify.claims.finding import JUDGE_BY_KEY, Finding, Measured
 from sonify.claims.finding import finding as claim
+from sonify.claims.finding_texts import texts_with
 from sonify.claims.literature import motion_findings as literature_claims
 from sonify.claims.paper_figures import paper_rows
-from sonify.claims.paper_sentences import PAPER_SENTENCES
 from sonify.claims.provenance import depends_on
 from sonify.claims.reference_scenes import is_paper_scene
 from sonify.claims.rigid_motion import contact_kept
@@ -272,13 +272,13 @@ def test_every_verdict_says_its_number_its_error_and_what_it_depends_on(result):
     verdicts = re.findall(
         r"<details class=.*?</details>", page.partition('class="claims"')[2], re.DOTALL
     )[: len(result.findings)]
-    assert PAPER_SENTENCES.keys() <= JUDGE_BY_KEY.keys()
+    assert texts_with("quotation").keys() <= JUDGE_BY_KEY.keys()
     assert len(verdicts) == len(result.findings)
     for finding, told in zip(result.findings, verdicts, strict=True):
         parts = (
             finding.claim,
             finding.measured,
-            PAPER_SENTENCES.get(finding.key, ("",))[0],
+            texts_with("quotation").get(finding.key, ("",))[0],
             finding.unit,
             details_in_words(finding),
         )
