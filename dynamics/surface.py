@@ -256,8 +256,8 @@ class MeshSurface(Tabletop):
     """Effect of the table: sound only, two-way coupled motion, or auto (set by the
     plan)."""
     file: str
-    """Mesh file in a format that meshio reads, in metres with z upwards; its path is relative
-    to the scene file."""
+    """Mesh file, such as .msh, .inp, .unv or .vtu, in metres with z upwards; its path is
+    relative to the scene file."""
     young: YoungModulus
     """Young's modulus of the table [Pa]."""
     poisson: PoissonRatio

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from modal.mesh.hexahedron import HEXAHEDRON_PARTS
-from modal.mesh.tetrahedra import TETRAHEDRON_PARTS
+from modal.mesh.tetrahedra import FACES, TETRAHEDRON_PARTS, corner_lists
 from modal.modes import Body, Modes
 
 
@@ -202,11 +202,11 @@ def linear_parts(body: Body) -> np.ndarray:
     """
     node_count = body.cells.shape[1]
     if node_count in (4, 10):
-        parts = TETRAHEDRON_PARTS if node_count == 10 else [(0, 1, 2, 3)]
+        parts = TETRAHEDRON_PARTS if node_count == 10 else [[0, 1, 2, 3]]
         edges = [1, 2, 3]
         mirrored = [0, 2, 1, 3]
     else:
-        parts = HEXAHEDRON_PARTS if node_count == 27 else [tuple(range(8))]
+        parts = HEXAHEDRON_PARTS if node_count == 27 else [list(range(8))]
         edges = [1, 3, 4]
         mirrored = [0, 3, 2, 1, 4, 7, 6, 5]
     cells = np.concatenate([body.cells[:, part] for part in parts])
@@ -222,10 +222,8 @@ def outer_faces(cells: np.ndarray) -> np.ndarray:
 
     The nodes of the cells are in VTK's order.
     """
-    tetrahedron = "021 013 123 203"
-    hexahedron = "0154 1265 2376 3047 0321 4567"
-    sides = tetrahedron if cells.shape[1] == 4 else hexahedron
-    numbers = np.array([list(map(int, side)) for side in sides.split()])
+    shape = "tetra" if cells.shape[1] == 4 else "hexahedron"
+    numbers = np.array(corner_lists(FACES[shape]))
     faces = cells[:, numbers].reshape(-1, numbers.shape[1])
     _, first, shared = np.unique(
         np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True

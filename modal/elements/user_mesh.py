@@ -1,8 +1,8 @@
 """Compute the modes of a body on a user's volume mesh, free or held on a named surface
 or an arc.
 
-The axis of the disk is z, and the mesh is translated so that its centre of mass is the
-origin. Every cell is divided into eight, and the errors are estimated by comparison
+The mesh is translated so that its centre of mass is the origin, and turned so that the
+axis of the disk is z. Every cell is divided into eight, and the errors are estimated by comparison
 with the original mesh.
 """
 
@@ -252,12 +252,15 @@ def mesh_modes(
 
     Elements are quadratic. The frequencies are those of the body as meshed:
     `Modes.error` does not include the effect of straight mesh edges on a round body.
+    Cells of several types, wedges and pyramids are divided into tetrahedra. A disk
+    whose axis is not z is turned by the smallest angle; its moments of inertia and its
+    flat faces determine the axis. A mesh along y is thus turned about x.
 
     Parameters
     ----------
     path : str or Path
-        File in a format supported by meshio, with lengths in metres and the axis of the
-        disk along z.
+        Universal file (.unv, .uff) or file in a format supported by meshio, such as
+        .msh of Gmsh or .inp of Abaqus, with lengths in metres.
     material : Material
         Elastic constants and losses.
     density : float
@@ -267,8 +270,8 @@ def mesh_modes(
     below : float, optional
         Exclusive upper limit of the frequencies [Hz].
     patch : str, optional
-        Name of a surface of the mesh (physical group or set). By default angle and
-        height of `support` define the patch.
+        Name of a surface of the mesh (physical group, or set of sides or nodes). By
+        default angle and height of `support` define the patch.
     refine : bool, optional
         If True, divide every cell into eight, which takes about 20 to 50 times as long.
         If False, `Modes.error` is estimated from linear elements, which is far too high
@@ -282,8 +285,8 @@ def mesh_modes(
     Raises
     ------
     ValueError
-        If the mesh cannot be used, if the patch is empty, or if the held components do
-        not prevent all rigid-body motions.
+        If the mesh cannot be used, if the axis of the disk cannot be determined, if the
+        patch is empty, or if the held components do not prevent all rigid-body motions.
 
     Examples
     --------

@@ -1,93 +1,102 @@
-"""Read user volume meshes with meshio and convert them to scikit-fem, or report why
-they cannot be used."""
-
-import sys
-from contextlib import redirect_stderr, redirect_stdout
-from threading import get_ident
+"""Read user volume meshes and convert them to scikit-fem, or report why they cannot be
+used."""
 
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 from skfem import CellBasis, MeshTet1
 from skfem.io.meshio import from_meshio
 
+from modal.mesh.disk_axis import turned_to_z
+from modal.mesh.files import read_mesh_file
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
+from modal.mesh.tetrahedra import (
+    SHAPE_OF_CELLS,
+    tetrahedra_of_cells,
+    triangles_of_quadrilaterals,
+)
 
-SUPPORTED_CELLS = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
-"""meshio's names of the supported volume cells."""
-LINEAR_SIDE_TYPES = {
-    "quad8": ("quad", 4),
-    "quad9": ("quad", 4),
-    "triangle6": ("triangle", 3),
-}
-"""Linear type that replaces each type of quadratic side, and its number of corners."""
+KEPT_CELLS = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
+"""meshio's names of the volume cells that are not divided into tetrahedra."""
+MAX_DISK_SIZE = 5.0
+"""Largest size of a disk [m]; a larger one is taken for one in millimetres."""
+MAX_TABLE_SIZE = 20.0
+"""Largest size of a table [m]."""
 
 
 def read_mesh(path):
-    """Return the scikit-fem mesh of a file, with its centre of mass at the origin.
+    """Return the scikit-fem mesh of a disk, with its centre of mass at the origin and
+    its axis along z.
 
     Raises ValueError if the mesh cannot be used.
     """
-    mesh = read_checked(path)[0]
+    mesh = read_checked(path, MAX_DISK_SIZE)
     basis = CellBasis(mesh, mesh.elem())
     x = basis.global_coordinates()
-    return mesh.translated(
-        tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum())
+    return turned_to_z(
+        mesh.translated(
+            tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum())
+        ),
+        path,
     )
 
 
-class SilencedStream:
-    """Stream that discards the output of the current thread and forwards that of other
-    threads."""
+def read_checked(path, max_size):
+    """Return the checked scikit-fem mesh of a file, at most `max_size` [m] large.
 
-    def __init__(self, stream):
-        self._stream = stream
-        self._thread = get_ident()
-
-    def write(self, text: str) -> int:
-        """Write text unless called in the silenced thread."""
-        return len(text) if get_ident() == self._thread else self._stream.write(text)
-
-    def __getattr__(self, name):
-        return getattr(self._stream, name)
-
-
-def read_checked(path):
-    """Return the checked scikit-fem mesh of a file and the points (k, 3) of its node
-    sets by name.
-
-    The mesh is not translated."""
+    Its boundaries are the named surfaces and sets of nodes of the file. The mesh is
+    neither translated nor turned. Raises ValueError if the mesh cannot be used.
+    """
     import meshio
 
-    try:
-        # meshio prints messages
-        with (
-            redirect_stdout(SilencedStream(sys.stdout)),
-            redirect_stderr(SilencedStream(sys.stderr)),
-        ):
-            file = meshio.read(path)
-    except MemoryError:
-        raise
-    except (
-        Exception,
-        SystemExit,
-    ) as error:  # readers raise errors of any type for broken files
-        reason = (
-            ""
-            if isinstance(error, SystemExit)
-            else f": {error or type(error).__name__}"
-        )
-        raise ValueError(f"{path}: not a readable mesh{reason}") from error
-    cell_types = {block.type for block in file.cells if block.dim == 3}
-    if not cell_types:
+    file = read_mesh_file(path)
+    points, kind, cells = volume_cells(file, path)
+    cell_data = {}
+    if {block.type for block in file.cells if block.dim == 3} == {kind}:
+        for name in file.cell_data:
+            if name.startswith("skfem:"):  # boundaries written by scikit-fem
+                cell_data[name] = [volume_data(file, name)]
+    used, numbers = np.unique(cells, return_inverse=True)
+    numbers = numbers.reshape(cells.shape)
+    mesh = from_meshio(
+        meshio.Mesh(points[used], [(kind, numbers)], cell_data=cell_data)
+    )
+    check_mesh(mesh, path, max_size)
+    named = mesh.boundaries or {}
+    for name, sides in named_sides(file).items():
+        named[name] = matching_facets(mesh, points, sides)
+    for name, nodes in (file.point_sets or {}).items():
+        named.setdefault(name, facets_between(mesh, file.points[nodes]))
+    return mesh.with_boundaries(named)
+
+
+def volume_data(file, name):
+    """Return the cell data of all volume cells of a meshio mesh."""
+    blocks = zip(file.cells, file.cell_data[name], strict=True)
+    return np.concatenate([data for block, data in blocks if block.dim == 3])
+
+
+def volume_cells(file, path):
+    """Return the points (p, 3) of a meshio mesh, one type of cell, and its cells (c, n).
+
+    Cells of mixed types, wedges and pyramids are divided into tetrahedra, and
+    hexahedra with 20 nodes are converted to 27 nodes. Raises ValueError if there are no
+    volume cells, or if they cannot be converted.
+    """
+    blocks = [block for block in file.cells if block.dim == 3]
+    if not blocks:
+        others = ", ".join(sorted(file.cells_dict))
         raise ValueError(
-            f"{path}: no volume cells, only {sorted(file.cells_dict)}; mesh the volume, not just "
-            f"its surface",
+            f"{path}: no volume cells{others and f', only {others}'}; mesh the volume, not "
+            "just its surface, and save all of its cells"
         )
-    if len(cell_types) > 1 or not cell_types <= SUPPORTED_CELLS:
-        supported = f"one of {sorted(SUPPORTED_CELLS)}"
+    kinds = sorted({block.type for block in blocks})
+    is_linear = [kind in SHAPE_OF_CELLS.values() for kind in kinds]
+    if not SHAPE_OF_CELLS.keys() >= set(kinds) or len(set(is_linear)) > 1:
         raise ValueError(
-            f"{path}: cells {sorted(cell_types)}: all must be of the same type, {supported}",
+            f"{path}: its cells are {' and '.join(kinds)}; save tetrahedra, hexahedra, "
+            "wedges or pyramids, either all linear or all of second order"
         )
     for block in file.cells:
         if not np.isin(block.data, np.arange(len(file.points))).all():
@@ -95,41 +104,71 @@ def read_checked(path):
                 f"{path}: not a readable mesh: a cell has a node number outside 0 to "
                 f"{len(file.points) - 1}",
             )
-    mesh = from_meshio(with_supported_cells(file))
-    check_mesh(mesh, path)
-    return mesh, {
-        name: file.points[numbers] for name, numbers in (file.point_sets or {}).items()
+    cells = {
+        kind: np.concatenate([block.data for block in blocks if block.type == kind])
+        for kind in kinds
     }
+    if len(kinds) > 1 or kinds[0] not in KEPT_CELLS:
+        points, tetrahedra = tetrahedra_of_cells(file.points, list(cells.items()))
+        return points, "tetra" if is_linear[0] else "tetra10", tetrahedra
+    if kinds[0] == "hexahedron20":
+        points, numbers = hexahedra27_from_20(file.points, cells[kinds[0]])
+        return points, "hexahedron27", numbers
+    return file.points, kinds[0], cells[kinds[0]]
 
 
-def with_supported_cells(file):
-    """Return the meshio mesh with supported cells.
+def named_sides(file):
+    """Return the corners of the sides in each named surface of a meshio mesh, as a list
+    of arrays (k, 3) or (k, 4).
 
-    Hexahedra with 20 nodes are converted to 27 nodes, and quadratic sides to linear
-    ones.
+    Names are those of sets of cells, and of physical groups of Gmsh. The list of a
+    group without sides is empty.
     """
-    import meshio
+    selections = dict(file.cell_sets)
+    groups = file.cell_data.get("gmsh:physical", [])
+    surface_groups = set()
+    for name, (tag, dimension) in file.field_data.items() if groups else ():
+        if dimension == 2:
+            surface_groups.add(name)
+            selections[name] = [np.flatnonzero(found == tag) for found in groups]
+    named: dict[str, list[np.ndarray]] = {name: [] for name in surface_groups}
+    for name, selection in selections.items():
+        if name.startswith("gmsh:"):
+            continue
+        for block, rows in zip(file.cells, selection, strict=False):
+            corner_count = {"tri": 3, "qua": 4}.get(block.type[:3])
+            if corner_count and rows is not None and len(rows):
+                named.setdefault(name, []).append(block.data[rows, :corner_count])
+    return named
 
-    points = file.points
-    cells = []
-    for block in file.cells:
-        cell_type = block.type
-        numbers = block.data
-        if cell_type == "hexahedron20":
-            cell_type = "hexahedron27"
-            points, numbers = hexahedra27_from_20(points, numbers)
-        elif cell_type in LINEAR_SIDE_TYPES:
-            cell_type, corners = LINEAR_SIDE_TYPES[cell_type]
-            numbers = numbers[:, :corners]
-        cells.append((cell_type, numbers))
-    return meshio.Mesh(
-        points,
-        cells,
-        cell_data=file.cell_data,
-        cell_sets=file.cell_sets,
-        point_sets=file.point_sets,
-        field_data=file.field_data,
-    )
+
+def matching_facets(mesh, points, sides):
+    """Return the facets (k,) of a mesh at the corners of sides.
+
+    `sides` is a list of node numbers (k, 3) or (k, 4) of `points`. On a mesh of
+    tetrahedra, quadrilaterals are cut like the cells.
+    """
+    count = len(mesh.facets)
+    corners = np.zeros((0, count), int)
+    for side in sides:
+        cut = triangles_of_quadrilaterals(side) if side.shape[1] > count else side
+        if cut.shape[1] == count:
+            corners = np.vstack([corners, cut])
+    distance, number = cKDTree(mesh.p.T).query(points[corners])
+    on_mesh = (distance <= 1e-9 * np.ptp(mesh.p, axis=1).max()).all(axis=1)
+    known = np.sort(mesh.facets, axis=0).T
+    wanted = np.sort(number[on_mesh], axis=1)
+    _, place = np.unique(np.concatenate([known, wanted]), axis=0, return_inverse=True)
+    place = place.ravel()
+    return np.flatnonzero(np.isin(place[: len(known)], place[len(known) :]))
+
+
+def facets_between(mesh, points):
+    """Return the boundary facets (k,) with all corners among the points (n, 3)."""
+    facets = mesh.boundary_facets()
+    distance, _ = cKDTree(points).query(mesh.p.T)
+    is_near = distance <= 1e-9 * np.ptp(mesh.p, axis=1).max()
+    return facets[is_near[mesh.facets[:, facets]].all(axis=0)]
 
 
 def hexahedra27_from_20(points, cells):
@@ -158,23 +197,28 @@ def hexahedra27_from_20(points, cells):
     )
 
 
-def check_mesh(mesh, name):
+def check_mesh(mesh, name, max_size):
     """Raise ValueError if a mesh cannot be used.
 
-    Reasons are an implausible unit of length, degenerate cells, and several bodies.
+    Reasons are a size below a millimetre or above `max_size` [m], degenerate cells, and several bodies.
     The volumes of the cells are compared at the quadrature points; cells may shrink
     towards an edge.
     """
-    min_body_size = 1e-3  # m
-    max_body_size = 2.0  # m
+    min_size = 1e-3  # m
     min_volume_ratio = 1e-13  # of the smallest to the median cell
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():
         raise ValueError(f"{name}: some points are not finite")
     size = np.ptp(mesh.p[:, used], axis=1).max()
-    if not min_body_size < size < max_body_size:
+    if size > max_size:
         raise ValueError(
-            f"{name}: its size is {size:g} m; lengths must be in metres; are they in millimetres?",
+            f"{name}: its size is {size:g} m, and at most {max_size:g} m are allowed; lengths "
+            "must be in metres; are they in millimetres?",
+        )
+    if size < min_size:
+        raise ValueError(
+            f"{name}: its size is {size:g} m, and at least {min_size:g} m are needed; lengths "
+            "must be in metres"
         )
     with np.errstate(divide="ignore", invalid="ignore"):
         volume = mesh.mapping().detDF(CellBasis(mesh, mesh.elem()).X)
@@ -213,7 +257,10 @@ def patch_facets(mesh, support, name=None):
             raise ValueError(
                 f"the mesh has no surface {name!r}, only {sorted(mesh.boundaries or {})}",
             )
-        return np.asarray(mesh.boundaries[name])
+        found = np.asarray(mesh.boundaries[name])
+        if not len(found):
+            raise ValueError(f"the surface {name!r} contains no complete facet")
+        return found
     radius = np.hypot(*mesh.p[:2]).max()
     facets = mesh.boundary_facets()
     x, y, z = mesh.p[:, mesh.facets[:, facets]]

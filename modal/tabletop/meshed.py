@@ -14,7 +14,7 @@ from modal.elements.elastic import bending_wave_number
 from modal.elements.user_mesh import solve_body
 from modal.elements.user_mesh_error import CORNER_ERROR_RATIO
 from modal.elements.user_mesh_modes import interpolate_on_face
-from modal.mesh.read import read_checked
+from modal.mesh.read import MAX_TABLE_SIZE, read_checked
 from modal.mesh.symmetry import COMPONENTS
 from modal.modes import Material
 from modal.radiation import SOUND_SPEED
@@ -29,7 +29,7 @@ def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
     that case `error` is far too high. Raises ValueError if the mesh has no top face, if
     the disk is not on this face, or if a set is unknown or consists of single nodes.
     """
-    mesh, _ = read_checked(surface.file)
+    mesh = read_checked(surface.file, MAX_TABLE_SIZE)
     top = top_face_triangles(mesh, surface.file)
     check_place(top, np.array(surface.place), contact_radius, surface.file)
     found = undamped_mesh_modes(
@@ -58,9 +58,9 @@ def undamped_mesh_modes(
     the position of the disk and the loss factor. `modified` is the time of the last
     change of the file [ns].
     """
-    mesh, sets = read_checked(file)
+    mesh = read_checked(file, MAX_TABLE_SIZE)
     top = top_face_triangles(mesh, file)
-    facets = held_facets(mesh, sets, held, file)
+    facets = held_facets(mesh, held, file)
     solved = solve_body(
         mesh,
         facets,
@@ -133,7 +133,7 @@ def check_place(top, place, contact_radius, name):
             f"surface.place = {place.tolist()}: a disk of radius {contact_radius:g} m at this "
             f"place is not on the top face of {name!r}, which extends from "
             f"{low[0]:g} to {high[0]:g} m in x, "
-            f"{low[1]:g} to {high[1]:g} m in y"
+            f"{low[1]:g} to {high[1]:g} m in y; z must point upwards"
         )
 
 
@@ -155,12 +155,9 @@ def cross_product(a, b):
     return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
 
 
-def held_facets(mesh, sets, names, file):
+def held_facets(mesh, names, file):
     """Return the facets (k,) of the named surfaces or sets of nodes."""
-    between_nodes = {
-        name: facets_between(mesh, points) for name, points in sets.items()
-    }
-    known = (mesh.boundaries or {}) | between_nodes
+    known = mesh.boundaries or {}
     for name in names:
         if name not in known:
             raise ValueError(
@@ -174,18 +171,6 @@ def held_facets(mesh, sets, names, file):
     return np.unique(
         np.concatenate([known[name] for name in names] or [np.zeros(0)])
     ).astype(int)
-
-
-def facets_between(mesh, points):
-    """Return the boundary facets (k,) with all corners among the points (n, 3)."""
-    facets = mesh.boundary_facets()
-    tolerance = 1e-9 * np.ptp(mesh.p, axis=1).max()
-    corners = np.unique(mesh.facets[:, facets])
-    offsets = mesh.p[:, corners].T[:, None] - points
-    distance = np.abs(offsets).max(axis=2).min(axis=1)
-    return facets[
-        np.isin(mesh.facets[:, facets], corners[distance < tolerance]).all(axis=0)
-    ]
 
 
 def sample_top_face(shape, top, shortest_wave, below):

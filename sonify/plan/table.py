@@ -242,7 +242,8 @@ def table_exit_time(scene: Scene, motion: Motion) -> float | None:
 def points_off_mesh(file: str, place) -> np.ndarray:
     """Return a mask (k,) of the points (k, 2) [m] outside the top face of the mesh in a
     file."""
-    from modal.mesh.read import read_checked
+    from modal.mesh.read import MAX_TABLE_SIZE, read_checked
     from modal.tabletop.meshed import on_top_face, top_face_triangles  # load slowly
 
-    return ~on_top_face(top_face_triangles(read_checked(file)[0], file), place)
+    mesh = read_checked(file, MAX_TABLE_SIZE)
+    return ~on_top_face(top_face_triangles(mesh, file), place)

@@ -12,6 +12,7 @@ import meshio
 import numpy as np
 import pytest
 from plate_theory import thin_plate_frequencies
+from skfem import MeshHex
 
 from dynamics import MeshSurface, ModesSurface, PlateSurface, Surface, SurfaceMode
 from dynamics.contact_geometry import contact_position
@@ -260,6 +261,22 @@ def test_a_mesh_without_a_top_face_is_refused(tmp_path):
     tilted.write(tmp_path / "tilted.vtu")
     with pytest.raises(ValueError, match="no level face at its greatest height"):
         modes_of(MeshSurface(file=str(tmp_path / "tilted.vtu"), **GLASS), 5000.0)
+
+
+def test_a_mesh_of_a_dining_table_is_in_metres(tmp_path):
+    """Oracle: the lowest bending mode of a free beam."""
+    size = np.array([2.2, 0.9, 0.03])
+    box = MeshHex.init_tensor(
+        *(np.linspace(0, d, n) for d, n in zip(size, (23, 10, 2), strict=True))
+    )
+    box.save(str(tmp_path / "table.vtu"))
+    surface = MeshSurface(file=str(tmp_path / "table.vtu"), **WOOD, place=(1.1, 0.45))
+    found = modes_of(surface, 40.0, "draft")
+    bending = (WOOD["young"] * size[2] ** 2 / 12 / WOOD["density"]) ** 0.5
+    assert found.frequency[0] == pytest.approx(
+        4.73004**2 / (2 * np.pi) * bending / size[0] ** 2, rel=0.03
+    )
+    assert found.mass == pytest.approx(WOOD["density"] * size.prod())
 
 
 def test_modes_by_number_are_what_they_say():
