@@ -49,6 +49,7 @@ class Outcome(Enum):
     'the time limit was reached before the disk came to rest'
     """
 
+    AT_REST = "the disk came to rest"
     SETTLED = "the disk settled: its inclination reached the final value"
     TIME_LIMIT = "the time limit was reached before the disk came to rest"
     LIFTED_OFF = "the disk lifted off: the normal force fell to zero"

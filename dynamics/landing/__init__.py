@@ -1,0 +1,1 @@
+"""The last milliseconds: a nearly flat disk without its rolling contact comes to rest."""

@@ -1,0 +1,132 @@
+"""The asperities that stop a falling disk: a ring of springs and dashpots below its rim."""
+
+from math import acos, log, pi, sin
+from typing import NamedTuple
+
+DEFAULT_STOP_HEIGHT = 1e-7
+"""Height [m] of the asperities above the plane that bounds the film: polished surfaces."""
+DEFAULT_STOP_STIFFNESS = 4e8
+"""Stiffness of the ring per radian of the rim [N/m]."""
+
+
+class StopForces(NamedTuple):
+    """Forces of the ring on the disk.
+
+    Attributes
+    ----------
+    force : float
+        Upward force [N].
+    along, across : float
+        Moments [N m] that raise the high side, and that turn the low point forwards.
+    stored : float
+        Energy [J] of the springs.
+    dissipated : float
+        Power [W] of the dashpots.
+    """
+
+    force: float
+    along: float
+    across: float
+    stored: float
+    dissipated: float
+
+
+NO_STOP_FORCES = StopForces(0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+class Stop(NamedTuple):
+    """A unilateral ring of linear springs and dashpots.
+
+    Attributes
+    ----------
+    height : float
+        Height [m] of the asperities above the mean surface that bounds the film.
+    stiffness : float
+        Stiffness per radian of the rim [N/m].
+    relaxation_time : float
+        Ratio [s] of damping to stiffness.
+    radius : float
+        Radius [m] of the ring.
+    """
+
+    height: float
+    stiffness: float
+    relaxation_time: float
+    radius: float
+
+    def forces(
+        self, height: float, slope: float, rise: float, tip: float, turn: float
+    ) -> StopForces:
+        """Return the forces on a disk with the depth d(phi) = R slope cos(phi) - height.
+
+        Parameters
+        ----------
+        height, slope : float
+            Height [m] of the centre of the face above the asperities; slope [rad].
+        rise, tip, turn : float
+            Rates of the height [m/s], of the slope, and across it [rad/s].
+
+        Returns
+        -------
+        StopForces
+            The forces; zero above the ring.
+        """
+        reach = self.radius * slope
+        if height >= reach:
+            return NO_STOP_FORCES
+        half_arc = acos(max(height / reach, -1.0)) if reach > -height else pi
+        sine = sin(half_arc)
+        # integrals of 1, cos, cos^2 and sin^2 over the arc
+        one = 2 * half_arc
+        first = 2 * sine
+        cosine = height / reach if reach > -height else -1.0
+        square = half_arc + sine * cosine
+        other = half_arc - sine * cosine
+        R = self.radius
+        k = self.stiffness
+        c = k * self.relaxation_time
+        pressing = k * (reach * first - height * one) + c * (
+            R * tip * first - rise * one
+        )
+        tipping = k * (reach * square - height * first) + c * (
+            R * tip * square - rise * first
+        )
+        stored = (
+            k / 2 * (reach**2 * square - 2 * reach * height * first + height**2 * one)
+        )
+        closing = rise**2 * one - 2 * rise * R * tip * first + (R * tip) ** 2 * square
+        lost = c * (closing + (R * turn) ** 2 * other)
+        return StopForces(
+            pressing, -R * tipping, -R * c * R * turn * other, stored, lost
+        )
+
+
+def stop_below(
+    radius: float,
+    mass: float,
+    restitution: float,
+    height: float = DEFAULT_STOP_HEIGHT,
+    stiffness: float = DEFAULT_STOP_STIFFNESS,
+) -> Stop:
+    """Return the ring on which a level disk of this mass has this restitution.
+
+    Parameters
+    ----------
+    radius : float
+        Radius of the ring [m].
+    mass : float
+        Mass of the disk [kg].
+    restitution : float
+        Coefficient of restitution of a level disk, in (0, 1].
+    height, stiffness : float
+        As in `Stop`.
+
+    Returns
+    -------
+    Stop
+        The ring. Its damping ratio is that of e = exp(-pi zeta/sqrt(1 - zeta^2)).
+    """
+    decrement = -log(restitution)
+    damping_ratio = decrement / (pi**2 + decrement**2) ** 0.5
+    frequency = (2 * pi * stiffness / mass) ** 0.5
+    return Stop(height, stiffness, 2 * damping_ratio / frequency, radius)
