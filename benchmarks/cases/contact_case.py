@@ -212,7 +212,15 @@ def filter_rms(
     path = contact_table().law.place(beta).radius * turned
     edge = disk.radius * turned
     course = MotionBlock(
-        t, beta * one, disk.weight * one, one > 0, path, edge, np.zeros((knots + 1, 2))
+        t,
+        beta * one,
+        disk.weight * one,
+        one > 0,
+        path,
+        edge,
+        np.zeros((knots + 1, 2)),
+        0 * t,
+        np.zeros(2),
     )
     try:
         force = np.concatenate(

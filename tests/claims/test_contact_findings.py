@@ -157,6 +157,8 @@ def test_the_power_that_roughness_takes_is_force_times_rise():
         speed * t,
         speed * t,
         np.zeros((len(t), 2)),
+        0 * t,
+        np.zeros(2),
     )
     force = np.concatenate(
         list(

@@ -279,7 +279,15 @@ def test_filter_and_full_model_agree_wave_by_wave(beta):
         path * LAW.disk.radius / LAW.place(beta).radius
     )  # measured on the radius of the disk
     motion = MotionBlock(
-        t, beta * one, LAW.disk.weight * one, one > 0, path, rim, np.zeros((len(t), 2))
+        t,
+        beta * one,
+        LAW.disk.weight * one,
+        one > 0,
+        path,
+        rim,
+        np.zeros((len(t), 2)),
+        0 * t,
+        np.zeros(2),
     )
     filtered = next(linear_contact_force_blocks(model.table, [motion], 1e5, profiles))[
         :, 1

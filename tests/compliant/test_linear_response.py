@@ -55,6 +55,8 @@ def steady(beta, rate, seconds, size=2048):
             speed * t,
             speed * t,
             np.zeros((len(t), 2)),
+            0 * t,
+            np.zeros(2),
         )
 
 
@@ -150,7 +152,8 @@ def test_along_a_motion_that_changes():
             / rate
         )
         beta, load, path = state(t)
-        return MotionBlock(t, beta, load, t >= 0, path, path, np.zeros((len(t), 2)))
+        jumps = np.zeros((len(t), 2))
+        return MotionBlock(t, beta, load, t >= 0, path, path, jumps, 0 * t, np.zeros(2))
 
     def springs(t):
         return TABLE.springs(*(np.array([v]) for v in state(t)[:2]))

@@ -2,18 +2,29 @@
 
 Between knots the linearised contact is constant, and its response to heights that are
 linear between samples is exact. Since the heights do not excite the rolling direction,
-the state consists of four numbers: velocities and deflections along a_2 and a_3.
+the state consists of four numbers: velocities and deflections along a_2 and a_3. The
+deflection of an elastic table under the varying force is an additional height.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import trapezoid
 
+from dynamics.compliant.law.driven_table import (
+    advance_table,
+    driven_table,
+    set_contact_circle,
+)
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_height
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.sections import Roughness
+from dynamics.compliant.law.table_receptance import (
+    RIGID_TABLE,
+    TableReceptance,
+    mean_square_response,
+)
 from dynamics.compliant.law.tabulated import LawTable
 from dynamics.numba_kernels import kernel, outermost
 
@@ -42,6 +53,10 @@ class MotionBlock(NamedTuple):
         Path lengths of the contact on the table and on the edge [m].
     jumps : (k, 2) array
         Jumps of the force along a_2 and a_3 since the last knot [N].
+    azimuth : (k,) array
+        Direction of the contact from the centre of the disk [rad].
+    centre : (2,) array
+        Mean position of the centre of the disk since the release [m].
     """
 
     t: np.ndarray
@@ -51,6 +66,8 @@ class MotionBlock(NamedTuple):
     path: np.ndarray
     edge: np.ndarray
     jumps: np.ndarray
+    azimuth: np.ndarray
+    centre: np.ndarray
 
 
 def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = None):
@@ -81,13 +98,26 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
         knot = np.searchsorted(t, jumps.t[here])
         np.add.at(change, knot, (jumps.after - jumps.before)[here, 1:])
         yield MotionBlock(
-            t, state[:, 1], force[:, 2], rolls, edge + path - slid, edge, change
+            t,
+            state[:, 1],
+            force[:, 2],
+            rolls,
+            edge + path - slid,
+            edge,
+            change,
+            state[:, 0] + np.pi / 2,
+            state[:, 3:5].mean(axis=0),
         )
         path -= slid[-1]
 
 
 def linear_contact_force_blocks(
-    table: LawTable, blocks, rate: float, profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE)
+    table: LawTable,
+    blocks,
+    rate: float,
+    profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE),
+    modes: Any = None,
+    plate_mobility: float = 0.0,
 ):
     """Yield the additional force of an elastic, rough contact along a_2 and a_3.
 
@@ -101,6 +131,10 @@ def linear_contact_force_blocks(
         Sample rate [1/s]; sample i of a block is at t[0] + (i + 1)/rate.
     profiles : (Profile, Profile)
         Heights of table and edge.
+    modes : modal.SurfaceModes, optional
+        Modes of a table that yields to the varying force.
+    plate_mobility : float, optional
+        Mobility of an infinite plate that yields to it [s/kg].
 
     Yields
     ------
@@ -115,6 +149,8 @@ def linear_contact_force_blocks(
     """
     x = np.zeros(4)
     z = np.nan
+    yielding = driven_table(modes, 1 / rate, plate_mobility)
+    radius = table.law.disk.radius - table.law.rolling_fillet
     for block in blocks:
         knots, A, B, drive = _coefficients(table, block, rate)
         if np.isnan(z):
@@ -122,7 +158,11 @@ def linear_contact_force_blocks(
             table_profile, rim_profile = profiles
             z = mean_height(table_profile, path, half_length)
             z += mean_height(rim_profile, edge, half_length)
-        out, x, z = _filter_steps(x, z, knots, A, B, drive, 1 / rate, *profiles)
+        if modes is not None:
+            set_contact_circle(yielding, modes, modes.place + block.centre, radius)
+        out, x, z = _filter_steps(
+            x, z, knots, A, B, drive, 1 / rate, *profiles, yielding, block.azimuth
+        )
         yield out
 
 
@@ -171,37 +211,46 @@ def predicted_rms(
     load,
     speed,
     above=MIN_VIBRATION_FREQUENCY,
+    receptance: TableReceptance = RIGID_TABLE,
 ):
     """Return the rms (k,) [N] of the force above a frequency [Hz] in steady motion.
 
     It is computed from the spectrum of the heights. The contact moves along table and
-    edge at `speed` (k,) [m/s].
+    edge at `speed` (k,) [m/s]; `receptance` is that of the table.
     """
     k = spectral_density(roughness, table.law.disk.radius)[0]
     mean_squares = []
     for beta, force, velocity in np.broadcast(inclination, load, np.abs(speed)):
         f = k * velocity / (2 * np.pi)
-        power = predicted_spectrum(table, roughness, beta, force, velocity, f)
+        power = predicted_spectrum(
+            table, roughness, beta, force, velocity, f, receptance=receptance
+        )
         mean_squares.append(trapezoid(power * (f > above), f))
     return np.sqrt(mean_squares)
 
 
 def predicted_power(
-    table: LawTable, roughness: Roughness, inclination, load, speed
+    table: LawTable,
+    roughness: Roughness,
+    inclination,
+    load,
+    speed,
+    receptance: TableReceptance = RIGID_TABLE,
 ) -> np.ndarray:
     """Return the mean power (k,) [W] dissipated by roughness in steady motion.
 
     It is the mean of N' dz/dt with the height z, computed as the integral of the
-    spectrum of z times omega Im(N'/z).
+    spectrum of z times omega Im(N'/z). Contact, disk and table dissipate it.
     """
     k, heights = spectral_density(roughness, table.law.disk.radius)
     powers = []
     for steady in np.broadcast(inclination, load, np.abs(speed)):
         beta, force, velocity = np.reshape(steady, (3, 1))
         a = table.springs(beta, force)[1]
-        system = table.linear_contact(beta, force, velocity)
-        response = force_per_height(system, k * velocity).imag
-        power = heights * ellipse_window(k * a) ** 2 * k * velocity * response
+        _, response = _responses(
+            table, beta, force, velocity, k * velocity, True, receptance
+        )
+        power = heights * ellipse_window(k * a) ** 2 * k * velocity * response.imag
         powers.append(trapezoid(power, k))
     return np.array(powers)
 
@@ -214,6 +263,7 @@ def predicted_spectrum(
     speed,
     frequency,
     rolls=True,
+    receptance: TableReceptance = RIGID_TABLE,
 ):
     """Return the power spectral density (f,) [N^2/Hz] of the force in a steady motion.
 
@@ -221,13 +271,20 @@ def predicted_spectrum(
     """
     beta, force, velocity = np.array([[inclination], [load], [speed]])
     a = table.springs(beta, force)[1]
-    system = table.linear_contact(beta, force, velocity, rolls)
     omega = 2 * np.pi * frequency
     k = omega / abs(speed)
     spectrum = spectral_density(roughness, table.law.disk.radius)
     heights = np.interp(k, *spectrum, left=0.0, right=0.0) * ellipse_window(k * a) ** 2
-    response = np.abs(force_per_height(system, omega))
-    return heights * response**2 * 2 * np.pi / abs(speed)
+    square, _ = _responses(table, beta, force, velocity, omega, rolls, receptance)
+    return heights * square * 2 * np.pi / abs(speed)
+
+
+def _responses(table, beta, force, velocity, omega, rolls, receptance):
+    """Return the means of |N'/z|^2 and of N'/z (f,) round the contact circle."""
+    system = table.linear_contact(beta, force, velocity, rolls)
+    rate = float(np.abs(velocity / table.law.place(beta).f)[0])
+    on_rigid_table = force_per_height(system, omega)
+    return mean_square_response(on_rigid_table, receptance(omega, rate))
 
 
 def force_per_height(system, omega):
@@ -265,10 +322,11 @@ def _propagator(A, B, h):
 
 
 @outermost
-def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
+def _filter_steps(x, z, knots, A, B, drive, h, table, rim, yielding, azimuth):
     """Return the force (n, 2) in a block, the last state and the last height.
 
-    NaN in `drive` along a_2 marks a sliding contact without a tangential spring.
+    NaN in `drive` along a_2 marks a sliding contact without a tangential spring. The
+    table `yielding` is advanced in place.
     """
     out = np.empty((SAMPLES_PER_KNOT * len(A), 2))
     next_x = np.empty(4)
@@ -286,6 +344,12 @@ def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
             table_height = mean_height(table, coefficients[1], half_length)
             rise = table_height + mean_height(rim, coefficients[2], half_length) - z
             z += rise
+            direction = azimuth[j] + f * (azimuth[j + 1] - azimuth[j])
+            rise += advance_table(yielding, direction)
+            if yielding.plate_mobility > 0.0:
+                rise = _rise_over_infinite_plate(
+                    rise, yielding, x, E, coefficients[8:], h
+                )
             for m in range(4):
                 next_x[m] = (
                     E[m, 0] * x[0]
@@ -306,4 +370,24 @@ def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
                 )
             if slides:
                 out[SAMPLES_PER_KNOT * j + i, 0] = 0.0
+            yielding.force[0] = out[SAMPLES_PER_KNOT * j + i, 1]
     return out, x, z
+
+
+@kernel
+def _rise_over_infinite_plate(rise, yielding, x, E, normal, h):
+    """Return the rise minus the motion of an infinite plate in the step h.
+
+    The plate moves by Y h times the mean of the forces N' before and after the step. The
+    latter is linear in the rise, with the coefficients `normal` (5,) of the state.
+    """
+    still = 0.0
+    gain = normal[4] / h
+    for m in range(4):
+        row = 0.0
+        for n in range(4):
+            row += E[m, n] * x[n]
+        still += normal[m] * row
+        gain += normal[m] * E[m, 4]
+    half = yielding.plate_mobility * h / 2
+    return (rise - half * (yielding.force[0] + still)) / (1 + half * gain)
