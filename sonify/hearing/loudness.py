@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.signal import resample_poly
 
+from dynamics.a_weighting import a_weighting_db
 from sonify.hearing.audio_source import Source, read_samples, source_of
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, Spectrogram, spectrogram
 
@@ -49,20 +50,6 @@ class Audibility:
     time: np.ndarray
     a_weighted: np.ndarray
     above_threshold: np.ndarray
-
-
-def a_weighting_db(frequency) -> np.ndarray:
-    """Return the A-weighting [dB] at frequencies [Hz], relative to that at 1 kHz.
-
-    The poles are those of IEC 61672-1, annex E.
-    """
-    f2 = np.square(np.asarray(frequency, float))
-    a = 20.598997**2
-    b = 107.65265**2
-    c = 737.86223**2
-    d = 12194.217**2
-    gain = d * f2 * f2 / ((f2 + a) * np.sqrt((f2 + b) * (f2 + c)) * (f2 + d))
-    return 20 * np.log10(np.maximum(gain, 1e-15)) + 1.9997
 
 
 def audibility(pressure: Source | str | Path) -> Audibility:

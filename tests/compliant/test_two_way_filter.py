@@ -34,6 +34,7 @@ from dynamics.compliant.law.table_receptance import (
     modal_receptance,
 )
 from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.two_way_criterion import coupling_error
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.steady_motion import steady_precession
 from modal import surface_modes
@@ -328,3 +329,24 @@ def test_a_rigid_table_changes_nothing(mirror):
         modes=mirror.modes,
     )
     assert np.max(np.abs(np.concatenate(list(smooth)))) == 0
+
+
+@pytest.mark.parametrize(
+    ("thickness", "one_way", "two_way", "level", "needed"),
+    [(0.12, 0.1991, 0.1974, 0.23, False), (0.06, 0.1991, 0.1487, 7.8, True)],
+)
+def test_a_thick_slab_only_radiates(stone, thickness, one_way, two_way, level, needed):
+    slab = granite_plate(thickness)
+    scene = load_scene("mirror-base").replace(
+        f"surface={{kind='plate', radius=0.2, thickness={thickness}, young={slab.young}, "
+        f"poisson={slab.poisson}, density={slab.density}, loss_factor=0.02, edge='free'}}"
+    )
+    receptance = modal_receptance(surface_modes(scene), lever_of(stone, 0.01))
+    speed = rate_of(stone, 0.01) * lever_of(stone, 0.01)
+    found = coupling_error(
+        stone.table, ROUGHNESS, 0.01, stone.weight, speed, receptance
+    )
+    assert found.one_way_rms == pytest.approx(one_way, rel=0.02)
+    assert found.two_way_rms == pytest.approx(two_way, rel=0.02)
+    assert found.level == pytest.approx(level, abs=0.3)
+    assert found.needs_two_way is needed
