@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +15,7 @@ from dynamics.motion import (
     CAUSES,
     ForceJumps,
     MotionBase,
+    MotionEvent,
     Outcome,
     Transition,
     read_only,
@@ -25,25 +26,8 @@ MAX_LANDING_INCLINATION = 0.05
 """Largest inclination [rad] at which a landing is solved; terms of its order are dropped."""
 
 
-class MotionEvent(NamedTuple):
-    """Something that happens to the disk on its way to rest.
-
-    Attributes
-    ----------
-    t : float
-        Time [s].
-    kind : str
-        What happens, such as "lifted by the film" or "touches the asperities".
-    speed : float
-        Speed [m/s] at which the low point of the rim approaches the table.
-    energy : float
-        Energy [J] of the motion at this time.
-    """
-
-    t: float
-    kind: str
-    speed: float
-    energy: float
+TOUCH = "touches the asperities"
+"""Kind of the event in which the low point of the rim meets the table again."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -90,6 +74,11 @@ class LandingMotion(MotionBase):
     def integrator(self) -> str:
         """Name of the integrator."""
         return "LSODA (landing)"
+
+    @property
+    def rolling_fillet(self) -> float:
+        """Radius [m] of the edge on which the disk rolled; 0 for a sharp edge."""
+        return self.fillet
 
     @property
     def film(self) -> None:
@@ -261,9 +250,7 @@ class LandingMotion(MotionBase):
             t = self.t[i] + share * (self.t[i + 1] - self.t[i])
             at = self.model.geometry(self._states(t)[0].tolist())
             speed = self.model.stop.radius * at.tip - at.opening
-            yield MotionEvent(
-                float(t), "touches the asperities", speed, float(self.energy(t)[0])
-            )
+            yield MotionEvent(float(t), TOUCH, speed, float(self.energy(t)[0]))
 
     def _rest(self):
         """Yield the rest, and the predicted touch of a disk that sinks on its cushion."""

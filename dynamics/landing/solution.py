@@ -29,6 +29,8 @@ ABSOLUTE_TOLERANCE = LandingState(
 )
 LEVEL_TILT = 0.01
 """Tilt eps of a disk that counts as level: the gap at its rim is uniform within 1 %."""
+MAX_KINETIC_SHARE = 1e-3
+"""Kinetic over potential energy of a disk that sinks quasi-statically on its cushion."""
 REST_ENERGY_SHARE = 1e-6
 """Share of the initial energy with which a disk on its asperities counts as resting."""
 POINTS_PER_STEP = 4
@@ -119,7 +121,9 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
         tilt = radius * at.slope / (LEVEL_TILT * gap) - 1
         sink = model.film.sink_rate(gap, weight)
         unsteady = abs(at.opening / sink + 1) / 0.1 - 1
-        return min(on_stop, max(tilt, unsteady))
+        kinetic = model.disk.mass * at.opening**2 / 2
+        fast = kinetic / (MAX_KINETIC_SHARE * weight * gap) - 1
+        return min(on_stop, max(tilt, unsteady, fast))
 
     def _excess(y: np.ndarray, at: Any) -> float:
         """Energy above that of a disk which lies still on the asperities, without its glide."""

@@ -488,6 +488,25 @@ _END: dict[str, FindingText] = {
         },
         details="contact lost at {time:.5g} s, {inclination:.3g} rad and {precession_frequency:.3g} turns per second",
     ),
+    "halt_is_abrupt": FindingText(
+        claim="The motion stops abruptly once the air has lifted the disk",
+        unit="turns from the lift-off until it precesses less than once per second",
+        source="section 1: the abrupt halt; Reynolds' equation under the falling disk",
+        details="within {milliseconds:.3g} ms",
+    ),
+    "air_catches_disk": FindingText(
+        claim="The air catches the disk: its rim does not touch the table again",
+        unit="touches of the table after the lift-off",
+        source="Reynolds' equation under the falling disk",
+        details="the low point rises to {clearance:.3g} um after {milliseconds:.3g} ms; the disk finally "
+        "lies level on a cushion of {gap:.3g} um",
+    ),
+    "one_impact_ends_it": FindingText(
+        claim="A single impact ends the motion",
+        unit="of the energy at the first touch after the lift-off (largest loss in one impact)",
+        source="section 8: loss of contact and the following impact end the motion",
+        quotation=_FINAL_IMPACT,
+    ),
     "air_carries_earlier": FindingText(
         claim="The table brings forward the time at which the air carries the disk",
         unit="s earlier than with one-way coupling",

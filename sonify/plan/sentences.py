@@ -280,8 +280,9 @@ MOTION_EVENT = (
 )
 NEGLECTED_AFTER_END = {
     Outcome.FELL: "The final impact of the face on the table and the ringing that it excites.",
-    Outcome.AIRBORNE: "The landing of the disk on the table. The modes decay above the film at the "
-    "loss of contact; in reality the film closes as the disk settles, which changes their damping.",
+    Outcome.AIRBORNE: "The sound of the landing, at most 50 dB for a toy at 0.5 m: the disk falls on its "
+    "film of air without a touch. The modes decay above the film at the loss of contact; in reality "
+    "the film closes as the disk settles, which changes their damping.",
 }
 """Omitted events after the motion, by outcome."""
 RAREFACTION_LIMITS = (

@@ -21,6 +21,7 @@ from sonify.claims.air import end_cause_scalars
 from sonify.claims.checks import Check
 from sonify.claims.ensemble import Ensemble, repeat_final_part
 from sonify.claims.finding import Finding
+from sonify.claims.landing import run_events
 from sonify.hearing.loudness import MissingExtraError, roughness
 from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
@@ -164,7 +165,9 @@ def run_record(result: "Result") -> dict:
             "name": result.motion.outcome.name,
             "sentence": result.motion.outcome.sentence,
         },
-        "events": [event._asdict() for event in result.motion.events],
+        "events": [
+            event._asdict() for event in run_events(result.scene, result.motion)
+        ],
         "motion": {
             "end": float(result.motion.t[-1]),
             "integrator": result.motion.integrator,

@@ -1,0 +1,127 @@
+"""Claim: the findings on the halt follow from the solved landing, and each can come out otherwise.
+
+Source: Reynolds' equation under a falling disk; Newton's restitution at the asperities.
+Oracle: an independent continuation of the published motion in air; films too thin to carry the
+disk, for which the answers are known.
+"""
+
+import json
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from dynamics import Outcome, simulate
+from dynamics.film.tilted_film import film_below
+from dynamics.landing.after_rolling import landing_after
+from dynamics.landing.equations import LandingModel
+from dynamics.landing.landing_motion import TOUCH, solve_landing_motion
+from dynamics.landing.stop import stop_below
+from sonify import load_scene
+from sonify.claims.details import details_in_words
+from sonify.claims.landing import (
+    air_catches_disk,
+    halt_is_abrupt,
+    landing_findings,
+    landing_of,
+    one_impact_ends_it,
+    run_events,
+)
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return load_scene("published").replace("air.film=acts")
+
+
+@pytest.fixture(scope="module")
+def motion(scene):
+    return simulate(scene)
+
+
+def test_the_published_disk_in_air_stops_within_a_fifth_of_a_turn(scene, motion):
+    abrupt, caught, impact = landing_findings(scene, motion)
+    assert motion.outcome is Outcome.AIRBORNE
+    assert abrupt.value == pytest.approx(0.21, abs=0.01)
+    assert abrupt.details["milliseconds"] < 10
+    assert caught.value == 0
+    assert caught.details["clearance"] == pytest.approx(29.0, rel=0.02)
+    assert (abrupt.verdict, caught.verdict, impact.verdict) == ("yes", "yes", "no")
+    assert "um" in details_in_words(caught)
+
+
+def test_the_hand_over_keeps_position_velocity_and_energy(scene, motion):
+    landing = landing_of(scene, motion)
+    end = motion.at(motion.t[-1])[0]
+    scale = np.maximum(np.abs(end), 1e-9)
+    assert np.max(np.abs(landing.at(0.0)[0] - end) / scale) < 1e-12
+    assert landing.energy(0.0)[0] == pytest.approx(
+        motion.energy(motion.t[-1])[0], rel=1e-6
+    )
+    t = landing.t
+    balance = landing.energy(t) + landing.at(t)[:, 10]
+    assert np.ptp(balance) < 1e-6 * landing.energy(0.0)[0]
+
+
+def test_the_events_lead_from_the_lift_off_to_rest(scene, motion):
+    events = run_events(scene, motion)
+    kinds = [event.kind for event in events]
+    assert kinds[0] == "lifted by the film"
+    assert "rests on a cushion of air" in kinds
+    assert TOUCH not in kinds
+    assert events[0].t == motion.t[-1]
+    assert all(a.t <= b.t for a, b in pairwise(events))
+    json.dumps([event._asdict() for event in events])
+
+
+def test_a_disk_that_rolls_to_the_end_does_not_land(scene):
+    vacuum = scene.replace("air.film=none")
+    assert landing_findings(vacuum, simulate(vacuum)) == []
+
+
+def dropped(scene, restitution, viscosity_factor=1e-12):
+    """Return the landing of a nearly level disk dropped 20 um above the table."""
+    disk = scene.disk
+    film = film_below(disk.radius, 0.0, scene.air)
+    film = film._replace(viscosity=film.viscosity * viscosity_factor)
+    model = LandingModel(disk, film, stop_below(disk.radius, disk.mass, restitution))
+    start = np.zeros(11)
+    start[1] = 1e-10
+    return solve_landing_motion(model, start, 0.0, "dropped", 0.5, clearance=20e-6)
+
+
+def test_a_thin_film_does_not_catch_the_disk(scene):
+    caught = air_catches_disk(dropped(scene, 0.79))
+    assert caught.value > 0
+    assert caught.verdict == "no"
+    assert air_catches_disk(dropped(scene, 0.79, 1.0)).verdict == "yes"
+
+
+def test_an_impact_can_end_the_motion(scene):
+    # a level impact loses 1 - e^2 of the energy
+    plastic = one_impact_ends_it(dropped(scene, 0.1))
+    assert plastic.value == pytest.approx(0.99, abs=0.02)
+    assert plastic.verdict == "yes"
+    elastic = one_impact_ends_it(dropped(scene, 0.95))
+    assert elastic.verdict == "no"
+
+
+def test_a_disk_that_precesses_on_is_not_halted_abruptly(scene, motion):
+    disk = scene.disk
+    model = LandingModel(disk, None, stop_below(disk.radius, disk.mass, 0.79))
+    start = motion.at(motion.t[-1])[0]
+    turning = solve_landing_motion(model, start, 0.0, "vacuum", 0.05)
+    assert halt_is_abrupt(turning).verdict == "no"
+
+
+def test_a_fall_in_a_vacuum_comes_to_rest_on_its_face():
+    still = load_scene("published").replace(
+        "release={inclination_deg=1, omega=[0, 0, 0.05]}"
+    )
+    motion = simulate(still)
+    landing = landing_after(motion, still, restitution=0.28)
+    assert landing.outcome is Outcome.AT_REST
+    assert landing.events[-1].kind == "rests on the asperities"
+    lost = landing.energy_lost(landing.t_end)["contact"][0]
+    glide = landing.energy(landing.t_end)[0]
+    assert lost + glide == pytest.approx(landing.energy(0.0)[0], rel=1e-4)
