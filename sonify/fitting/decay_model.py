@@ -65,6 +65,14 @@ def neglected_parts(scene: Scene) -> list[str]:
     return [f"{what}: {means}" for what, here in found.items() if here]
 
 
+def rigid_table(scene: Scene) -> Surface:
+    """Return a rigid table with the shape of the table of a scene."""
+    table = scene.surface
+    if not table.curvature:
+        return Surface()
+    return Surface(sag=table.sag, diameter=table.diameter, place=table.place)
+
+
 def has_film(scene: Scene) -> bool:
     """Return True if the scene has an air film with a known law."""
     return (
@@ -117,7 +125,7 @@ class DecayModel:
         contour_power = np.array([steady_power(b, law, contour) for b in self.beta])
         film_power = np.zeros(len(self.beta))
         if has_film(scene):
-            film = film_under(self.disk, scene.air)
+            film = film_under(self.disk, scene.air, scene.surface.curvature)
             film_power = film.rotation_and_fall_powers(self.beta, spin)[0]
             # without this limit, the disk would never reach the table, and the end would
             # depend on inaudible details
@@ -342,7 +350,7 @@ class DecayModel:
             else replace(scene.air, film="none"),
             contact=replace(scene.contact, law="rigid", restitution=None),
             roughness=None,
-            surface=Surface(),
+            surface=rigid_table(scene),
             numerics=replace(scene.numerics, contact="auto", tolerance=tolerance),
         )
 

@@ -102,6 +102,28 @@ def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
     )  # the inertia of the air is of order S^2.5, 1e-3 there
 
 
+@pytest.mark.parametrize(
+    ("inclination", "sag", "ratio"),
+    [(0.01, 1e-3, 0.58), (0.01, 3e-3, 0.27), (0.005, 1e-3, 0.38), (0.005, 3e-3, 0.12)],
+)
+def test_the_film_over_a_concave_mirror_dissipates_less(scene, inclination, sag, ratio):
+    """The ratios of the powers over a bowl and over a plane are those of another program, which
+    solves Reynolds' equation for the gap; the film is incompressible and without inertia."""
+    stiff = scene.replace("air.pressure=1e9", "air.density=1e-6")
+    concave = stiff.replace(f"surface={{sag={sag}, diameter=0.229}}")
+    bowl, plane = (DecayModel(one) for one in (concave, stiff))
+    found = np.interp(inclination, bowl.beta, bowl.powers[1] / plane.powers[1])
+    assert found == pytest.approx(ratio, rel=0.05)
+    assert bowl._scene_of(1e-4, 1.0, 0.0).surface == concave.surface
+
+
+def test_a_solved_motion_keeps_the_shape_of_an_elastic_table():
+    table = load_scene("mirror-base").surface
+    rigid = DecayModel(load_scene("mirror-base"))._scene_of(1e-4, 1.0, 0.0).surface
+    assert (rigid.kind, rigid.curvature) == ("rigid", table.curvature)
+    assert rigid.curvature == pytest.approx(8 * 1e-3 / 0.2286**2)
+
+
 def test_the_arm_of_the_paper_declines_with_the_power_of_one():
     """The inclination falls as the square of the time left, until it is 1e-5."""
     decay = DecayModel(load_scene("published"))

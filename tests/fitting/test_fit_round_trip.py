@@ -16,7 +16,7 @@ from sonify.fitting.result import fit
 from sonify.sound.wav import write_sound
 
 pytestmark = pytest.mark.slow
-CONTOUR = ("thorne", "toy", "contour", "granite", "polished", "glass")
+CONTOUR = ("thorne", "toy", "contour", "granite", "polished", "glass", "mirror-base")
 STEADY = ("thorne", "toy", "contour", "glass", "power", "hoop", "viscous")
 """Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
 KNOWN = ("thorne", "granite", "polished", "glass")
