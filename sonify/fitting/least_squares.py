@@ -6,6 +6,7 @@ from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
+from scipy.linalg import toeplitz
 from scipy.optimize import least_squares
 from scipy.stats import norm, t
 
@@ -253,7 +254,8 @@ def _with_intervals(problem, x):
     """Return the fit for unknowns x, with bootstrap draws from runs of residuals and a
     linearised solution.
 
-    The runs are longer than a block, because adjacent blocks are correlated.
+    The runs are longer than a block, because adjacent blocks are correlated. The draws
+    are enlarged by `_enlargement`.
     """
     min_run_length = 4  # blocks
     max_run_count = 8
@@ -277,7 +279,11 @@ def _with_intervals(problem, x):
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (
         jacobian.T * weight
     )
-    moved = x - noise @ inverse.T
+    deviations = noise @ inverse.T
+    deviations *= _enlargement(
+        deviations.std(axis=0), residual[:count], jacobian[:count], inverse[:, :count]
+    )
+    moved = x - deviations
     end, shares, _ = problem.unpack(x)
     free = problem.free
     draws = np.tile(np.append(end, shares), (draw_count, 1))
@@ -306,34 +312,67 @@ def _jacobian(function, x):
     return np.stack(columns, axis=1)
 
 
-def pool_fits(fits: list[Fit]) -> Fit:
-    """Return the mean of fits to single sounds, weighted by the inverse variances of
-    their shares.
+def _enlargement(found, residual, jacobian, inverse):
+    """Return factors (n,) for the bootstrap deviations of the unknowns, whose standard
+    deviations are `found` (n,).
 
-    The errors are enlarged if the shares scatter more than their errors predict.
-    """
-    values = np.array([one.shares for one in fits])
-    draws = np.array([one.draws[: FIT.bootstrap_draws, 1:] for one in fits])
-    spread = np.maximum(draws.std(axis=1), TINY)
-    weight = spread**-2 / np.sum(spread**-2, axis=0)
-    mean = np.sum(weight * values, axis=0)
-    scatter_ratio = np.sqrt(
-        np.sum(((values - mean) / spread) ** 2, axis=0) / (len(fits) - 1)
+    The deviations become at least those due to noise with the correlation of
+    overlapping blocks: the fit removes the slowest part of the noise from the residuals
+    (k,), and this part determines the unknowns. Student's t then accounts for the
+    number of blocks. `jacobian` (k, n) and `inverse` (n, k) relate unknowns and
+    residuals."""
+    min_degrees_of_freedom = 4.0
+    count = len(residual)
+    shared = np.maximum(1 - np.arange(count) / FIT.block_overlap, 0)
+    correlation = toeplitz(shared)
+    left = count - np.trace(jacobian @ inverse @ correlation)
+    variance = residual @ residual / max(left, 1.0)
+    expected = variance * np.sum(inverse @ correlation * inverse, axis=1)
+    independent = left * count / np.sum(correlation**2)
+    degrees_of_freedom = max(independent, min_degrees_of_freedom)
+    student = t.ppf(0.975, degrees_of_freedom) / norm.ppf(0.975)
+    return student * np.maximum(np.sqrt(expected) / np.maximum(found, TINY), 1.0)
+
+
+def pool_fits(fits: list[Fit]) -> Fit:
+    """Return the mean of fits to single sounds, weighted by the inverse covariances of
+    their free shares.
+
+    A sound that determines only a combination of the shares contributes only this
+    combination. The errors are enlarged if the shares scatter more than their errors
+    predict."""
+    free = list(fits[0].free)
+    values = np.array([one.shares[free] for one in fits])
+    deviations = [
+        one.draws[:, len(one.ends) :][:, free] - value
+        for one, value in zip(fits, values, strict=True)
+    ]
+    unit = np.maximum(np.sqrt([np.mean(d**2, axis=0) for d in deviations]), TINY).max(
+        axis=0
     )
+    information = np.array(
+        [np.linalg.pinv((d / unit).T @ (d / unit) / len(d)) for d in deviations]
+    )
+    covariance = np.linalg.pinv(information.sum(axis=0))
+    weighted = np.einsum("ijk,ik->j", information, values / unit)
+    mean = covariance @ weighted
+    excess = values / unit - mean
+    scatter = np.einsum("ij,ijk,ik->", excess, information, excess)
+    scatter_ratio = np.sqrt(scatter / ((len(fits) - 1) * len(free)))
     random = np.random.default_rng(0)
-    deviations = np.sum(
-        [
-            w * random.permutation(d - v)
-            for w, d, v in zip(weight, draws, values, strict=True)
-        ],
-        axis=0,
+    drawn = random.multivariate_normal(
+        mean, covariance * max(scatter_ratio, 1.0) ** 2, FIT.bootstrap_draws
     )
-    ends = np.array([one.draws[: len(deviations), 0] for one in fits]).T
+    shares = fits[0].shares.copy()
+    shares[free] = np.maximum(mean * unit, 0.0)
+    ends = np.array([one.draws[: FIT.bootstrap_draws, 0] for one in fits]).T
+    draws = np.hstack([ends, np.tile(shares, (len(ends), 1))])
+    draws[:, len(fits) + np.array(free)] = drawn * unit
     return Fit(
         free=fits[0].free,
         ends=np.concatenate([one.ends for one in fits]),
-        shares=mean,
-        draws=np.hstack([ends, mean + deviations * np.maximum(scatter_ratio, 1.0)]),
+        shares=shares,
+        draws=draws,
         heard=tuple(h for one in fits for h in one.heard),
         residual=np.concatenate([one.residual for one in fits]),
         sigma=np.concatenate([one.sigma for one in fits]),

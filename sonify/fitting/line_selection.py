@@ -491,20 +491,24 @@ def _mean_of_equivalent_fits(fits, decay):
 
 
 def with_model_error(judged: Judged) -> Judged:
-    """Return the result with the error of the film law included in its draws.
+    """Return the result with the error of the film law included in its draws."""
+    return replace(judged, fit=with_film_error(judged.decay, judged.fit))
+
+
+def with_film_error(decay: DecayModel, one: Fit) -> Fit:
+    """Return a fit with the error of the film law included in its draws.
 
     An error of the power of the film is compensated by the other laws.
     """
     film_error = 0.06  # a thin-wedge law changes the share `rolling` by up to 8 %
-    one = judged.fit
-    power, fall = _powers_by_law(judged.decay, one)
+    power, fall = _powers_by_law(decay, one)
     error = film_error * one.shares[1] * (power[1] @ fall)
     error = error / np.maximum(power @ fall, TINY)
     error[[law for law in range(3) if law not in one.free]] = 0.0
     draws = one.draws.copy()
     moved = np.random.default_rng(1).standard_normal(len(draws))
     draws[:, -3:] += np.outer(moved, error * [-1.0, 1.0, -1.0])
-    return replace(judged, fit=replace(one, draws=draws))
+    return replace(one, draws=draws)
 
 
 def _share_errors_of_missing_power(decay, one):

@@ -12,7 +12,12 @@ from sonify.fitting.decay_model import DecayModel
 from sonify.fitting.fu_berlin import Exponent, rate_exponents
 from sonify.fitting.impacts import judge_sound
 from sonify.fitting.least_squares import Fit, Value, pool_fits, values_in_words
-from sonify.fitting.line_selection import Judged, detect_run, verdict_of
+from sonify.fitting.line_selection import (
+    Judged,
+    detect_run,
+    verdict_of,
+    with_film_error,
+)
 from sonify.fitting.parallel import in_worker_processes
 from sonify.fitting.recordings_io import is_recording, recording_files, source_of_file
 from sonify.fitting.settings import FIT
@@ -178,10 +183,9 @@ def fit(
     not_fitted = [_not_fitted(path, error) for path, error in errors.items()]
     if not fitted:
         raise _error_of_all(list(errors.values()), not_fitted)
-    decay = fitted[0].judged.decay
-    fits = [one.judged.fit for one in fitted]
-    pool = fits[0] if len(fits) == 1 else pool_fits(fits)
-    verdict = _verdict_together([one.judged for one in fitted], decay, pool)
+    judged = [one.judged for one in fitted]
+    decay, pool = pool_judged(judged)
+    verdict = _verdict_together(judged, decay, pool)
     return Fits(
         scene=scene,
         files=fitted,
@@ -228,6 +232,22 @@ def _error_of_all(errors, not_fitted):
     return RecordingError(
         f"none of the {len(errors)} recordings can be fitted: {reasons}"
     )
+
+
+def pool_judged(judged: list[Judged]) -> tuple[DecayModel, Fit]:
+    """Return the fit of all recordings together, and its decay.
+
+    Recordings that no motion explains, or that determine other causes than the first
+    explained one, are left out. The error of the film law, common to all recordings, is
+    not reduced by their number."""
+    explained = [
+        one for one in judged if one.explained and one.verdict != "not this scene"
+    ]
+    first, *_ = explained or judged
+    fits = [one.fit for one in explained or judged if one.fit.free == first.fit.free]
+    if len(fits) == 1:
+        return first.decay, fits[0]
+    return first.decay, with_film_error(first.decay, pool_fits(fits))
 
 
 def _verdict_together(judged, decay, pool):
