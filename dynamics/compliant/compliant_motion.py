@@ -391,8 +391,12 @@ class CompliantMotion(MotionBase):
 
 
 def impulse_rounding(impulse: np.ndarray, dt: float) -> float:
-    """Return the rounding error [N] of the mean forces between impulses (n,) [N s]."""
-    return float(4 * np.spacing(np.abs(impulse).max()) / dt)
+    """Return the rounding error [N] of the mean forces between impulses (n,) [N s].
+
+    Each mean force is a sum over at most some tens of steps.
+    """
+    steps = 64
+    return float(steps * np.spacing(np.abs(impulse).max()) / dt)
 
 
 def _is_within(spans: np.ndarray, t: ArrayLike) -> np.ndarray:

@@ -108,7 +108,7 @@ class RattlingDisk(NamedTuple):
     fillet : float
         Radius of the rounded edge [m].
     damping_ratio : float
-        Damping ratio of a rigid disk on a patch.
+        Damping ratio of a rigid disk on a patch; see `restitution_of_patch`.
     friction : float
         Coefficient of sliding friction.
     contour_moment : float
@@ -906,7 +906,8 @@ def press_patch(
     centre_x, centre_y, centre_z = point_in_space(rim, cosine, sine, below)
     centre_z -= disk.fillet
     centre = (centre_x, centre_y, centre_z)
-    mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
+    lever = centre_x**2 + centre_y**2
+    mobility = 1 / disk.mass + lever / disk.diametral_inertia
     # number of points of a parabolic patch, continuous when points are added; the factor is the
     # length of a parabola times the sum of its squares, divided by the square of its sum
     parabola_factor = 1.2

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from math import ceil, pi, radians, sqrt
 from typing import Any, NamedTuple
 
@@ -14,7 +15,7 @@ from dynamics.compliant.compliant_motion import (
     CompliantMotion,
     impulse_rounding,
 )
-from dynamics.compliant.law.linearised import inertias
+from dynamics.compliant.law.linearised import inertias, mobility
 from dynamics.compliant.law.unevenness import (
     curvature_number,
     damping_ratio,
@@ -103,9 +104,8 @@ class RattlingModel(NamedTuple):
     def contact_resonance(self, inclination: ArrayLike) -> np.ndarray:
         """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""
         stiffness = 1.5 * self.disk.weight / self.depth(inclination)
-        mobility = 1 / self.disk.mass
-        mobility += self.disk.radius**2 / self.constants.diametral_inertia
-        return np.sqrt(stiffness * mobility) / (2 * pi)
+        W = mobility(self.disk, inclination, self.constants.fillet)
+        return np.sqrt(stiffness * W[:, 2, 2]) / (2 * pi)
 
     @property
     def roughness_rms(self) -> float:
@@ -237,6 +237,23 @@ class RattlingMotion(CompliantMotion):
         """Normal impulse (n,) [N s] of the contact since the start, without the film."""
         return self.impulses[:, 2] - self.film_impulses
 
+    @cached_property
+    def t_end(self) -> float:
+        """Time [s] at which a settled disk would be flat; the end of any other motion.
+
+        The inclination is extrapolated to zero at its mean rate of fall from five times
+        its final value on, which includes several hops. Impacts on unevenness without a
+        preferred scale lower it at a constant rate.
+        """
+        inclination = self.rows[:, 1]
+        above = np.flatnonzero(inclination > 5 * inclination[-1])
+        first = above[-1] if len(above) else 0
+        fall = inclination[first] - inclination[-1]
+        if self.outcome is not Outcome.SETTLED or not fall > 0:
+            return self._end
+        duration = self._end - first * self._row_duration
+        return float(self._end + inclination[-1] * duration / fall)
+
     def contact_force(self, t: ArrayLike) -> np.ndarray:
         """Return the normal force of the contact (k,) [N] at t (k,) [s], without the
         pressure in the air film, which may be below that of the room.
@@ -322,7 +339,7 @@ def _step_rate(scene, model):
         3.0  # step rate divided by that of one elastic contact as accurate
     )
     min_steps_per_period = 60  # of the contact resonance
-    resonance = model.contact_resonance(radians(scene.release.inclination_deg))
+    (resonance,) = model.contact_resonance(radians(scene.release.inclination_deg))
     wanted = scene.numerics.contact_rate or max(
         steps_per_contact * scene.numerics.level.contact_rate,
         min_steps_per_period * resonance,
@@ -383,31 +400,33 @@ def effective_restitution(
     )
     smooth = model._replace(heights=np.zeros(len(model.heights)), constants=alone)
     state = rolling_state_at_release(smooth, inclination, (0.0, 0.0, 0.0))
-    contact = -fixed.half_thickness * state[layout.AXIS]
-    contact += fixed.radius * state[layout.RIM_REFERENCE_VECTOR]
     state[layout.CENTRE, 2] += smooth.depth(inclination)
-    kick = np.array([0.0, 0.0, -fixed.mass * speed])
-    state[layout.VELOCITY] = kick / fixed.mass
-    state[layout.MOMENTUM] = np.cross(contact, kick)
-    before = _edge_speed(fixed, state)
+    (W,) = mobility(model.disk, inclination, fixed.fillet)
+    impulse = np.array([0.0, 0.0, -speed / W[2, 2]])
+    state[layout.VELOCITY] = impulse / fixed.mass
+    state[layout.MOMENTUM] = np.cross(_lowest_point(fixed, state), impulse)
     # gravity is not 0, because losses are divided by the weight
     simulate_rattling(smooth, state, PROGRESS_INTERVAL / 2, 0.0, gravity=1e-9)
-    return -_edge_speed(fixed, state) / before
+    return _edge_speed(fixed, state) / speed
+
+
+def _lowest_point(fixed, state):
+    """Return the vector (3,) [m] from the centre to the lowest point of the edge, without
+    the vertical radius of its fillet."""
+    axis = state[layout.AXIS]
+    down = axis[2] * axis - [0.0, 0.0, 1.0]
+    core = (fixed.radius - fixed.fillet) * down / np.linalg.norm(down)
+    return core - (fixed.half_thickness - fixed.fillet) * axis
 
 
 def _edge_speed(fixed, state):
     """Return the vertical speed [m/s] of the lowest point of the edge in a state (5, 3)."""
     axis = state[layout.AXIS]
     momentum = state[layout.MOMENTUM]
-    axial = momentum @ axis
-    omega = (
-        momentum - axial * axis
-    ) / fixed.diametral_inertia + axial * axis / fixed.axial_inertia
-    down = np.array(
-        [axis[0] * axis[2], axis[1] * axis[2], -(axis[0] ** 2 + axis[1] ** 2)]
-    )
-    contact = fixed.radius * down / np.linalg.norm(down) - fixed.half_thickness * axis
-    return float(state[layout.VELOCITY, 2] + np.cross(omega, contact)[2])
+    axial = (momentum @ axis) * axis
+    omega = (momentum - axial) / fixed.diametral_inertia + axial / fixed.axial_inertia
+    turning = np.cross(omega, _lowest_point(fixed, state))
+    return float(state[layout.VELOCITY, 2] + turning[2])
 
 
 def solve_rattling_motion(

@@ -7,7 +7,10 @@ import numpy as np
 from scipy.signal import welch
 
 from dynamics import Outcome
-from dynamics.compliant.law.unevenness import precession_rate_exponent
+from dynamics.compliant.law.unevenness import (
+    precession_rate_exponent,
+    restitution_of_patch,
+)
 from dynamics.disk import GRAVITY
 from dynamics.rattling.rattling_motion import (
     RattlingMotion,
@@ -188,15 +191,16 @@ def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion):
 def impact_coefficient(damping_ratio: float) -> float:
     """Return k of d beta/dt = -k sqrt(g s)/R for contacts with a damping ratio.
 
-    The mean values for motions with the restitutions 0.3, 0.5 and 0.8 are interpolated
-    in log k and the logarithm of the relative energy loss per impact."""
-    restitution = np.exp(-np.pi * damping_ratio / np.sqrt(1 - damping_ratio**2))
-    # relative energy loss per impact, and k, from tests/compliant/test_rattling_disk.py
-    means = ((1 - 0.8**2, 0.46), (1 - 0.5**2, 0.69), (1 - 0.3**2, 0.81))
-    loss, k = np.log(means).T
-    slope = (k[1] - k[0]) / (loss[1] - loss[0])
-    x = np.log(1 - restitution**2)
-    return float(np.exp(np.interp(x, loss, k) + slope * min(x - loss[0], 0.0)))
+    Mean values of simulated motions are interpolated in log k and the logarithm of the
+    relative energy loss per impact."""
+    # restitution and k; tests/compliant/test_flat_rattle.py integrates the motions
+    means = ((0.793, 0.44), (0.523, 0.68), (0.370, 0.785), (0.1, 0.83))
+    restitution, k = np.array(means).T
+    loss = np.log(1 - restitution**2)
+    log_k = np.log(k)
+    slope = (log_k[1] - log_k[0]) / (loss[1] - loss[0])
+    x = np.log(1 - restitution_of_patch(damping_ratio) ** 2)
+    return float(np.exp(np.interp(x, loss, log_k) + slope * min(x - loss[0], 0.0)))
 
 
 def fitted_exponent(t: np.ndarray, inclination: np.ndarray) -> float:

@@ -101,8 +101,11 @@ def springs_and_dashpots(model, state, reach=300):
     depths = np.bincount(patch, depth[pressed])
     points = 1.2 * depths**2 / np.bincount(patch, depth[pressed] ** 2)
     approach = np.bincount(patch, (depth * speed)[pressed]) / depths
+    places = [
+        np.bincount(patch, (depth * part)[pressed]) / depths for part in horizontal
+    ]
     row = row[np.unique(patch, return_index=True)[1]]
-    mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
+    mobility = 1 / disk.mass + np.hypot(*places) ** 2 / disk.diametral_inertia
     dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness[row] * points / mobility)
     force = np.maximum(dashpot * approach, -stiffness[row] * depths)
     stored = stiffness / 2 * np.sum(np.where(pressed, depth, 0.0) ** 2, axis=1)

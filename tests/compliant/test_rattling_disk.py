@@ -243,6 +243,53 @@ def test_a_rattling_scene_is_read_again_from_its_values():
     assert from_document(replace(scene).document).diff(scene) == {}
 
 
+@pytest.mark.parametrize("restitution", [0.05, 0.1, 0.3, 0.65, 0.8, 0.95])
+@pytest.mark.parametrize("speed", [1e-3, 0.1])
+def test_a_disk_rebounds_with_the_restitution_of_its_scene(restitution, speed):
+    scene = coin(1e-6, 1.0, restitution, 0, 0.05)
+    found = effective_restitution(model_of(scene), 0.05, speed)
+    assert found == pytest.approx(restitution, abs=2e-3)
+
+
+def test_the_resonance_is_that_of_the_contact_on_the_fillet():
+    """A small disturbance of a disk at rest on its contact oscillates with this frequency.
+
+    Its contact is (R - f) cos(beta) - (H - f) sin(beta) from the centre. Oracle: Hertz's
+    law of the static depth, and the inertia of a rigid body.
+    """
+    scene = coin(1e-6, 1.0, 0.999999999, 0, 0.3)
+    model = model_of(scene, np.zeros(8192))
+    disk = model.disk
+    fillet = model.constants.fillet
+    reach = (RADIUS - fillet) * np.cos(0.3) - (disk.thickness / 2 - fillet) * sin(0.3)
+    about_diameter = disk.mass * (RADIUS**2 / 4 + disk.thickness**2 / 12)
+    square = 1 / disk.mass + reach**2 / about_diameter
+    square *= 1.5 * disk.weight / model.depth(0.3)
+    found = model.contact_resonance(0.3)
+    assert found == pytest.approx(sqrt(square) / (2 * pi), rel=1e-12)
+    state = rolling_state_at_release(model, 0.3, scene.release.omega)
+    state[VELOCITY, 2] += 1e-6
+    motion = simulate_rattling(model, state, 0.02, 0.0)
+    force = motion.force(np.arange(0.0, 0.0198, 1e-5))[:, 2]
+    frequency, power = welch(force, 1e5, nperseg=len(force), nfft=2**17)
+    resonance = frequency[1000:][np.argmax(power[1000:])]
+    assert resonance == pytest.approx(found[0], rel=0.01)
+
+
+@pytest.mark.parametrize("last", [0.02, 0.01])
+def test_the_end_is_extrapolated_at_the_rate_of_fall(last):
+    """A coin on heights of 3 um falls at a constant rate, so that the end of the motion that is
+    followed to 4 mrad is that of one which is followed less far."""
+    scene = coin(3e-6, 1.0, 0.5, 1, 0.1)
+    model = model_of(scene)
+    early = settle(model, scene, last)
+    late = settle(model, scene, 0.004)
+    assert early.outcome is Outcome.SETTLED
+    left = late.t_end - early.t[-1]
+    assert early.t_end - early.t[-1] == pytest.approx(left, rel=0.3)
+    assert late.t_end - late.t[-1] < 0.02
+
+
 @pytest.mark.parametrize(("body", "restitution"), [("rigid", 0.8), ("elastic", 0.5)])
 def test_the_effective_restitution_is_that_of_the_flat_limit(body, restitution):
     """A kicked rim on a flat table without gravity; the modes change its rebound, by 0.2 for 0.5."""
@@ -535,7 +582,9 @@ def test_contacts_shift_and_damp_the_lines_of_the_free_modes(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("restitution", "k"), [(0.3, 0.81), (0.5, 0.69), (0.8, 0.46)])
+@pytest.mark.parametrize(
+    ("restitution", "k"), [(0.1, 0.83), (0.37, 0.785), (0.523, 0.68), (0.793, 0.44)]
+)
 def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
     """d beta/dt = -k sqrt(g s)/R for H = 0, from 0.18 to 0.006 rad; k is the mean of seeds."""
     rates = []
@@ -728,16 +777,18 @@ def test_the_rate_of_impacts_has_no_size_of_the_disk_in_it():
     """Against 16 Hz one second before the end on heights of 3 um, of simulations of
     the flat limit; the coefficients are means of motions, which other tests compare.
     """
-    for restitution, k in ((0.3, 0.81), (0.5, 0.69), (0.8, 0.46)):
-        assert impact_coefficient(damping_ratio(restitution)) == pytest.approx(
-            k, rel=1e-9
-        )
+    for restitution, k in ((0.1, 0.83), (0.37, 0.785), (0.523, 0.68), (0.793, 0.44)):
+        found = impact_coefficient(damping_ratio(restitution))
+        assert found == pytest.approx(k, rel=1e-9)
+    for restitution, k in ((0.3, 0.785), (0.5, 0.68), (0.8, 0.44)):
+        found = impact_coefficient(damping_ratio(restitution))
+        assert found == pytest.approx(k, rel=0.03)
     softer = [impact_coefficient(damping_ratio(e)) for e in (0.05, 0.4, 0.6, 0.9, 0.99)]
     assert all(np.diff(softer) < 0)
     rate = (GRAVITY / 3e-6) ** 0.25 / (
         pi * sqrt(impact_coefficient(damping_ratio(0.5)))
     )
-    assert rate == pytest.approx(16.3, abs=0.05)
+    assert rate == pytest.approx(16.2, abs=0.05)
 
 
 @pytest.mark.slow

@@ -17,6 +17,8 @@ from rim_unevenness import (
     rim_heights,
 )
 
+from dynamics.compliant.law import unevenness
+
 WEIGHT = 8.5e-3 * 9.81
 
 
@@ -47,9 +49,20 @@ def test_random_rim_has_the_given_root_mean_square_height():
     assert np.sqrt(np.mean(heights**2)) == pytest.approx(3e-6)
 
 
-@pytest.mark.parametrize("restitution", [0.05, 0.5, 0.97])
-def test_damping_ratio_inverts_the_restitution(restitution):
-    assert restitution_from(damping_ratio(restitution)) == pytest.approx(restitution)
+@pytest.mark.parametrize("restitution", [0.05, 0.1, 0.3, 0.5, 0.65, 0.8, 0.97])
+def test_the_damping_ratio_gives_the_restitution_of_an_integrated_impact(restitution):
+    ratio = unevenness.damping_ratio(restitution)
+    assert restitution_from(ratio) == pytest.approx(restitution, abs=1e-6)
+    assert damping_ratio(restitution) == pytest.approx(ratio, abs=1e-5)
+
+
+def test_a_dashpot_that_never_pulls_is_softer_than_one_that_does():
+    """The clipped patch gives .652 where exp(-pi zeta/sqrt(1 - zeta^2)) is .65, and so on."""
+    asked = np.array([0.65, 0.70, 0.50, 0.40, 0.30, 0.05])
+    logarithm = -np.log(asked) / np.pi
+    ratios = logarithm / np.sqrt(1 + logarithm**2)
+    found = [unevenness.restitution_of_patch(ratio) for ratio in ratios]
+    assert found == pytest.approx([0.652, 0.697, 0.524, 0.444, 0.370, 0.192], abs=1e-3)
 
 
 @pytest.mark.parametrize(("slope", "exponent"), [(0, 0.5), (0.5, 0.429), (1, 0.333)])

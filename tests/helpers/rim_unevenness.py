@@ -1,8 +1,11 @@
 """Unevenness around the rim: random orders, the number that judges loss of contact, the decay."""
 
-from math import exp, log, pi, sqrt
+from functools import cache
+from math import pi, sqrt
 
 import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 
 def random_amplitudes(rms, slope, highest_order, seed):
@@ -44,15 +47,14 @@ def curvature_number(amplitudes, radius, inclination, depth):
 
 
 def damping_ratio(restitution):
-    """Return the ratio zeta of a linear contact whose restitution is exp(-pi zeta/sqrt(1-zeta^2)).
+    """Return the damping ratio of a patch with this restitution; see `restitution_from`.
 
     Examples
     --------
-    >>> round(damping_ratio(0.5), 4)
-    0.2155
+    >>> round(damping_ratio(0.5), 3)
+    0.233
     """
-    logarithm = -log(restitution) / pi
-    return logarithm / sqrt(1 + logarithm**2)
+    return brentq(lambda ratio: restitution_from(ratio) - restitution, 1e-12, 4.0)
 
 
 def burst_depths(decay, rate, count):
@@ -66,6 +68,27 @@ def precession_rate_exponent(slope):
     return (2 - slope) / (4 - slope)
 
 
+@cache
 def restitution_from(ratio):
-    """Return the restitution of a linear contact of this damping ratio."""
-    return exp(-pi * ratio / sqrt(1 - ratio**2))
+    """Return the restitution of a patch of this damping ratio by integrating an impact.
+
+    The patch pushes with max(0, x^1.5 + 2 ratio sqrt(1.5 x^0.5) x'), the force of Hertz and of a
+    dashpot for its local stiffness.
+    """
+
+    def force(x, speed):
+        spring = max(x, 0.0) ** 0.5
+        return max(0.0, x * spring + 2 * ratio * sqrt(1.5 * spring) * speed)
+
+    def rates(t, y):
+        return [y[1], -force(*y)]
+
+    def leaves(t, y):
+        return y[0]
+
+    leaves.terminal = True
+    leaves.direction = -1
+    end = solve_ivp(
+        rates, (0, 1e3), [1e-12, 1.0], "LSODA", events=leaves, rtol=1e-10, atol=1e-13
+    )
+    return -end.y[1, -1]

@@ -31,7 +31,7 @@ class Contact:
     loss_factor: Annotated[float, Ge(0), Lt(1)] = 0.02
     """Loss factor of the normal contact resonance: energy lost per radian divided by
     the energy."""
-    restitution: Annotated[float, Gt(0), Lt(1)] | None = None
+    restitution: Annotated[float, Ge(0.05), Lt(1)] | None = None
     """Coefficient of restitution of a rigid disk hitting the table with its edge, in
     place of loss_factor; requires numerics.contact = "many"."""
     body: Literal["elastic", "rigid"] = "elastic"

@@ -6,11 +6,12 @@ profile of the rim.
 """
 
 from functools import lru_cache
-from math import ceil, log, pi, sqrt
+from math import acos, acosh, ceil, exp, pi, sqrt
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import brentq
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw
 from dynamics.compliant.law.profile_files import profile_columns
@@ -217,18 +218,45 @@ def unevenness(
     return Unevenness(kappa, rms / depth)
 
 
-def damping_ratio(restitution: float) -> float:
-    """Return the damping ratio of a linear contact with a coefficient of restitution.
+def restitution_of_patch(damping_ratio: float) -> float:
+    """Return the coefficient of restitution of a patch with a damping ratio zeta.
 
-    The restitution is exp(-pi zeta/sqrt(1 - zeta^2)).
+    The patch is Hertzian and pushes only: its force is K x^1.5 plus that of a dashpot
+    2 zeta sqrt(m k) with the local stiffness k = 1.5 K x^0.5, and never negative. With
+    y = x^1.25 and ds = x^0.25 dt the impact is that of a linear oscillator with the
+    damping ratio z = sqrt(6/5) zeta, which ends where its acceleration vanishes
+    (Antypov & Elliott 2011; Schwager & Poeschel 2007):
+    exp(-2 z arccos(z)/sqrt(1 - z^2)).
 
     Examples
     --------
-    >>> round(damping_ratio(0.5), 4)
-    0.2155
+    >>> round(restitution_of_patch(0.233), 3)
+    0.5
     """
-    logarithm = -log(restitution) / pi
-    return logarithm / sqrt(1 + logarithm**2)
+    z = sqrt(6 / 5) * damping_ratio
+    if z == 1:
+        return exp(-2.0)
+    angle = acos(z) if z < 1 else acosh(z)
+    return exp(-2 * z * angle / sqrt(abs(1 - z * z)))
+
+
+def damping_ratio(restitution: float) -> float:
+    """Return the damping ratio of a patch with a coefficient of restitution.
+
+    It is the inverse of `restitution_of_patch`.
+
+    Examples
+    --------
+    >>> round(damping_ratio(0.5), 3)
+    0.233
+    """
+    largest = 1 / restitution  # restitution_of_patch falls faster than this
+    return brentq(
+        lambda ratio: restitution_of_patch(ratio) - restitution,
+        0.0,
+        largest,
+        xtol=1e-15,
+    )
 
 
 def precession_rate_exponent(spectrum_exponent: float) -> float:
