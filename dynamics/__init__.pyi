@@ -8,6 +8,8 @@ from .equations import Loads as Loads
 from .motion import Motion as Motion
 from .motion import Outcome as Outcome
 from .motion import Transition as Transition
+from .motion_plan import MotionPlan as MotionPlan
+from .motion_plan import plan_motion as plan_motion
 from .rigid_motion import RigidMotion as RigidMotion
 from .sections import MotionScene as MotionScene
 from .simulation import simulate as simulate

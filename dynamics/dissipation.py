@@ -109,6 +109,11 @@ class Resistance(NamedTuple):
         """False, because these laws do not keep a falling disk off the table."""
         return False
 
+    @property
+    def laws(self) -> tuple["Resistance"]:
+        """This law as the only one of its loads."""
+        return (self,)
+
     def __call__(
         self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
     ) -> Loads:
@@ -194,6 +199,11 @@ class OwnLaw:
 
     nonsmooth_at_zero_precession = False
     keeps_disk_off_table = False
+
+    @property
+    def laws(self) -> tuple["OwnLaw"]:
+        """This law as the only one of its loads."""
+        return (self,)
 
     def __call__(
         self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
@@ -286,6 +296,11 @@ class CombinedLoads(NamedTuple):
         """Return a copy with scalars of any type (n,) in place of the placeholders."""
         remaining = iter(parameters)
         return CombinedLoads(tuple(law.with_parameters(remaining) for law in self.laws))
+
+
+def laws_of(loads: Any) -> tuple[Any, ...]:
+    """Return the laws of the loads on a disk; empty without loads."""
+    return () if loads is None else loads.laws
 
 
 def combined_loads(*laws: Any) -> Any:

@@ -3,7 +3,14 @@
 from collections.abc import Sequence
 from enum import Enum
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, runtime_checkable
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Literal,
+    NamedTuple,
+    Protocol,
+    runtime_checkable,
+)
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +21,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
+    from dynamics.compliant.stepping.rim_modes import RimModes
     from dynamics.film.wedge import Film
+    from dynamics.motion_plan import MotionPlan
 
 COLUMNS = (
     "precession",
@@ -157,6 +166,13 @@ the disk.
 """
 
 
+FindingGroup = Literal["air", "contact", "rattling", "two-way"]
+"""Group of findings that apply to a motion: on the air, on a single elastic contact, on
+contacts anywhere on the rim, and on the onset of two-way coupling with the table."""
+SINGLE_CONTACT_GROUPS: tuple[FindingGroup, ...] = ("air", "contact", "two-way")
+"""Groups of findings that apply to a motion with a single contact."""
+
+
 class MotionPart(NamedTuple):
     """Part of a motion that was solved with one model.
 
@@ -197,6 +213,10 @@ class Motion(Protocol):
     """
 
     def __hash__(self) -> int: ...
+    @property
+    def plan(self) -> "MotionPlan":
+        """The decisions of the motion."""
+
     @property
     def disk(self) -> Disk:
         """Disk of the scene."""
@@ -240,6 +260,28 @@ class Motion(Protocol):
     @property
     def moves_table(self) -> bool:
         """True if the table and the disk are coupled from the start of the motion."""
+
+    @property
+    def finding_groups(self) -> tuple[FindingGroup, ...]:
+        """Groups of findings that apply to the motion."""
+
+    @property
+    def rim_modes(self) -> "RimModes | None":
+        """Modes of the disk whose vibration is part of the motion, or None."""
+
+    @property
+    def vibration_crossover(self) -> float | None:
+        """Frequency [Hz] above which the contact force is vibration of the contact.
+
+        It is None if the motion does not include this vibration.
+        """
+
+    @property
+    def max_energy_error(self) -> float | None:
+        """Largest relative error of the energy balance that the time step explains.
+
+        It is None if the balance is exact except for rounding.
+        """
 
     @property
     def t(self) -> np.ndarray:
@@ -291,6 +333,45 @@ class Motion(Protocol):
         ndarray, (k, 3)
             Friction along a_1 and a_2, and normal force [N]. At a jump, it is the limit
             from the right.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+
+    def contact_force(self, t: ArrayLike) -> np.ndarray:
+        """Return the normal force of the contact at times t, without that of the film.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Normal force [N].
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+
+    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
+        """Return the vibration of the `rim_modes` at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k, 3, m)
+            Displacement, velocity and acceleration of modes of unit modal mass; empty
+            without such modes.
 
         Raises
         ------
@@ -548,10 +629,38 @@ class MotionBase:
         """The whole motion as one part."""
         return (MotionPart(0.0, self),)
 
+    @property
+    def finding_groups(self) -> tuple[FindingGroup, ...]:
+        """Groups of findings that apply to the motion."""
+        return SINGLE_CONTACT_GROUPS
+
+    @property
+    def rim_modes(self) -> "RimModes | None":
+        """None, because the force on the disk modes follows from the contact force."""
+        return None
+
+    @property
+    def vibration_crossover(self) -> float | None:
+        """None, because the motion does not include the vibration of the contact."""
+        return None
+
+    @property
+    def max_energy_error(self) -> float | None:
+        """None, because the energy balance is exact except for rounding."""
+        return None
+
     @cached_property
     def state(self: Motion) -> np.ndarray:
         """The state at `t`, (n, 11), with the columns COLUMNS."""
         return read_only(self.at(self.t))
+
+    def contact_force(self: Motion, t: ArrayLike) -> np.ndarray:
+        """Return the normal force of the contact (k,) [N] at times t (k,) [s]."""
+        return self.force(t)[:, 2]
+
+    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
+        """Return an empty array (k, 3, 0), because there are no `rim_modes`."""
+        return np.zeros((np.size(t), 3, 0))
 
     def at_and_force(self: Motion, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)`."""

@@ -2,11 +2,8 @@
 
 from math import inf, radians
 
-from dynamics.film.activation import non_contact_loads
+from dynamics.motion_plan import MotionPlan
 from dynamics.quasi_steady import time_to_flat
-from dynamics.scene_constants import scene_constants
-from dynamics.sections import MotionScene
-from dynamics.simulation import contact_model
 
 
 class MotionProgress:
@@ -18,12 +15,13 @@ class MotionProgress:
     disk reduce its inclination at a constant rate, which is that since the release.
     """
 
-    def __init__(self, scene: MotionScene) -> None:
+    def __init__(self, plan: MotionPlan) -> None:
+        scene = plan.scene
         self._disk = scene.disk
-        self._law = scene_constants(scene)
-        self._loads = non_contact_loads(scene)
+        self._law = plan.constants
+        self._loads = plan.loads
         self._time_limit = scene.numerics.time_limit
-        self._rattles = contact_model(scene) == "many"
+        self._rattles = plan.contact.kind == "many"
         self._released = radians(scene.release.inclination_deg)
         self._share = 0.0
 

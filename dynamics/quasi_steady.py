@@ -4,27 +4,18 @@ from math import copysign, log, sqrt
 from typing import Any
 
 from dynamics.disk import Disk
-from dynamics.dissipation import resistance_of
 from dynamics.equations import DiskConstants
 from dynamics.regime import DISSIPATED, FLOAT_FORMULAS, Branch, Regime, rotation_rates
-from dynamics.scene_constants import scene_constants
 from dynamics.steady_motion import steady_omega
 
 
-def scene_time_to_flat(beta: float, scene: Any) -> float:
+def time_to_flat(beta: float, disk: Disk, law: DiskConstants, loads: Any) -> float:
     """Return the time [s] in which the inclination falls from `beta` [rad] to 0.
 
-    In quasi-steady motion at small inclinations, the resisting moments and dissipation
-    laws dissipate the energy 3/2 m g R beta. Their power is extrapolated by a power law
-    with its local exponent at `beta`. The time is infinite if the exponent is at least
-    1, or if the power is zero. The air film of the scene is neglected.
-    """
-    loads = resistance_of(scene.dissipation, scene.disk)
-    return time_to_flat(beta, scene.disk, scene_constants(scene), loads)
-
-
-def time_to_flat(beta: float, disk: Disk, law: DiskConstants, loads: Any) -> float:
-    """Return `scene_time_to_flat` [s] for dimensionless constants and loads.
+    In quasi-steady motion at small inclinations, the resisting moments and the loads
+    dissipate the energy 3/2 m g R beta. Their power is extrapolated by a power law with
+    its local exponent at `beta`. The time is infinite if the exponent is at least 1, or
+    if the power is zero.
 
     Raises ValueError if the disk is too thick or too steep for steady motion.
     """

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -42,6 +42,9 @@ from dynamics.regime import (
     X,
 )
 
+if TYPE_CHECKING:
+    from dynamics.motion_plan import MotionPlan
+
 FORCE_HARMONICS = 8
 """Number of harmonics of the precession rate within the bandwidth of the force."""
 
@@ -55,12 +58,8 @@ class RigidMotion(MotionBase):
 
     Parameters
     ----------
-    disk : Disk
-        The disk.
-    law : DiskConstants
-        Dimensionless constants of disk and friction.
-    loads : OwnLaw, Resistance, Film or None
-        Law of dissipation in addition to friction.
+    plan : MotionPlan
+        The decisions of the motion.
     path : PiecewisePolynomials
         The state as a function of the dimensionless time.
     regimes : tuple of Regime
@@ -87,9 +86,7 @@ class RigidMotion(MotionBase):
     ['roll', 'roll']
     """
 
-    disk: Disk
-    law: DiskConstants
-    loads: Any
+    plan: "MotionPlan"
     path: PiecewisePolynomials
     regimes: tuple[Regime, ...]
     regime_of_piece: np.ndarray
@@ -97,6 +94,21 @@ class RigidMotion(MotionBase):
     contact_losses: tuple[()]
     outcome: Outcome
     integrator: str
+
+    @property
+    def disk(self) -> Disk:
+        """The disk."""
+        return self.plan.scene.disk
+
+    @property
+    def law(self) -> DiskConstants:
+        """Dimensionless constants of disk, friction and table."""
+        return self.plan.constants
+
+    @property
+    def loads(self) -> Any:
+        """Loads on the disk other than those of the contact, or None."""
+        return self.plan.loads
 
     def __repr__(self) -> str:
         """Return a one-line summary: duration, outcome, number of transitions and integrator."""

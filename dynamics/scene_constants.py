@@ -1,6 +1,5 @@
 """Dimensionless constants of the disk, friction and table of a scene."""
 
-from functools import lru_cache
 from math import isfinite
 
 from dynamics.equations import DiskConstants, disk_constants
@@ -28,7 +27,6 @@ def scene_constants(scene) -> DiskConstants:
     )
 
 
-@lru_cache(16)
 def _pivoting_polynomials(contact, disk, material, mu_dynamic) -> tuple[float, ...]:
     if material is None:
         raise ValueError(

@@ -3,23 +3,21 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from dynamics import guards
-from dynamics.disk import Disk
 from dynamics.dissipation import OwnLaw
 from dynamics.face_contact import (
     face_outcome,
     outcome_when_flat,
     turn_in_last_decade,
 )
-from dynamics.film.activation import final_inclination, non_contact_loads
 from dynamics.hybrid import EVENT_CASCADE, STALLED, Arc, Path, StalledError, run_events
 from dynamics.motion import Motion, Outcome, Transition, read_only
+from dynamics.motion_plan import MotionPlan, plan_motion
 from dynamics.piecewise_polynomial import PiecewisePolynomials
 from dynamics.regime import (
     FLOAT_FORMULAS,
@@ -30,8 +28,7 @@ from dynamics.regime import (
 )
 from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, initial_state
-from dynamics.scene_constants import scene_constants
-from dynamics.sections import MotionScene, as_motion_scene
+from dynamics.sections import MotionScene
 from dynamics.solver_settings import resolved_integrator_name
 from dynamics.switching import ImpossibleContactError
 
@@ -117,57 +114,56 @@ def simulate(
     >>> f"{motion.t_end:.2f} s"
     '19.38 s'
     """
-    scene = as_motion_scene(scene)
-    if scene.surface.action == "sound":
-        return _solve_with_table(scene, watch, loads, None)
-    from dynamics.compliant.two_way_onset import table_modes, table_reaction
-
-    modes = table_modes(scene, surface_modes)
-    if modes is None or scene.surface.action == "motion":
-        return _solve_with_table(scene, watch, loads, modes)
-    found = table_reaction(scene, modes)
-    if not found.is_two_way:
-        return _solve_with_table(scene, watch, loads, None)
-    if contact_model(scene) == "many":
-        return _solve_with_table(scene, watch, loads, modes)
+    plan = plan_motion(scene, surface_modes)
+    require_surface_modes(plan)
     if loads is not None:
-        needed = "a rigid table: set surface.action = 'sound'"
-        raise ValueError(f"loads: a user-defined law requires {needed}")
-    from dynamics.compliant.switched_motion import solve_switched
-
-    solve_on_rigid_table = partial(
-        _solve_with_table, watch=watch, loads=None, modes=None
-    )
-    return solve_switched(scene, found.inclination, solve_on_rigid_table, watch, modes)
+        plan = plan.with_own_law(loads)
+    return solve_planned_motion(plan, watch)
 
 
-def _solve_with_table(
-    scene: MotionScene,
-    watch: Watch,
-    loads: OwnLaw | None,
-    modes: Any,
+def solve_planned_motion(
+    plan: MotionPlan, watch: Watch = lambda t, inclination, doing: None
 ) -> Motion:
-    """Solve the motion on a table with these modes, or on a rigid table if `modes` is None."""
-    kind = contact_model(scene)
-    if kind == "many":
+    """Solve the motion of a plan; see `simulate`, which makes the plan from a scene."""
+    require_surface_modes(plan)
+    if plan.switches_to_two_way:
+        from dynamics.compliant.switched_motion import solve_switched
+
+        return solve_switched(plan, _solve_one_model, watch)
+    return _solve_one_model(plan, watch)
+
+
+def require_surface_modes(plan: MotionPlan) -> None:
+    """Raise ValueError if the motion may depend on modes of the table that are unknown."""
+    surface = plan.scene.surface
+    if plan.lacks_surface_modes:
+        raise ValueError(
+            f"surface.kind = '{surface.kind}' with surface.action = '{surface.action}': "
+            f"the table may affect the motion; give "
+            f"surface_modes=modal.surface_modes(scene), or set surface.action = 'sound'"
+        )
+
+
+def _solve_one_model(plan: MotionPlan, watch: Watch) -> Motion:
+    """Solve the motion of a plan with its contact model up to the end."""
+    if plan.contact.kind == "many":
         from dynamics.rattling.rattling_motion import solve_rattling_motion
 
-        if loads is not None:
-            raise ValueError(
-                "loads: a user-defined law is not supported for a rattling disk"
-            )
-        return solve_rattling_motion(scene, watch, modes)
-    if kind == "full":
+        return solve_rattling_motion(plan, watch)
+    if plan.contact.kind == "full":
         from dynamics.compliant.compliant_motion import solve_compliant_motion
 
-        if loads is not None:
-            needed = "a rigid contact, or numerics.contact = 'filter'"
-            raise ValueError(f"loads: a user-defined law requires {needed}")
-        return solve_compliant_motion(scene, watch, modes)
-    compile_in_background(scene, loads)
+        return solve_compliant_motion(plan, watch)
+    return _solve_rigid_motion(plan, watch)
+
+
+def _solve_rigid_motion(plan: MotionPlan, watch: Watch) -> RigidMotion:
+    """Solve the motion of a plan on a rigid contact."""
+    compile_in_background(plan)
+    scene = plan.scene
     progress = _Progress(scene, watch)
     system = replace(
-        rigid_contact_system(scene, loads),
+        rigid_contact_system(plan),
         announce_compilation=progress.announce_compilation,
     )
     start = initial_state(scene.disk, scene.release)
@@ -177,13 +173,7 @@ def _solve_with_table(
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
     outcome = outcome_after_guard(guard, progress.state, system)
-    motion = _rigid_motion_from_path(
-        scene.disk,
-        system,
-        path,
-        outcome,
-        resolved_integrator_name(scene.numerics.integrator),
-    )
+    motion = _rigid_motion_from_path(plan, path, outcome)
     contact_loss_load = 1e-9  # normal force divided by the weight
     if guard == EVENT_CASCADE:
         load = motion.normal_load(motion.t[-1])[0]
@@ -241,36 +231,27 @@ def outcome_after_guard(guard: str | None, y: Any, system: RollingDisk) -> Outco
     return OUTCOMES[guard]
 
 
-def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> None:
-    """Compile the flows that most motions of a scene need, in background threads."""
-    integrator = resolved_integrator_name(scene.numerics.integrator)
-    if integrator != "taylor" or contact_model(scene) in ("full", "many"):
+def compile_in_background(plan: MotionPlan) -> None:
+    """Compile the flows that most motions of a plan need, in background threads."""
+    integrator = resolved_integrator_name(plan.scene.numerics.integrator)
+    if integrator != "taylor" or plan.contact.kind in ("full", "many"):
         return
     from dynamics.integrators import taylor
 
-    system = rigid_contact_system(scene, loads)
+    system = rigid_contact_system(plan)
     can_slide = system.law.mu_static != math.inf
     for sliding in (False, True) if can_slide else (False,):
         regime = Regime(sliding, (False,) * 3, (1.0,) * 3)
         taylor.compile_in_background(regime, system.law, system.loads, system.tolerance)
 
 
-def contact_model(scene: MotionScene) -> str:
-    """Return the contact model of a scene: "rigid", "filter", "full" or "many"."""
-    if scene.contact.law == "rigid":
-        return "rigid"
-    from dynamics.compliant.model_selection import choose_contact_model
-
-    return choose_contact_model(scene).kind
-
-
-def rigid_contact_system(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
-    """Return the hybrid system of a scene with a rigid contact."""
-    numerics = scene.numerics
+def rigid_contact_system(plan: MotionPlan) -> RollingDisk:
+    """Return the hybrid system of a plan with a rigid contact."""
+    numerics = plan.scene.numerics
     return RollingDisk(
-        law=scene_constants(scene),
-        loads=non_contact_loads(scene, loads),
-        r_end=math.sqrt(final_inclination(scene)),
+        law=plan.constants,
+        loads=plan.loads,
+        r_end=math.sqrt(plan.final_inclination),
         integrate=chosen_integrator(numerics.integrator)[1],
         tolerance=numerics.chosen_tolerance,
     )
@@ -283,9 +264,10 @@ def chosen_integrator(name: str) -> tuple[str, Callable[..., Arc]]:
 
 
 def _rigid_motion_from_path(
-    disk: Disk, system: RollingDisk, path: Path, outcome: Outcome, integrator: str
+    plan: MotionPlan, path: Path, outcome: Outcome
 ) -> RigidMotion:
     """Convert a path to a RigidMotion, without the pieces of zero duration."""
+    disk = plan.scene.disk
     times = np.concatenate(path.times)
     has_duration = np.diff(times) > 0
     regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
@@ -298,9 +280,7 @@ def _rigid_motion_from_path(
         for t, before, after, guard in path.crossings
     ]
     return RigidMotion(
-        disk=disk,
-        law=system.law,
-        loads=system.loads,
+        plan=plan,
         path=PiecewisePolynomials(
             read_only(_concatenated_pieces(path.coefficients, has_duration)),
             read_only(np.append(times[0], times[1:][has_duration])),
@@ -310,7 +290,7 @@ def _rigid_motion_from_path(
         transitions=tuple(transitions),
         contact_losses=(),
         outcome=outcome,
-        integrator=integrator,
+        integrator=resolved_integrator_name(plan.scene.numerics.integrator),
     )
 
 

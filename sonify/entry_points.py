@@ -1,14 +1,15 @@
 """Entry points that import the program while a background thread compiles the flows."""
 
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from dynamics.motion_plan import MotionPlan
 from dynamics.simulation import compile_in_background
 from sonify.claims.listener import listener
+from sonify.plan.motion import planned_scene
 from sonify.report.render_worker import painter
 from sonify.runtime.progress import Stages
-from sonify.scene import Scene, scene_with_accuracy
+from sonify.scene import Scene
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -59,20 +60,19 @@ def run(
     >>> result.out / "sound.wav"  # doctest: +SKIP
     PosixPath('outputs/x/sound.wav')
     """
-    scene = begin_run(scene, accuracy)
+    scene, motion_plan = begin_run(scene, accuracy)
     painter()
     listener()
     from sonify import pipeline  # slow to import
 
-    return pipeline.run(scene, out, stages or Stages(), dynamics)
+    return pipeline.run(scene, motion_plan, out, stages or Stages(), dynamics)
 
 
-def begin_run(scene: Scene | str | Path, accuracy: str | None) -> Scene:
-    """Return the scene with the given accuracy and start to compile its flows.
-
-    A ValueError raised by the compilation is ignored here; the pipeline reports it.
-    """
-    scene = scene_with_accuracy(scene, accuracy)
-    with suppress(ValueError):
-        compile_in_background(scene)
-    return scene
+def begin_run(
+    scene: Scene | str | Path, accuracy: str | None
+) -> tuple[Scene, MotionPlan]:
+    """Return the scene with the given accuracy and the decisions of its motion, and start
+    to compile its flows."""
+    scene, motion_plan = planned_scene(scene, accuracy)
+    compile_in_background(motion_plan)
+    return scene, motion_plan

@@ -1,22 +1,21 @@
-"""Run the stages of a scene: plan, modes, motion, sound, findings and files."""
+"""Run the stages of a scene: plan, table, modes, motion, sound, findings and files."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from concurrent.futures import Executor, Future
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import get_args
 
-from dynamics.compliant.two_way_onset import must_compute_table_modes
-from dynamics.progress import MotionProgress
-from dynamics.rattling.rattling_motion import RattlingMotion
+from dynamics import Motion, MotionPlan
 from dynamics.simulation import compile_in_background
 from modal import Modes, SurfaceModes, eigenmodes
 from modal.blas_threads import one_blas_thread
-from modal.progress import progress_range, progress_reported_to
+from modal.progress import progress_reported_to
 from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
-from sonify.claims.finding import Findings
+from sonify.claims.finding import Finding, Findings
 from sonify.claims.listener import listen_in_worker
 from sonify.claims.literature import literature_findings
 from sonify.claims.rattling import rattling_findings
@@ -24,12 +23,18 @@ from sonify.claims.rigid_motion import motion_and_mode_findings
 from sonify.claims.sound import analyse_sound, sound_findings
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as two_way_findings
+from sonify.claims.two_way import two_way_part
 from sonify.hearing.recording import Heard, listen_to_known_disk
-from sonify.plan.air import limits_of_film_law, with_air
+from sonify.plan.air import limits_of_film_law
 from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import Plan, with_motion_end
-from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.preflight import (
+    check_solvable_disk,
+    plan_of_run,
+    solvable_scene,
+    solve_motion,
+)
+from sonify.plan.table import has_table_modes, solve_table
 from sonify.plan.unused import unused_keys_notice
 from sonify.report.display import ReportDisplay
 from sonify.report.pictures import Pictures
@@ -38,15 +43,32 @@ from sonify.report.replaced import replaced_results
 from sonify.report.write import page_content, run_record, write_record
 from sonify.result import Result, SolvedMotion
 from sonify.runtime.files import claimed_folder
-from sonify.runtime.progress import Stages, in_background
+from sonify.runtime.progress import Stages, background_threads
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
 from sonify.sound.oscillators import compile_oscillators
-from sonify.sound.pressure import Dynamics, Track
+from sonify.sound.pressure import Dynamics, Sound, Track
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import render_sound
 from sonify.sound.wav import write_sound
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tools:
+    """What the stages of a run share besides their results.
+
+    `begin` receives the results of each stage that pictures need, `eigenmodes` computes
+    the modes of the disk, and `listen` analyses the pressure. The `executor` runs the
+    stages that proceed at the same time as others.
+    """
+
+    executor: Executor
+    stages: Stages
+    begin: Callable[[SolvedMotion], None]
+    eigenmodes: Callable[..., Modes]
+    listen: Callable[[Track, float], Heard]
+    dynamics: Dynamics
 
 
 @one_blas_thread
@@ -55,9 +77,10 @@ def solve(
     accuracy: str | None = None,
     stages: Stages | None = None,
     eigenmodes: Callable[..., Modes] = eigenmodes,
-    begin: Callable = lambda found: None,
+    begin: Callable[[SolvedMotion], None] = lambda solved: None,
     dynamics: Dynamics = "compressed",
     listen: Callable[[Track, float], Heard] = listen_to_known_disk,
+    executor: Executor | None = None,
 ) -> Result:
     """Solve a scene and return the result without writing files.
 
@@ -72,13 +95,16 @@ def solve(
     eigenmodes : callable
         Computes the modes of the disk; `modal.eigenmodes` by default.
     begin : callable
-        Called as begin(solved) with a SolvedMotion, after the motion and again after
-        the sound.
+        Called as begin(solved) with a SolvedMotion, once when motion and modes are
+        complete and once when the sound is complete.
     dynamics : str
         Dynamics of audible.wav, "compressed" or "natural".
     listen : callable
         Analyses the pressure up to the end of the motion; by default, the strongest
         rising tone counts even below the thresholds of `sonify.listen`.
+    executor : Executor, optional
+        Runs the stages that proceed at the same time as others; by default, threads of
+        this call.
 
     Returns
     -------
@@ -99,53 +125,109 @@ def solve(
     """
     if dynamics not in get_args(Dynamics):
         raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
-    scene = check_solvable_scene(scene, accuracy)
-    stages = stages or Stages()
-    compile_in_background(scene)
-    elastic = in_background(_plan_and_modes, scene, eigenmodes, stages)
-    with stages.stage("motion") as watch:
-        progress = MotionProgress(scene)
-
-        def show(t, inclination, doing):
-            note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
-            watch(progress.solved_fraction(t, inclination), note)
-            if elastic.done():
-                elastic.result()  # raises if the modes failed
-
-        motion = solve_motion(
-            scene,
-            show,
-            elastic.result()[2] if must_compute_table_modes(scene) else None,
+    scene, motion_plan = solvable_scene(scene, accuracy)
+    with background_threads(executor) as threads:
+        tools = Tools(
+            executor=threads,
+            stages=stages or Stages(),
+            begin=begin,
+            eigenmodes=eigenmodes,
+            listen=listen,
+            dynamics=dynamics,
         )
-        watch(1.0, "waiting for the modes")
-        plan, modes, table = elastic.result()
+        return solve_stages(scene, motion_plan, tools)
+
+
+def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
+    """Return the result of a scene with the decisions of its motion.
+
+    The modes of the disk are solved at the same time as the motion, and motions with
+    other time steps at the same time as the sound. An error in one of these stages is
+    raised where its result is needed.
+    """
+    compile_in_background(motion_plan)
+    table = table_stage(scene, motion_plan, tools.stages)
+    if motion_plan.surface_modes is None and table is not None:
+        motion_plan = motion_plan.with_surface_modes(table)
+    planned = tools.executor.submit(modes_stage, scene, motion_plan, table, tools)
+    motion = motion_stage(motion_plan, planned, tools.stages)
+    plan, modes = planned.result()
     solved = SolvedMotion(
         scene=scene, plan=plan, modes=modes, table=table, motion=motion
     )
-    begin(solved)
-    watch_findings: Callable[[float], None] | None = None  # set when its stage begins
-    two_way = in_background(
-        two_way_findings,
-        scene,
-        motion,
-        lambda share: watch_findings and watch_findings(share),
-    )
-    with stages.stage("sound") as watch:
+    tools.begin(solved)
+    two_way = tools.executor.submit(two_way_stage, solved, tools.stages)
+    solved = replace(solved, sound=sound_stage(solved, tools))
+    tools.begin(solved)
+    return findings_stage(solved, two_way, tools)
+
+
+def table_stage(
+    scene: Scene, motion_plan: MotionPlan, stages: Stages
+) -> SurfaceModes | None:
+    """Return the modes of the table, if it has any."""
+    if not has_table_modes(scene):
+        return None
+    with stages.stage("modes of the table") as watch, progress_reported_to(watch):
+        return solve_table(scene, motion_plan)
+
+
+def modes_stage(
+    scene: Scene, motion_plan: MotionPlan, table: SurfaceModes | None, tools: Tools
+) -> tuple[Plan, Modes]:
+    """Return the complete plan of the run and the modes of the disk."""
+    with tools.stages.stage("modes") as watch, progress_reported_to(watch):
+        found = plan_of_run(scene, motion_plan, table, tools.eigenmodes)
+    compile_oscillators()
+    compile_radiators()
+    return found
+
+
+def motion_stage(motion_plan: MotionPlan, planned: Future, stages: Stages) -> Motion:
+    """Return the motion of a plan; stop if the simultaneous stage `planned` fails."""
+    with stages.stage("motion") as watch:
+
+        def show(share: float, note: str = "") -> None:
+            watch(share, note)
+            if planned.done():
+                planned.result()
+
+        return solve_motion(motion_plan, show)
+
+
+def two_way_stage(solved: SolvedMotion, stages: Stages) -> list[Finding]:
+    """Return the findings on two-way coupling, from reruns of the end of the motion."""
+    if two_way_part(solved.motion) is None:
+        return two_way_findings(solved.scene, solved.motion)
+    with stages.stage("reruns of the end") as watch:
+        return two_way_findings(solved.scene, solved.motion, watch)
+
+
+def sound_stage(solved: SolvedMotion, tools: Tools) -> Sound:
+    """Return the sound of a motion and its modes."""
+    with tools.stages.stage("sound") as watch:
         sound = render_sound(
-            scene,
-            motion,
-            modes,
-            plan.sounding,
-            plan.max_contact_turn,
-            plan.rendered_table(table),
+            solved.scene,
+            solved.motion,
+            solved.modes,
+            solved.plan.sounding,
+            solved.plan.max_contact_turn,
+            solved.plan.rendered_table(solved.table),
             watch,
-            stages.pressure,
+            tools.stages.pressure,
         )
-        sound = replace(sound, dynamics=dynamics)
-    begin(replace(solved, sound=sound))
-    with stages.stage("findings") as watch:
-        watch_findings = watch
-        hearing = in_background(analyse_sound, sound, listen)
+    return replace(sound, dynamics=tools.dynamics)
+
+
+def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Result:
+    """Return the result of a run, with its checks and findings.
+
+    `two_way` is the Future of the findings of `two_way_stage`."""
+    scene, plan, motion, modes = solved.scene, solved.plan, solved.motion, solved.modes
+    sound = solved.sound
+    assert sound is not None
+    with tools.stages.stage("findings"):
+        hearing = tools.executor.submit(analyse_sound, sound, tools.listen)
         checks = all_checks(scene, motion, modes, sound)
         findings = motion_and_mode_findings(scene, motion, modes)
         heard, silence = hearing.result()
@@ -159,49 +241,27 @@ def solve(
             heard and heard.tone,
             plan.error("sound"),
         )
-        if isinstance(motion, RattlingMotion):
-            contact_notes: list[str] = []
-            findings += rattling_findings(scene, motion, modes, sound)
-        else:
-            on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
-            findings += air_findings(scene, motion, sound) + on_contact
+        findings += rattling_findings(scene, motion, modes, sound)
+        findings += air_findings(scene, motion, sound)
+        on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
+        findings += on_contact
         findings += literature_findings(
             scene, motion, modes, sound, heard and heard.tone
         )
+    notes = [*limits_of_film_law(scene, motion), *silence, *contact_notes]
     return Result(
         scene=scene,
-        plan=with_motion_end(
-            plan,
-            motion,
-            sound.ringing,
-            [*limits_of_film_law(scene, motion), *silence, *contact_notes],
-        ),
+        plan=with_motion_end(plan, motion, sound.ringing, notes),
         motion=motion,
         modes=modes,
-        table=table,
+        table=solved.table,
         sound=sound,
         heard=heard,
         findings=Findings(findings),
         checks=checks,
-        seconds=stages.seconds,
+        seconds=tools.stages.seconds,
         display=ReportDisplay(),
     )
-
-
-def _plan_and_modes(
-    scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages
-) -> tuple[Plan, Modes, SurfaceModes | None]:
-    """Return the plan, the modes of the disk and the modes of the table (None if it has
-    none)."""
-    share_of_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
-    with stages.stage("modes") as watch, progress_reported_to(watch):
-        with progress_range(0.0, share_of_disk):
-            plan, modes = plan_with_modes(scene, eigenmodes)
-        with progress_range(share_of_disk, 1.0):
-            plan, table = with_table(with_air(plan, scene), scene)
-    compile_oscillators()
-    compile_radiators()
-    return plan, modes, table
 
 
 @one_blas_thread
@@ -210,6 +270,7 @@ def write(
     out: str | Path | None = None,
     stages: Stages | None = None,
     pictures: Pictures | None = None,
+    executor: Executor | None = None,
 ) -> Result:
     """Write the sound, pictures and report of a result. Each file is written
     atomically.
@@ -224,6 +285,8 @@ def write(
         Receives the progress of the run.
     pictures : Pictures, optional
         Pictures that are already being drawn.
+    executor : Executor, optional
+        Prepares files while others are written; by default, threads of this call.
 
     Returns
     -------
@@ -243,15 +306,17 @@ def write(
     >>> write(solve("published"), "outputs/x")  # doctest: +SKIP
     """
     stages = stages or Stages(dict(result.seconds))
-    with claimed_folder(out or Path("outputs") / result.scene.name) as folder:
+    with (
+        claimed_folder(out or Path("outputs") / result.scene.name) as folder,
+        background_threads(executor) as threads,
+    ):
         for stale in ("run.json", "report.html"):  # they describe the other files
             (folder / stale).unlink(missing_ok=True)
         result = replace(result, out=folder, seconds=stages.seconds)
-        pictures = pictures or Pictures()
-        pictures.begin(result)
+        pictures = pictures or Pictures.of_result(result, threads)
         futures = (
-            in_background(run_record, result),
-            in_background(page_content, result, pictures),
+            threads.submit(run_record, result),
+            threads.submit(page_content, result, pictures),
         )
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
@@ -261,39 +326,54 @@ def write(
 
 @one_blas_thread
 def run(
-    scene: Scene, out: str | Path | None, stages: Stages, dynamics: Dynamics
+    scene: Scene,
+    motion_plan: MotionPlan,
+    out: str | Path | None,
+    stages: Stages,
+    dynamics: Dynamics,
 ) -> Result:
-    """Solve a scene with `solve` and write the result into `out` with `write`.
+    """Solve a scene with the decisions of its motion and write the result into `out`.
 
     Write access to the folder is checked before any computation. `sonify.run` describes
     the parameters.
     """
-    scene = check_solvable_scene(scene, None)
-    with claimed_folder(out or Path("outputs") / scene.name) as folder:
+    check_solvable_disk(scene)
+    with (
+        claimed_folder(out or Path("outputs") / scene.name) as folder,
+        background_threads() as threads,
+    ):
         if notice := replaced_results(scene, folder):
             stages.notice(notice)
-        if notice := unused_keys_notice(scene):
+        if notice := unused_keys_notice(scene, motion_plan):
             stages.notice(notice)
-        pictures = Pictures()
-        result = solve(
-            scene,
+        pictures = Pictures(threads)
+        tools = Tools(
+            executor=threads,
             stages=stages,
-            eigenmodes=cached_modes,
-            listen=listen_in_worker,
             begin=pictures.begin,
+            eigenmodes=DiskModesCache(),
+            listen=listen_in_worker,
             dynamics=dynamics,
         )
+        result = solve_stages(scene, motion_plan, tools)
         stages.answer(result)
-        return write(result, folder, stages, pictures)
+        return write(result, folder, stages, pictures, threads)
 
 
-def cached_modes(scene: Scene, below: float) -> Modes:
-    """Return the modes of the disk below a frequency [Hz]; they are cached for each
-    disk."""
-    return _modes_of(body_scene(scene), below)
+class DiskModesCache:
+    """Modes of the last four disks; those of one disk may occupy 100 MB.
+
+    Its owner keeps it as long as the modes may be needed again.
+    """
+
+    def __init__(self) -> None:
+        self._modes = lru_cache(4)(_modes_of)
+
+    def __call__(self, scene: Scene, below: float) -> Modes:
+        """Return the modes of the disk of a scene below a frequency [Hz]."""
+        return self._modes(body_scene(scene), below)
 
 
-@lru_cache(4)  # the modes of one disk may take 100 MB
 def _modes_of(body: BodyScene, below: float) -> Modes:
     if painter.cache_info().currsize == 0:  # no worker was started
         return eigenmodes(body, below=below)

@@ -28,6 +28,11 @@ class SolvedMotion:
     table: SurfaceModes | None = None
     sound: Sound | None = None
 
+    @property
+    def completed_stage(self) -> str:
+        """The stage that was completed last, "motion" or "sound"."""
+        return "motion" if self.sound is None else "sound"
+
 
 class Display(Protocol):
     """Shows a result in a terminal and in a notebook."""

@@ -16,12 +16,10 @@ import numpy as np
 import pyarrow.parquet as pq
 from article_numbers import ROOT, Number, Numbers, Record, digest, file_digest, points
 
-from dynamics import Motion
+from dynamics import Motion, plan_motion
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.disk import GRAVITY
-from dynamics.film.activation import decide_film
-from dynamics.rattling.rattling_motion import RattlingMotion
-from sonify import Scene, load_scene, shipped_scenes, solve
+from sonify import load_scene, shipped_scenes, solve
 from sonify.claims.contact import (
     contact_resonance_frequency,
     measured_noise_band,
@@ -34,7 +32,7 @@ from sonify.claims.shares import share_of_count
 from sonify.hearing.audio_source import source_of
 from sonify.hearing.settling.detector import settling_runs
 from sonify.plan.contact import STEEP_RADIATION_ERROR_RANGE_DB
-from sonify.plan.preflight import check_solvable_scene, solve_motion
+from sonify.plan.preflight import solvable_scene, solve_motion
 from sonify.result import Result
 from sonify.sound.radiation import listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
@@ -326,11 +324,11 @@ def run_record(name: str) -> Record:
 def motion_record(name: str) -> Record:
     """Solve the motion of a variant."""
     base, changes = MOTION_VARIANTS[name]
-    scene: Scene = check_solvable_scene(load_scene(base).replace(*changes), None)
-    motion = solve_motion(scene)
+    scene, plan = solvable_scene(load_scene(base).replace(*changes), None)
+    motion = solve_motion(plan)
     exponents = (
         [rate_follows_unevenness(scene.roughness.exponent, motion)]
-        if isinstance(motion, RattlingMotion)
+        if "rattling" in motion.finding_groups
         else []
     )
     heights = (
@@ -604,7 +602,7 @@ def limits_record() -> Record:
         Number(value=end, unit="dB") for end in STEEP_RADIATION_ERROR_RANGE_DB
     )
     for name in ("toy", "thorne"):
-        decision = decide_film(load_scene(name))
+        decision = plan_motion(load_scene(name)).film_decision
         numbers[f"{name}_film_from"] = Number(value=decision.inclination, unit="rad")
     return Record(
         command="python docs/article/measure.py --only limits",

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,14 +11,7 @@ from numpy.typing import ArrayLike
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import mobility
 from dynamics.compliant.law.roughness import profiles
-from dynamics.compliant.law.tabulated import SeriesLawTable
-from dynamics.compliant.model_inputs import (
-    contact_law_table,
-    edge_flexibility,
-    final_contact_inclination,
-    is_two_way,
-    step_rate,
-)
+from dynamics.compliant.model_inputs import final_contact_inclination
 from dynamics.compliant.model_selection import release_force
 from dynamics.compliant.state_conversion import (
     columns,
@@ -39,7 +32,6 @@ from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.disk import Disk
 from dynamics.dissipation import power_laws
 from dynamics.face_contact import face_events, outcome_when_flat
-from dynamics.film.activation import decide_film
 from dynamics.film.wedge import Film
 from dynamics.motion import (
     CAUSES,
@@ -57,7 +49,7 @@ from dynamics.rigid_motion import FORCE_HARMONICS
 from dynamics.switching import ImpossibleContactError
 
 if TYPE_CHECKING:
-    from dynamics.sections import MotionScene
+    from dynamics.motion_plan import MotionPlan
 
 FORCE_SAMPLE_RATE = 1e5
 """Number of mean forces stored per second of motion."""
@@ -92,6 +84,8 @@ class CompliantMotion(MotionBase):
 
     Attributes
     ----------
+    plan : MotionPlan
+        The decisions of the motion.
     model : CompliantModel
         Disk and contact.
     dt : float
@@ -110,6 +104,7 @@ class CompliantMotion(MotionBase):
         Outcome of the motion.
     """
 
+    plan: "MotionPlan"
     model: CompliantModel
     dt: float
     impulses: np.ndarray
@@ -153,6 +148,15 @@ class CompliantMotion(MotionBase):
     def moves_table(self) -> bool:
         """True if the modes of the table are coupled to the disk."""
         return self.model.modes is not None
+
+    @cached_property
+    def vibration_crossover(self) -> float:
+        """Half the contact resonance [Hz] under the weight at the release."""
+        table = self.plan.law_table
+        assert table is not None  # the contact is elastic
+        first = self.state[:1, 1]
+        resonance = table.contact_resonance(first, self.disk.weight, 0.0)
+        return float(resonance.frequency[0]) / 2
 
     @property
     def integrator(self) -> str:
@@ -407,22 +411,19 @@ def _is_within(spans: np.ndarray, t: ArrayLike) -> np.ndarray:
 
 
 def solve_compliant_motion(
-    scene: "MotionScene",
+    plan: "MotionPlan",
     watch: Callable[[float, float, str], None],
-    surface_modes: Any,
     begin: tuple[np.ndarray, np.ndarray] | None = None,
     max_energy: float = np.inf,
 ) -> CompliantMotion:
-    """Solve the full compliant motion of a scene from its release.
+    """Solve the full compliant motion of a plan from its release.
 
     Parameters
     ----------
-    scene : "MotionScene"
-        Scene with an elastic contact.
+    plan : MotionPlan
+        Plan with an elastic contact that is solved in full.
     watch : callable
         Progress callback, as in `dynamics.simulate`.
-    surface_modes : modal.SurfaceModes, optional
-        Modes of the table, for two-way coupling.
     begin : tuple of (11,) and (3,) arrays, optional
         COLUMNS and force [N] at the start; default: those of the release.
     max_energy : float
@@ -436,16 +437,14 @@ def solve_compliant_motion(
     Raises
     ------
     ValueError
-        If a profile cannot be read, or if two-way coupling lacks the modes of the
-        table.
+        If a profile cannot be read.
     ImpossibleContactError
         If the table bends by more than the radius of the disk, or if the energy is
         insufficient to bend it.
     """
-    modes = surface_modes if is_two_way(scene) else None
-    if is_two_way(scene):
-        if modes is None:
-            raise ValueError("surface.action = 'motion': requires surface_modes")
+    scene = plan.scene
+    modes = plan.moving_modes
+    if modes is not None:
         radius = scene.disk.radius
         sag = modes.compliance(radius) * scene.disk.weight
         if sag > radius:
@@ -453,24 +452,31 @@ def solve_compliant_motion(
                 f"linear theory does not apply: the weight of the disk would bend the table by "
                 f"{sag:.3g} m, more than the radius of the disk, {radius:g} m"
             )
-    model = compliant_model(scene, modes)
+    model = compliant_model(plan)
     final_inclination = (
         FLAT_INCLINATION
         if modes is not None or model.imperfection is not None
-        else final_contact_inclination(scene)
+        else final_contact_inclination(plan.final_inclination)
     )
     if begin is None:
         tilt = np.radians(scene.release.inclination_deg)
         begin = (
             np.concatenate([[0.0, tilt, 0, 0, 0], scene.release.omega, [0, 0, 0]]),
-            release_force(scene),
+            release_force(plan),
         )
     return simulate_from(
-        model, *begin, scene.numerics.time_limit, final_inclination, watch, max_energy
+        plan,
+        model,
+        *begin,
+        scene.numerics.time_limit,
+        final_inclination,
+        watch,
+        max_energy,
     )
 
 
 def simulate_from(
+    plan: "MotionPlan",
     model: CompliantModel,
     state: np.ndarray,
     force: np.ndarray,
@@ -479,7 +485,7 @@ def simulate_from(
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
     max_energy: float = np.inf,
 ) -> CompliantMotion:
-    """Simulate a model from COLUMNS (11,) `state` and a force (3,) [N].
+    """Simulate a model of a plan from COLUMNS (11,) `state` and a force (3,) [N].
 
     The motion ends at the time `stop` [s] or at `final_inclination` [rad]. The total
     energy of disk, springs and table is at most `max_energy` [J] at the start. Raises
@@ -532,6 +538,7 @@ def simulate_from(
     written = written[: max(end, 1) + 1]
     last = len(written) - 1
     motion = CompliantMotion(
+        plan=plan,
         model=model,
         dt=dt,
         impulses=impulses.rows()[: FORCES_PER_ROW * last + 1],
@@ -547,27 +554,28 @@ def simulate_from(
     return motion
 
 
-def compliant_model(scene: "MotionScene", modes: Any) -> CompliantModel:
-    """Return the model of a scene, coupled to the `modes` of its table if given."""
+def compliant_model(plan: "MotionPlan") -> CompliantModel:
+    """Return the model of a plan, coupled to the modes of its table if they move."""
+    scene = plan.scene
+    modes = plan.moving_modes
     dissipation = scene.dissipation
     disk = scene.disk
     bends = modes is not None  # the modes of the disk are coupled as well
     return CompliantModel(
-        table=contact_law_table(
-            scene,
-            SeriesLawTable,
+        table=replace(
+            plan.series_law_table,
             max_moving_frequency=MAX_MOVING_MODE_FREQUENCY * bends,
         ),
         friction=scene.friction,
         powers=tuple(power_laws(dissipation, disk)),
         viscous=(dissipation.viscous_moment, dissipation.viscous_force),
         profiles=profiles(scene.roughness, disk.radius),
-        film=decide_film(scene).film,
+        film=plan.film,
         friction_is_fitted=scene.roughness is not None
         and scene.roughness.loss == "fitted",
         modes=modes,
         disk_modes=moving_rim_modes(
-            edge_flexibility(scene),
+            plan.series_law_table.edge,
             scene.material.loss_factor,
         )
         if bends
@@ -575,7 +583,7 @@ def compliant_model(scene: "MotionScene", modes: Any) -> CompliantModel:
         imperfection=scene.imperfection,
         bowl_curvature=scene.surface.curvature,
         bowl_place=scene.surface.place,
-        rate=step_rate(scene),
+        rate=plan.step_rate,
     )
 
 

@@ -1,6 +1,5 @@
 """Contact law and step rate of a scene, and validation of its contact."""
 
-from functools import lru_cache
 from math import radians
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +9,8 @@ from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, Contac
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.sections import require_resolved_waves
 from dynamics.compliant.law.tabulated import LawTable
-from dynamics.film.activation import final_inclination
+from dynamics.film.activation import decide_film, final_inclination
+from dynamics.scene_constants import scene_constants
 
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
@@ -32,11 +32,13 @@ def contact_law_table(
     """Return the tabulated contact law of a scene.
 
     If the disk is elastic, it includes the flexibility of the edge without the modes
-    below `max_moving_frequency` [Hz]. The tables are cached and shared by threads.
+    below `max_moving_frequency` [Hz].
     """
-    law = contact_law(scene)
-    edge = edge_flexibility(scene)
-    return _tabulated(kind, law, edge, max_moving_frequency)  # type: ignore[arg-type]
+    return kind(
+        law=contact_law(scene),
+        edge=edge_flexibility(scene),
+        max_moving_frequency=max_moving_frequency,
+    )
 
 
 def edge_flexibility(scene: "MotionScene") -> Any:
@@ -44,43 +46,33 @@ def edge_flexibility(scene: "MotionScene") -> Any:
     return scene.elastic_edge if scene.contact.body == "elastic" else None
 
 
-@lru_cache(maxsize=16)
-def _tabulated(
-    kind: type[LawTable], law: ContactLaw, edge: Any, max_moving_frequency: float
-) -> LawTable:
-    return kind(law=law, edge=edge, max_moving_frequency=max_moving_frequency)
-
-
-def final_contact_inclination(scene: "MotionScene") -> float:
+def final_contact_inclination(final_inclination: float) -> float:
     """Return the final inclination [rad] of a disk on its elastic contact."""
-    return max(final_inclination(scene), MIN_CONTACT_INCLINATION)
+    return max(final_inclination, MIN_CONTACT_INCLINATION)
 
 
-def is_two_way(scene: "MotionScene") -> bool:
-    """Return True if a scene requests two-way coupling from the release."""
-    return scene.surface.action == "motion"
-
-
-def step_rate(scene: "MotionScene") -> float:
+def step_rate(scene: "MotionScene", final_inclination: float) -> float:
     """Return the steps per second of the full model.
 
     The rate is that of the accuracy level, or a higher one for a stiff contact.
     """
     return scene.numerics.contact_rate or max(
         scene.numerics.level.contact_rate,
-        min_step_rate(scene),
+        min_step_rate(scene, final_inclination),
     )
 
 
-def min_step_rate(scene: "MotionScene") -> float:
+def min_step_rate(scene: "MotionScene", final_inclination: float) -> float:
     """Return the smallest admissible step rate [1/s] of the full model.
 
     It is determined by the last inclination. On a coupled or wavy table, the disk
     passes through all inclinations before it comes to rest.
     """
-    moves = is_two_way(scene) or scene.imperfection
+    moves = scene.surface.action == "motion" or scene.imperfection
     min_inclination = (
-        MIN_CONTACT_INCLINATION if moves else final_contact_inclination(scene)
+        MIN_CONTACT_INCLINATION
+        if moves
+        else final_contact_inclination(final_inclination)
     )
     return float(required_step_rate(contact_law(scene), np.array([min_inclination]))[0])
 
@@ -133,12 +125,14 @@ def check_contact(scene: "MotionScene") -> None:
             scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0])
         )
         check_roughness(scene.roughness, scene.disk.radius)
-    if beta <= final_contact_inclination(scene):
+    film = decide_film(scene, scene_constants(scene)).film
+    final = final_inclination(scene, film)
+    if beta <= final_contact_inclination(final):
         raise ValueError(
             f"release.inclination_deg = {scene.release.inclination_deg:g}: must exceed the final inclination"
         )
     rate = scene.numerics.contact_rate
-    if rate is not None and rate < (required_rate := min_step_rate(scene)):
+    if rate is not None and rate < (required_rate := min_step_rate(scene, final)):
         raise ValueError(
             f"numerics.contact_rate = {rate:g}: too low for the stiffness of the contact, must be at least "
             f"{required_rate:.4g} 1/s"

@@ -1,7 +1,7 @@
 """Selection of the contact model: a linear filter, or the full compliant motion."""
 
 from math import radians
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.integrate import trapezoid
@@ -10,21 +10,19 @@ from dynamics.compliant.law.linear_response import predicted_power, predicted_rm
 from dynamics.compliant.law.unevenness import unevenness
 from dynamics.compliant.model_inputs import (
     contact_law,
-    contact_law_table,
     final_contact_inclination,
-    is_two_way,
     reason_against_rattling,
 )
 from dynamics.disk import Disk
-from dynamics.film.activation import airborne_inclination, non_contact_loads
 from dynamics.quasi_steady import steady_power
 from dynamics.regime import Branch
 from dynamics.rolling import RollingDisk, initial_state
-from dynamics.scene_constants import scene_constants
 from dynamics.steady_motion import steady_precession
 from dynamics.switching import ImpossibleContactError, contact_at_release
 
 if TYPE_CHECKING:
+    from dynamics.compliant.law.tabulated import LawTable
+    from dynamics.motion_plan import ContactModel, MotionBasis
     from dynamics.sections import MotionScene
 
 LIFT_OFF_FORCE_RMS = 0.3
@@ -34,38 +32,19 @@ MAX_ROLLING_CURVATURE_NUMBER = 0.25
 rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
 
 
-class ModelChoice(NamedTuple):
-    """Contact model of a scene.
+def choose_contact_model(
+    basis: "MotionBasis", table: "LawTable"
+) -> tuple["ContactModel", str]:
+    """Select the model of an elastic contact on a plane table, with the reason.
 
-    Attributes
-    ----------
-    kind : str
-        'rigid', 'filter', 'full' or 'many'.
-    reason : str
-        Reason for the choice.
+    It is the model requested by `numerics.contact`, or else the simplest sufficient one.
     """
-
-    kind: str
-    reason: str
-
-
-def choose_contact_model(scene: "MotionScene") -> ModelChoice:
-    """Select the contact model of a scene; see `numerics.contact`."""
     # fraction of the energy dissipated by roughness above which it affects the motion
     min_roughness_share = 0.05
     # fraction of the static friction at the release above which nutation may cause slip
     max_friction_use = 0.8
-    if scene.numerics.contact == "many":
-        return ModelChoice("many", "numerics.contact = 'many'")
-    if scene.imperfection:
-        return ModelChoice("full", "imperfection: the table is wavy")
-    coupled = ModelChoice(
-        "full", "surface.action = 'motion': the table is coupled to the disk"
-    )
-    if scene.contact.law == "rigid":
-        rigid = ModelChoice("rigid", "contact.law = 'rigid'")
-        return coupled if is_two_way(scene) else rigid
-    kappa, rattles_at = greatest_curvature_number(scene)
+    scene = basis.scene
+    kappa, rattles_at = greatest_curvature_number(basis)
     uneven = kappa > MAX_ROLLING_CURVATURE_NUMBER
     if uneven:
         bumpy = (
@@ -74,10 +53,10 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         )
         obstacle = reason_against_rattling(scene)
         if scene.numerics.contact == "auto" and not obstacle:
-            return ModelChoice("many", bumpy)
-    if is_two_way(scene):
-        return coupled
-    beta, share = predicted_vibration(scene)
+            return "many", bumpy
+    if scene.surface.action == "motion":
+        return "full", "surface.action = 'motion': the table is coupled to the disk"
+    beta, share = predicted_vibration(basis, table)
     above = share > LIFT_OFF_FORCE_RMS
     predicted = float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
@@ -86,7 +65,7 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         if predicted
         else "table and edge are smooth"
     )
-    kind = "full"
+    kind: ContactModel = "full"
     if scene.numerics.contact != "auto":
         kind = scene.numerics.contact
         reason = f"numerics.contact = '{scene.numerics.contact}'; {expected}"
@@ -95,9 +74,9 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
             f"{expected}, more than {LIFT_OFF_FORCE_RMS:g} below {below:.2g} rad, "
             "where contact is lost"
         )
-    elif (takes := roughness_energy_share(scene)) > min_roughness_share:
+    elif (takes := roughness_energy_share(basis, table)) > min_roughness_share:
         reason = f"{expected}; roughness dissipates {takes:.0%} of the energy, in addition to friction"
-    elif (used := friction_utilisation(scene)) > max_friction_use:
+    elif (used := friction_utilisation(basis)) > max_friction_use:
         reason = (
             f"{expected}, but the friction at the release is {used:.0%} of its static limit: "
             "slip excites the contact"
@@ -110,18 +89,19 @@ def choose_contact_model(scene: "MotionScene") -> ModelChoice:
         reason += f"; WARNING: {bumpy}" + f" (contact anywhere: {obstacle})" * bool(
             obstacle
         )
-    return ModelChoice(kind, reason)
+    return kind, reason
 
 
-def greatest_curvature_number(scene: "MotionScene") -> tuple[float, float]:
+def greatest_curvature_number(basis: "MotionBasis") -> tuple[float, float]:
     """Return the largest curvature number and its inclination [rad].
 
     See `curvature_number` and `sampled_inclinations`.
     """
+    scene = basis.scene
     if scene.roughness is None:
         return 0.0, 0.0
     law = contact_law(scene)
-    inclinations = sampled_inclinations(scene)
+    inclinations = sampled_inclinations(basis)
     found = [
         unevenness(scene.disk, law, scene.roughness, beta).curvature_number
         for beta in inclinations
@@ -130,40 +110,40 @@ def greatest_curvature_number(scene: "MotionScene") -> tuple[float, float]:
     return found[greatest], float(inclinations[greatest])
 
 
-def predicted_vibration(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
+def predicted_vibration(
+    basis: "MotionBasis", table: "LawTable"
+) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in steady motion.
 
     See `sampled_inclinations`.
     """
-    beta, speed = steady_motions(scene)
+    scene = basis.scene
+    beta, speed = steady_motions(basis)
     if scene.roughness is None:
         return beta, np.zeros(len(beta))
     weight = scene.disk.weight
-    rms = predicted_rms(contact_law_table(scene), scene.roughness, beta, weight, speed)
+    rms = predicted_rms(table, scene.roughness, beta, weight, speed)
     return beta, rms / weight
 
 
-def roughness_energy_share(scene: "MotionScene") -> float:
+def roughness_energy_share(basis: "MotionBasis", table: "LawTable") -> float:
     """Return the fraction of the energy dissipated by roughness in quasi-steady motion.
 
     It is 0 if the friction was measured on the rough surface and already includes this
     loss.
     """
+    scene = basis.scene
     if scene.roughness is None or scene.roughness.loss == "fitted":
         return 0.0
     disk = scene.disk
-    law = scene_constants(scene)
-    loads = non_contact_loads(scene)
-    beta, speed = steady_motions(scene)
+    beta, speed = steady_motions(basis)
     flat = np.array([flat_precession_rate(disk, b) for b in beta])
     exists = np.array([steady_precession_rate(scene, b) for b in beta]) != flat
     beta = beta[exists]
     speed = speed[exists]
-    rough = predicted_power(
-        contact_law_table(scene), scene.roughness, beta, disk.weight, speed
-    )
+    rough = predicted_power(table, scene.roughness, beta, disk.weight, speed)
     friction = (
-        np.array([steady_power(b, law, loads) for b in beta])
+        np.array([steady_power(b, basis.constants, basis.loads) for b in beta])
         * disk.mass
         * disk.radius**2
         / disk.time_unit**3
@@ -172,24 +152,23 @@ def roughness_energy_share(scene: "MotionScene") -> float:
     return float(trapezoid(rough / (rough + friction), -beta) / np.ptp(beta))
 
 
-def steady_motions(scene: "MotionScene") -> tuple[np.ndarray, np.ndarray]:
+def steady_motions(basis: "MotionBasis") -> tuple[np.ndarray, np.ndarray]:
     """Return decreasing inclinations [rad] and steady contact speeds [m/s]."""
-    beta = sampled_inclinations(scene)
-    rate = np.array([steady_precession_rate(scene, b) for b in beta])
-    return beta, -contact_law(scene).place(beta).f * rate
+    beta = sampled_inclinations(basis)
+    rate = np.array([steady_precession_rate(basis.scene, b) for b in beta])
+    return beta, -contact_law(basis.scene).place(beta).f * rate
 
 
-def sampled_inclinations(scene: "MotionScene") -> np.ndarray:
+def sampled_inclinations(basis: "MotionBasis") -> np.ndarray:
     """Return 16 inclinations [rad] from the release to the end.
 
     The last one is the final inclination of the scene, or that at which the air film
     supports the disk, if it is higher.
     """
     count = 16
-    first = radians(scene.release.inclination_deg)
-    last = max(
-        final_contact_inclination(scene), min(airborne_inclination(scene), first / 2)
-    )
+    first = radians(basis.scene.release.inclination_deg)
+    final = final_contact_inclination(basis.final_inclination)
+    last = max(final, min(basis.film_decision.airborne_inclination, first / 2))
     return np.geomspace(first, last, count)
 
 
@@ -212,22 +191,22 @@ def flat_precession_rate(disk: Disk, beta: float) -> float:
     return (4.0 / np.sin(beta)) ** 0.5 / disk.time_unit
 
 
-def friction_utilisation(scene: "MotionScene") -> float:
+def friction_utilisation(basis: "MotionBasis") -> float:
     """Return |F|/(mu_s N) at the release; 0 without friction."""
-    f1, f2, N = release_force(scene)
-    most = scene.friction.mu_static * N
+    f1, f2, N = release_force(basis)
+    most = basis.scene.friction.mu_static * N
     return float(np.hypot(f1, f2) / most) if most > 0 else 0.0
 
 
-def release_force(scene: "MotionScene") -> np.ndarray:
+def release_force(basis: "MotionBasis") -> np.ndarray:
     """Return the force (3,) [N] along a_1, a_2 and the normal at the release.
 
     This is the force on a rigid disk, or the weight if no contact force satisfies the
     balance laws.
     """
-    disk = scene.disk
-    law = scene_constants(scene)
-    loads = non_contact_loads(scene)
+    disk = basis.scene.disk
+    law = basis.constants
+    loads = basis.loads
     system = RollingDisk(
         law=law,
         loads=loads,
@@ -236,7 +215,7 @@ def release_force(scene: "MotionScene") -> np.ndarray:
         tolerance=0.0,
     )
     try:
-        start = system.begin(initial_state(disk, scene.release))
+        start = system.begin(initial_state(disk, basis.scene.release))
     except ImpossibleContactError:
         return np.array([0.0, 0.0, disk.weight])
     branch = Branch.of(start.regime, law, loads)

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.compliant.compliant_motion import CompliantMotion, solve_compliant_motion
-from dynamics.compliant.law.sections import SwitchedContact
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.disk import Disk
 from dynamics.face_contact import face_events
@@ -27,48 +26,39 @@ from dynamics.motion import (
 )
 
 if TYPE_CHECKING:
-    from dynamics.sections import MotionScene
+    from dynamics.motion_plan import MotionPlan
 
 
 def solve_switched(
-    scene: "MotionScene",
-    inclination: float,
+    plan: "MotionPlan",
     solve_passive: Callable[..., Motion],
     watch: Callable[..., None],
-    modes: Any,
 ) -> Motion:
-    """Solve a scene with two-way coupling below an inclination [rad].
+    """Solve a motion with two-way coupling below the inclination of its plan.
 
-    Above it, `solve_passive(scene)` solves the motion, which is returned unchanged if
-    it does not reach this inclination. A rigid contact becomes elastic at the switch. If
-    the release is not above the inclination, the whole motion is coupled.
+    Above it, `solve_passive(plan, watch)` solves the motion, which is returned unchanged
+    if it does not reach this inclination. A rigid contact becomes elastic at the switch.
+    If the release is not above the inclination, the whole motion is coupled.
     """
-    contact = scene.contact
-    if contact.law == "rigid":
-        contact = SwitchedContact(**{**vars(contact), "law": "elastic"})
-    coupled = scene.part(
-        contact=contact,
-        roughness=None,  # it has no effect on a rigid contact, and a rough elastic contact does not switch
-        surface=replace(scene.surface, action="motion"),  # type: ignore[arg-type]
-    )
-    if inclination >= np.radians(scene.release.inclination_deg):
-        return solve_compliant_motion(coupled, watch, modes)
-    short = replace(scene.numerics, final_inclination=inclination)
-    first = solve_passive(scene.part(numerics=short))
+    numerics = plan.scene.numerics
+    inclination = plan.two_way.inclination
+    if inclination >= np.radians(plan.scene.release.inclination_deg):
+        return solve_compliant_motion(plan.coupled_part(), watch)
+    short = replace(numerics, final_inclination=inclination)
+    first = solve_passive(plan.part(numerics=short), watch)
     if first.outcome not in (Outcome.SETTLED, Outcome.SANK):
         return first
     t = float(first.t[-1])
-    left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
+    left = replace(numerics, time_limit=numerics.time_limit - t)
     state, force = first.at_and_force(t)
     held = float(first.energy(t)[0])
     then = solve_compliant_motion(
-        coupled.part(numerics=left),
+        plan.coupled_part(numerics=left),
         lambda now, *rest: watch(t + now, *rest),
-        modes,
         (state[0], force[0]),
         held,
     )
-    return SwitchedMotion(first, then, then.outcome)
+    return SwitchedMotion(plan, first, then, then.outcome)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +69,7 @@ class SwitchedMotion(MotionBase):
     counted as dissipated.
     """
 
+    plan: "MotionPlan"
     passive_part: Motion
     coupled_part: CompliantMotion
     outcome: Outcome
@@ -122,6 +113,19 @@ class SwitchedMotion(MotionBase):
     def moves_table(self) -> bool:
         """False, because the table moves only in the coupled part."""
         return False
+
+    @cached_property
+    def vibration_crossover(self) -> float | None:
+        """Half the contact resonance [Hz] under the weight at the release.
+
+        It is None for a motion that begins on a rigid contact.
+        """
+        table = self.plan.law_table
+        if table is None:
+            return None
+        first = self.state[:1, 1]
+        resonance = table.contact_resonance(first, self.disk.weight, 0.0)
+        return float(resonance.frequency[0]) / 2
 
     @property
     def integrator(self) -> str:

@@ -1,19 +1,17 @@
 """Decide from a scene whether its motion includes the air film."""
 
-from functools import lru_cache
 from math import asin, inf, isfinite, radians, sin
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from dynamics.air import Air
 from dynamics.disk import Disk, Release
-from dynamics.dissipation import Dissipation, OwnLaw, combined_loads, resistance_of
+from dynamics.dissipation import Dissipation, resistance_of
 from dynamics.equations import DiskConstants
 from dynamics.film.wedge import Film, film_under
 from dynamics.kinematics import energy
 from dynamics.quasi_steady import steady_power
-from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from dynamics.steady_motion import max_steady_inclination, steady_omega
 
@@ -43,16 +41,20 @@ class FilmDecision(NamedTuple):
         power.
     inclination : float
         Inclination [rad] at this time.
+    airborne_inclination : float
+        Predicted inclination [rad] below which the film supports the disk; 0 if it never
+        does.
     """
 
     film: Film | None
     reason: str
     time: float = inf
     inclination: float = 0.0
+    airborne_inclination: float = 0.0
 
 
-def decide_film(scene: "MotionScene") -> FilmDecision:
-    """Decide whether the motion of a scene includes the air film.
+def decide_film(scene: "MotionScene", constants: DiskConstants) -> FilmDecision:
+    """Decide whether the motion of a scene with these constants includes the air film.
 
     Raises ValueError if the film is requested but impossible.
     """
@@ -70,12 +72,12 @@ def decide_film(scene: "MotionScene") -> FilmDecision:
         )
     if why:
         return FilmDecision(None, why)
-    law = scene_constants(scene)
-    end = scene.numerics.stopping_inclination(disk)
-    time, inclination = _film_onset(law, disk, air, dissipation, scene.release, end)
     film = film_under(disk, air, scene.surface.curvature)
+    descent = _quasi_steady_descent(scene, film, constants)
+    time, inclination = _film_onset(descent, disk, scene.release, constants)
+    onset = time, inclination, _airborne_inclination(descent, film, constants)
     if acts:
-        return FilmDecision(film, "air.film = 'acts'", time, inclination)
+        return FilmDecision(film, "air.film = 'acts'", *onset)
     forecast = (
         f"it is predicted to dissipate {MIN_RELEVANT_SHARE:.0%} of the power from {time:.3g} s on, "
         f"below {inclination:.2g} rad"
@@ -88,7 +90,7 @@ def decide_film(scene: "MotionScene") -> FilmDecision:
     # Impacts bring a rattling disk to rest earlier than predicted
     if time >= scene.numerics.time_limit and scene.numerics.contact != "many":
         return FilmDecision(None, f"{forecast}, after the time limit", time)
-    return FilmDecision(film, forecast, time, inclination)
+    return FilmDecision(film, forecast, *onset)
 
 
 def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
@@ -104,14 +106,14 @@ def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
     )
 
 
-def final_inclination(scene: "MotionScene") -> float:
+def final_inclination(scene: "MotionScene", film: Film | None) -> float:
     """Return the inclination [rad] at which the motion of a scene counts as settled.
 
     It is determined by the numerics of the scene. With an air film, it is at least the
     inclination at which the Knudsen number equals MAX_KNUDSEN_NUMBER.
     """
     settled = scene.numerics.stopping_inclination(scene.disk)
-    if decide_film(scene).film is None:
+    if film is None:
         return settled
     return max(settled, rarefied_inclination(scene.disk, scene.air, MAX_KNUDSEN_NUMBER))
 
@@ -119,18 +121,6 @@ def final_inclination(scene: "MotionScene") -> float:
 def rarefied_inclination(disk: Disk, air: Air, knudsen: float) -> float:
     """Return the inclination [rad] at which the Knudsen number is `knudsen`."""
     return asin(min(1.0, air.mean_free_path / (knudsen * disk.radius)))
-
-
-def non_contact_loads(scene: "MotionScene", own: OwnLaw | None = None) -> Any:
-    """Return the loads on the disk other than those of the contact, or None.
-
-    They are those of the air film and of the dissipation of the scene, which an `own`
-    law replaces.
-    """
-    return combined_loads(
-        own or resistance_of(scene.dissipation, scene.disk),
-        decide_film(scene).film,
-    )
 
 
 def _film_free_reason(disk: Disk, air: Air, dissipation: Dissipation) -> str:
@@ -144,28 +134,55 @@ def _film_free_reason(disk: Disk, air: Air, dissipation: Dissipation) -> str:
     return ""
 
 
-@lru_cache(64)
+class _Descent(NamedTuple):
+    """Quasi-steady motion at decreasing inclinations (k,) [rad], dimensionless.
+
+    The powers (k,) are those dissipated by the film and in total.
+    """
+
+    inclination: np.ndarray
+    omega_3: np.ndarray
+    energy: np.ndarray
+    film_power: np.ndarray
+    power: np.ndarray
+
+
+def _quasi_steady_descent(
+    scene: "MotionScene", film: Film, constants: DiskConstants
+) -> _Descent:
+    """Return quasi-steady motion at 200 decreasing inclinations."""
+    inclination_count = 200
+    disk = scene.disk
+    end = scene.numerics.stopping_inclination(disk)
+    others = resistance_of(scene.dissipation, disk)
+    steepest = 0.9 * max_steady_inclination(constants.h, constants.K, constants.fillet)
+    beta = np.geomspace(steepest, min(end, steepest / 2), inclination_count)
+    omega = np.array([steady_omega(b, constants) for b in beta]).T
+    film_power = film.rotation_and_fall_powers(beta, omega)[0]
+    other_power = np.array([steady_power(b, constants, others) for b in beta])
+    return _Descent(
+        beta,
+        omega[2],
+        energy(beta, omega, (0.0, 0.0), constants),
+        film_power,
+        film_power + other_power,
+    )
+
+
 def _film_onset(
-    law: DiskConstants,
-    disk: Disk,
-    air: Air,
-    dissipation: Dissipation,
-    release: Release,
-    end: float,
+    descent: _Descent, disk: Disk, release: Release, constants: DiskConstants
 ) -> tuple[float, float]:
     """Return the time [s] and inclination [rad] at which MIN_RELEVANT_SHARE is reached.
 
     They are predicted by quasi-steady motion that starts with the energy of the
     release, or from the steepest steady motion if that energy is larger.
     """
-    _, beta, _, energies, film_power, power = _quasi_steady_descent(
-        law, disk, air, dissipation, end
-    )
+    beta, _, energies, film_power, power = descent
     release_energy = energy(
         radians(release.inclination_deg),
         np.array(release.omega) * disk.time_unit,
         (0.0, 0.0),
-        law,
+        constants,
     )
     time = np.concatenate(
         [[0.0], np.cumsum(np.diff(-energies) * (1 / power[1:] + 1 / power[:-1]) / 2)]
@@ -179,43 +196,11 @@ def _film_onset(
     return float(max(delay, 0.0) * disk.time_unit), float(beta[index])
 
 
-def airborne_inclination(scene: "MotionScene") -> float:
-    """Return the predicted inclination [rad] below which the film supports the disk.
-
-    It is 0 if the film never supports the weight.
-    """
-    if decide_film(scene).film is None:
-        return 0.0
-    end = scene.numerics.stopping_inclination(scene.disk)
-    law = scene_constants(scene)
-    film, beta, turning, held, _, power = _quasi_steady_descent(
-        law, scene.disk, scene.air, scene.dissipation, end
-    )
-    lift = film.moments_at(beta, (power / np.gradient(held, beta), None, turning))[2]
-    return float(beta[lift > (law.K + 4) / 4].max(initial=0.0))
-
-
-def _quasi_steady_descent(
-    law: DiskConstants, disk: Disk, air: Air, dissipation: Dissipation, end: float
-) -> tuple[Any, ...]:
-    """Return quasi-steady motion at 200 decreasing inclinations.
-
-    The results are the film, the inclinations [rad], and the dimensionless omega_3,
-    energy, power dissipated by the film, and total power.
-    """
-    inclination_count = 200
-    film = film_under(disk, air, law.bowl / disk.radius)
-    others = resistance_of(dissipation, disk)
-    steepest = 0.9 * max_steady_inclination(law.h, law.K, law.fillet)
-    beta = np.geomspace(steepest, min(end, steepest / 2), inclination_count)
-    omega = np.array([steady_omega(b, law) for b in beta]).T
-    energies = energy(beta, omega, (0.0, 0.0), law)
-    film_power = film.rotation_and_fall_powers(beta, omega)[0]
-    return (
-        film,
-        beta,
-        omega[2],
-        energies,
-        film_power,
-        film_power + np.array([steady_power(b, law, others) for b in beta]),
-    )
+def _airborne_inclination(
+    descent: _Descent, film: Film, constants: DiskConstants
+) -> float:
+    """Return the greatest inclination [rad] at which the film supports the weight, or 0."""
+    beta = descent.inclination
+    falling = descent.power / np.gradient(descent.energy, beta)
+    lift = film.moments_at(beta, (falling, None, descent.omega_3))[2]
+    return float(beta[lift > (constants.K + 4) / 4].max(initial=0.0))

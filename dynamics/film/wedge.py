@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from dynamics.air import Air
 from dynamics.disk import Disk
+from dynamics.dissipation import laws_of
 from dynamics.equations import DiskConstants, Loads
 from dynamics.film.forces import (
     COMPRESSION_ONSET_NUMBER,
@@ -57,6 +58,11 @@ class Film(NamedTuple):
     def keeps_disk_off_table(self) -> bool:
         """True, because the pressure of a film diverges as the gap closes."""
         return True
+
+    @property
+    def laws(self) -> tuple["Film"]:
+        """The film as the only law of its loads."""
+        return (self,)
 
     def __call__(
         self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
@@ -185,5 +191,4 @@ def squeeze_number(beta: Any, nutation: ArrayLike, radius: float, air: Air) -> A
 
 def find_film(loads: Any) -> Film | None:
     """Return the `Film` among the loads of a motion, or None."""
-    every = getattr(loads, "laws", (loads,))
-    return next((law for law in every if isinstance(law, Film)), None)
+    return next((law for law in laws_of(loads) if isinstance(law, Film)), None)

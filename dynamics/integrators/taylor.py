@@ -8,7 +8,7 @@ from typing import Any
 import heyoka
 import numpy as np
 
-from dynamics.dissipation import Resistance
+from dynamics.dissipation import Resistance, laws_of
 from dynamics.equations import DiskConstants
 from dynamics.film.wedge import Film, find_film
 from dynamics.guards import Guard
@@ -105,10 +105,9 @@ class CompiledTaylor:
 
 def has_standard_loads_only(loads) -> bool:
     """Return True if there are no loads, or only an air film and perhaps a Resistance."""
-    laws = getattr(loads, "laws", (loads,))
     return loads is None or (
         bool(find_film(loads))
-        and all(isinstance(law, Film | Resistance) for law in laws)
+        and all(isinstance(law, Film | Resistance) for law in laws_of(loads))
     )
 
 

@@ -57,6 +57,8 @@ def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
 
     For a motion without a film, they apply to the film that the air of the scene would
     form."""
+    if "air" not in motion.finding_groups:
+        return []
     heard = [heard_through_film(sound)] if motion.film else []
     return motion_findings(scene, motion) + heard
 

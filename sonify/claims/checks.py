@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from dynamics import Disk, Motion
-from dynamics.rattling.rattling_motion import RattlingMotion
 from modal import Modes
 from sonify.claims.finding import JUDGE_BY_KEY, Judge, Need
 from sonify.scene import Scene
@@ -89,15 +88,11 @@ def energy_balance(motion: Motion):
     needs=("motion",),
     tolerance=1.0,
 )
-def rattling_energy_balance(motion: RattlingMotion):
+def rattling_energy_balance(motion: Motion):
     """The largest change of energy plus losses, relative to the initial energy and to
-    its limit.
-
-    The limit is 2e-5 for a million steps per second; measured values are 0.02e-5 to
-    0.6e-5."""
+    its limit `Motion.max_energy_error`."""
     total = motion.energy(motion.t) + motion.state[:, 10]
-    limit = 2e-5 * (1e6 / motion.model.rate) ** 2
-    return np.abs(total / total[0] - 1).max() / limit
+    return np.abs(total / total[0] - 1).max() / (motion.max_energy_error or 0.0)
 
 
 @check(
@@ -187,12 +182,11 @@ def no_sample_clipped(sound: Sound):
 
 def motion_checks(motion: Motion) -> list[Check]:
     """Return every check of a motion."""
-    rattles = isinstance(motion, RattlingMotion)
-    balance = [
-        rattling_energy_balance(motion) if rattles else energy_balance(motion),
-        dissipation_never_falls(motion),
-    ]
-    return [*balance, friction_cone(motion), pushing_contact(motion)]
+    balance = (
+        energy_balance if motion.max_energy_error is None else rattling_energy_balance
+    )
+    checks = (balance, dissipation_never_falls, friction_cone, pushing_contact)
+    return [judge(motion) for judge in checks]
 
 
 def mode_checks(scene: Scene, modes: Modes) -> list[Check]:

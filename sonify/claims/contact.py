@@ -16,10 +16,8 @@ from dynamics.compliant.law.linear_response import (
 )
 from dynamics.compliant.law.roughness import shift_of_contact
 from dynamics.compliant.law.statistical_linearisation import effective_load_factor
-from dynamics.compliant.law.tabulated import LawTable, SeriesLawTable
-from dynamics.compliant.model_inputs import contact_law_table
+from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_selection import LIFT_OFF_FORCE_RMS
-from dynamics.rattling.rattling_motion import RattlingMotion
 from sonify.claims.finding import (
     Finding,
     Measured,
@@ -100,9 +98,8 @@ def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
 
 def tabulated_law_of(scene: Scene, motion: Motion) -> LawTable:
     """Return the tabulated contact law that the motion of a scene uses."""
-    return contact_law_table(
-        scene, SeriesLawTable if motion.solves_contact else LawTable
-    )
+    plan = motion.plan
+    return plan.series_law_table if motion.solves_contact else plan.law_table
 
 
 def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
@@ -140,7 +137,7 @@ def contact_findings(
 
     Claims about the noise band require roughness. `known` is the analysis of the sound; its
     steady spectral lines are excluded from the noise band."""
-    if scene.contact.law == "rigid":
+    if scene.contact.law == "rigid" or "contact" not in motion.finding_groups:
         return [], []
     expected = predicted_vibration(scene, motion)
     marked = several_contacts_notes(expected.t, expected.shift)
@@ -447,7 +444,7 @@ def contact_resonance_curve(
 
     Returns None for a rigid contact and for a motion with several simultaneous
     contacts."""
-    if scene.contact.law == "rigid" or isinstance(motion, RattlingMotion):
+    if scene.contact.law == "rigid" or "contact" not in motion.finding_groups:
         return None
     point_count = 800  # enough for the oscillation with the nutation
     t = single_ellipse_times(motion, point_count)

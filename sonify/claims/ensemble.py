@@ -10,7 +10,6 @@ import numpy as np
 from dynamics import Motion, simulate
 from dynamics.compliant.compliant_motion import CompliantMotion, simulate_from
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
-from dynamics.rattling.rattling_motion import RattlingMotion
 from sonify.claims.air import final_loss_shares
 from sonify.claims.shares import Share, share_of
 from sonify.claims.two_way import losses_above_flat, two_way_part, two_way_start
@@ -102,15 +101,15 @@ def repeat_final_part(
     # Relative standard deviation of the perturbed angular velocities
     relative_perturbation = 1e-5
     random = np.random.default_rng(1)
-    table = motion.model.modes if isinstance(motion, RattlingMotion) else None
-    found = None if isinstance(motion, RattlingMotion) else two_way_part(motion)
-    begin = found[1] + two_way_start(scene, found[0]) if found else 0.0
+    found = two_way_part(motion) if "two-way" in motion.finding_groups else None
+    begin = found[1] + two_way_start(found[0]) if found else 0.0
     repeated: list[Motion] = []
     for i in range(count):
         factors = 1 + relative_perturbation * random.standard_normal(3)
         if found:
             repeated.append(repeat_two_way_part(scene, found[0], factors))
         else:
+            table = motion.plan.surface_modes
             repeated.append(repeat_from_release(scene, factors, table))
         watch((i + 1) / count)
     return ensemble_results(repeated, begin)
@@ -119,7 +118,7 @@ def repeat_final_part(
 def repeat_from_release(scene: Scene, factors, table: Any) -> Motion:
     """Return the motion with the released angular velocities multiplied by `factors` (3,).
 
-    `table` contains the modes of a table that moves with the disk.
+    `table` contains the modes of the table, or is None.
     """
     omega = tuple(np.multiply(scene.release.omega, factors).tolist())
     perturbed = replace(scene, release=replace(scene.release, omega=omega))
@@ -133,12 +132,12 @@ def repeat_two_way_part(
 
     Its initial angular velocities are multiplied by `factors` (3,).
     """
-    start = two_way_start(scene, part)
+    start = two_way_start(part)
     state = part.at([start])[0]
     state[5:8] *= factors
     force = part.force([start])[0]
     span = scene.numerics.time_limit - start
-    return simulate_from(part.model, state, force, span, FLAT_INCLINATION)
+    return simulate_from(part.plan, part.model, state, force, span, FLAT_INCLINATION)
 
 
 def ensemble_results(motions: list[Motion], begin: float) -> Ensemble:

@@ -2,11 +2,12 @@
 sound."""
 
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 from scipy.signal import welch
 
-from dynamics import Outcome
+from dynamics import Motion, Outcome
 from dynamics.compliant.law.unevenness import (
     precession_rate_exponent,
     restitution_of_patch,
@@ -30,6 +31,15 @@ FITTED_INSTANT_COUNT = 400
 
 
 def rattling_findings(
+    scene: Scene, motion: Motion, modes: Modes, sound: Sound
+) -> list[Finding]:
+    """Return the findings on a rattling motion and its sound; none on other motions."""
+    if "rattling" not in motion.finding_groups:
+        return []
+    return findings_on_rattling(scene, cast(RattlingMotion, motion), modes, sound)
+
+
+def findings_on_rattling(
     scene: Scene, motion: RattlingMotion, modes: Modes, sound: Sound
 ) -> list[Finding]:
     """Return the findings on a rattling motion and its sound."""
@@ -79,16 +89,16 @@ def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Measured:
     The margin assumes that the flights are independent events."""
     max_repeated_duration = 0.4  # s
     until = min(float(motion.t[-1]), max_repeated_duration)
-    table = motion.model.modes
+    numerics = replace(scene.numerics, time_limit=until)
     with_all, margin_with_all = open_share_until(motion, until)
-    short = scene.replace(f"numerics.time_limit={until}")
-    rigid = solve_rattling_motion(short.replace("contact.body=rigid"), modes=table)
+    body = replace(scene.contact, body="rigid")
+    rigid = solve_rattling_motion(motion.plan.part(numerics=numerics, contact=body))
     without_modes, margin_without_modes = open_share_until(rigid, until)
     smooth_rms = 1e-12  # m; too small to affect a contact
     smooth = scene.roughness and replace(
         scene.roughness, rms=smooth_rms, rms_edge=0.0, profile=None, profile_edge=None
     )
-    even = solve_rattling_motion(short.part(roughness=smooth), modes=table)
+    even = solve_rattling_motion(motion.plan.part(numerics=numerics, roughness=smooth))
     without_roughness, _ = open_share_until(even, until)
     opens = "vibration" if without_modes < with_all / 2 else "unevenness"
     details = {

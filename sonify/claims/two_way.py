@@ -7,7 +7,7 @@ contact is undecided if these reruns disagree."""
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,12 +19,11 @@ from dynamics.compliant.compliant_motion import (
 )
 from dynamics.compliant.state_conversion import preloaded_compliant_state
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, STATE
-from dynamics.compliant.two_way_onset import may_be_two_way, table_reaction
 from dynamics.observables import precession_rate
-from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.limits import ALMOST_FLAT_INCLINATION, FINAL_ENERGY_SHARE
+from sonify.runtime.progress import Watch
 from sonify.scene import Scene
 
 HALF_STEP = "half_step"
@@ -51,7 +50,7 @@ class EnergyBudget(NamedTuple):
     sound: np.ndarray
 
 
-def two_way_part(motion: Motion):
+def two_way_part(motion: Motion) -> tuple[Any, float] | None:
     """Return the part of a motion with two-way coupling and its start [s]; None without
     such a part."""
     return next(
@@ -89,7 +88,7 @@ def energy_budget(motion: Motion, t, heard=None) -> EnergyBudget:
 def motion_findings(
     scene: Scene,
     motion: Motion,
-    watch: Callable[[float], None] = lambda share: None,
+    watch: Watch = lambda share, note="": None,
 ) -> list[Finding]:
     """Return the findings on two-way coupling.
 
@@ -97,9 +96,9 @@ def motion_findings(
     to rest. `watch` receives the completed share of the reruns.
     """
     found = two_way_part(motion)
-    if isinstance(motion, RattlingMotion):
+    if "two-way" not in motion.finding_groups:
         return []
-    if motion.outcome is Outcome.AIRBORNE and may_be_two_way(scene):
+    if motion.outcome is Outcome.AIRBORNE and motion.plan.may_be_two_way:
         return [air_carries_earlier(scene, motion)]
     if found is None or not motion.outcome.lies_flat:
         return []
@@ -129,14 +128,14 @@ def motion_findings(
 def variation_runs(
     scene: Scene,
     part: CompliantMotion,
-    watch: Callable[[float], None] = lambda share: None,
+    watch: Watch = lambda share, note="": None,
 ) -> dict[str, CompliantMotion]:
     """Return reruns with half the time step and with twice the contact stiffness, by
     name.
 
     They start at the onset of two-way coupling. `watch` receives the completed share.
     """
-    start = two_way_start(scene, part)
+    start = two_way_start(part)
     span = scene.numerics.time_limit - start
     state = part.at([start])[0]
     force = part.force([start])[0]
@@ -150,7 +149,9 @@ def variation_runs(
         def show(t, inclination, doing):
             watch((number + min(t / expected, 1.0)) / len(models))
 
-        return simulate_from(model, state, force, span, FLAT_INCLINATION, show)
+        return simulate_from(
+            part.plan, model, state, force, span, FLAT_INCLINATION, show
+        )
 
     return {
         name: rerun(number, model)
@@ -178,13 +179,13 @@ def with_variation_margin(
     )
 
 
-def two_way_start(scene: Scene, part: CompliantMotion) -> float:
+def two_way_start(part: CompliantMotion) -> float:
     """Return the time [s] within a motion at which the reaction of the table becomes
     significant.
 
     The criterion is that of `dynamics.compliant.two_way_onset`; the time is 0 if it is
     met from the start."""
-    is_two_way = part.rows[:, 1] < table_reaction(scene, part.model.modes).inclination
+    is_two_way = part.rows[:, 1] < part.plan.two_way.inclination
     return float(is_two_way.argmax() * FORCES_PER_ROW * part.dt)
 
 
@@ -197,7 +198,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
     margin is MIN_RELEVANT_SHARE, the energy share of the table at the onset, times the
     duration."""
     part, _ = two_way_part(motion)
-    start = two_way_start(scene, part)
+    start = two_way_start(part)
     t, alone = motion_without_table_modes(scene, part)
     own_t = np.arange(len(part.rows)) * FORCES_PER_ROW * part.dt
     advance = [
@@ -221,7 +222,7 @@ def air_carries_earlier(scene: Scene, motion: Motion):
         return Measured(0.0, details={"acts_before_end": 0.0})
     part, _ = found
     t, _ = motion_without_table_modes(scene, part)
-    details = {"acts_before_end": part.t[-1] - two_way_start(scene, part)}
+    details = {"acts_before_end": part.t[-1] - two_way_start(part)}
     return Measured(t[-1] - part.t[-1], part.dt * FORCES_PER_ROW, details)
 
 
@@ -231,7 +232,7 @@ def motion_without_table_modes(scene: Scene, part: CompliantMotion):
 
     It starts at the onset of two-way coupling within `part`, with the same disk and
     contact."""
-    start = two_way_start(scene, part)
+    start = two_way_start(part)
     alone = replace(part.model, modes=None)
     y = preloaded_compliant_state(alone, part.at([start])[0], part.force([start])[0])
     span = max(scene.numerics.time_limit - start, 1e-3)
@@ -329,7 +330,7 @@ def times_towards_end(scene, motion):
     the end."""
     time_count = 4000
     part, begin = two_way_part(motion)
-    return np.linspace(begin + two_way_start(scene, part), motion.t[-1], time_count)
+    return np.linspace(begin + two_way_start(part), motion.t[-1], time_count)
 
 
 def final_energy_budget(scene, motion) -> EnergyBudget:

@@ -16,7 +16,7 @@ from dynamics.compliant.model_selection import (
     MAX_ROLLING_CURVATURE_NUMBER,
     greatest_curvature_number,
 )
-from dynamics.rattling.rattling_motion import RattlingMotion
+from dynamics.motion_plan import motion_basis
 from sonify.claims.contact import (
     contact_conditions,
     last_single_ellipse_time,
@@ -43,7 +43,7 @@ def simplest_scene(scene: Scene) -> Scene:
     even = replace(scene, imperfection=None)
     if even.numerics.contact == "many":
         return even
-    curvature = greatest_curvature_number(even)[0]
+    curvature = greatest_curvature_number(motion_basis(even))[0]
     if curvature > MAX_ROLLING_CURVATURE_NUMBER and not reason_against_rattling(even):
         return replace(even, numerics=replace(even.numerics, contact="many"))
     return replace(
@@ -56,12 +56,12 @@ def simplest_scene(scene: Scene) -> Scene:
 
 def verdict_findings(scene: Scene, motion: Motion) -> list[Finding]:
     """Return the findings that follow from the motion of `simplest_scene`."""
-    rattles = isinstance(motion, RattlingMotion)
+    has_single_contact = "contact" in motion.finding_groups
     found = [contact_breaks_before_end(scene, motion), air_carries_disk(motion)]
-    if scene.surface.kind != "rigid" and not (rattles and motion.moves_table):
+    if scene.surface.kind != "rigid" and (has_single_contact or not motion.moves_table):
         found.append(table_brings_end_forward(scene, motion))
     found.append(precession_rises(motion))
-    if scene.contact.law == "elastic" and not rattles:
+    if scene.contact.law == "elastic" and has_single_contact:
         found.append(resonance_rises(scene, motion))
     return found
 
@@ -98,8 +98,8 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
 def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
     """Return the greatest inclination [rad] at which predicted vibration breaks the
     contact, or 0."""
-    rattles = isinstance(motion, RattlingMotion)
-    if scene.roughness is None or scene.contact.law == "rigid" or rattles:
+    predicts = "contact" in motion.finding_groups and scene.contact.law == "elastic"
+    if scene.roughness is None or not predicts:
         return 0.0
     inclination, load, speed, _ = contact_conditions(motion, vibration_times(motion))
     table = tabulated_law_of(scene, motion)

@@ -5,25 +5,22 @@ Was the paper right?
 Print the table of the README from the findings of seven scenes. The last column is for
 the same scene with an air film under the disk."""
 
-from dynamics.compliant.two_way_onset import must_compute_table_modes
 from sonify import load_scene, solve
 from sonify.claims import air, two_way
 from sonify.claims.finding import Finding
 from sonify.claims.surface_summary import SURFACE_BY_SCENE, answer_table
-from sonify.plan.plan import plan_of
-from sonify.plan.preflight import check_solvable_scene, solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.preflight import (
+    motion_plan_with_table,
+    solvable_scene,
+    solve_motion,
+)
 
 
 def findings_in_air(name: str, accuracy: str) -> list[Finding]:
     """Return the findings on the motion of a scene with its air film."""
-    scene = check_solvable_scene(load_scene(name).replace("air.film=acts"), accuracy)
-    table = (
-        with_table(plan_of(scene), scene)[1]
-        if must_compute_table_modes(scene)
-        else None
-    )
-    motion = solve_motion(scene, table=table)
+    in_air = load_scene(name).replace("air.film=acts")
+    scene, plan = solvable_scene(in_air, accuracy)
+    motion = solve_motion(motion_plan_with_table(scene, plan))
     return [
         *air.motion_findings(scene, motion),
         *two_way.motion_findings(scene, motion),

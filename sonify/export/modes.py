@@ -5,7 +5,7 @@ from pathlib import Path
 
 from modal import as_faust, write_uff, write_vtu
 from sonify.export.scene_source import scene_to_export
-from sonify.pipeline import plan_with_modes
+from sonify.plan.preflight import solve_modes
 from sonify.runtime.files import atomic_write
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
@@ -45,9 +45,9 @@ def export_modes(
         If the scene cannot be solved or has no modes, if a package for the format is
         missing, or if the disk cannot be struck at this angle.
     """
-    scene = scene_to_export(scene)
+    scene, _ = scene_to_export(scene)
     _check_strike(scene, form, strike_deg)
-    _, modes = plan_with_modes(scene)
+    modes = solve_modes(scene)
     path = Path(out or f"{scene.name}.{SUFFIXES[form]}")
     strike = radians(180.0 if strike_deg is None else strike_deg)
     try:

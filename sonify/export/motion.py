@@ -1,24 +1,18 @@
 """Export the motion of a scene as an animated model or as a table."""
 
 import csv
-from collections.abc import Callable
 from math import ceil, isfinite
 from pathlib import Path
 
 import numpy as np
 
 from dynamics import Motion
-from dynamics.compliant.two_way_onset import must_compute_table_modes
 from dynamics.motion import COLUMNS, FORCE_COLUMNS
-from dynamics.progress import MotionProgress
-from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify.export.gltf import animated_model
 from sonify.export.scene_source import scene_to_export
 from sonify.extras import require_extra
-from sonify.plan.plan import plan_of
-from sonify.plan.preflight import solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.preflight import motion_plan_with_table, solve_motion
 from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene
@@ -68,11 +62,11 @@ def export_motion(
         raise InputError(f"--rate = {rate:g}: must be greater than 0")
     if form == "parquet":
         require_extra("--as parquet", "pyarrow", "sweep")
-    scene = scene_to_export(scene)
+    scene, plan = scene_to_export(scene)
     path = Path(out or f"{scene.name}.{MOTION_SUFFIXES[form]}")
     stages = stages or Stages()
     with stages.stage("motion") as watch:
-        motion = solved_motion(scene, watch)
+        motion = solve_motion(motion_plan_with_table(scene, plan), watch)
     if rate is None and form == "gltf":
         rate = 60.0  # frames per second
     times = _row_times(motion, rate)
@@ -85,26 +79,6 @@ def export_motion(
         else:
             write_csv(motion, times, temporary)
     return path
-
-
-def solved_motion(
-    scene: Scene,
-    watch: Callable[..., None],
-    table: SurfaceModes | None = None,
-) -> Motion:
-    """Return the motion of a scene; `watch(fraction, note)` is called with the
-    completed fraction.
-
-    The modes of a moving `table` are computed if they are not given.
-    """
-    if table is None and must_compute_table_modes(scene):
-        table = with_table(plan_of(scene), scene)[1]
-    progress = MotionProgress(scene)
-
-    def show(t, inclination, doing):
-        watch(progress.solved_fraction(t, inclination), doing or f"t = {t:.2f} s")
-
-    return solve_motion(scene, show, table)
 
 
 def _row_times(motion: Motion, rate: float | None) -> np.ndarray:

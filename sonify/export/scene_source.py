@@ -2,16 +2,17 @@
 
 from pathlib import Path
 
-from sonify.plan.preflight import check_solvable_scene
+from dynamics import MotionPlan
+from sonify.plan.preflight import solvable_scene
 from sonify.scene import Scene
 
 
-def scene_to_export(scene: Scene | str | Path) -> Scene:
-    """Return a scene, given as such, by name, by its file, or by the folder or run.json
-    of an earlier run.
+def scene_to_export(scene: Scene | str | Path) -> tuple[Scene, MotionPlan]:
+    """Return a scene and the decisions of its motion.
 
-    Raises InputError if it cannot be solved."""
+    The scene is given as such, by name, by its file, or by the folder or run.json of an
+    earlier run. Raises InputError if it cannot be solved."""
     if not isinstance(scene, Scene):
         record = Path(scene) / "run.json"
         scene = record if record.is_file() else scene
-    return check_solvable_scene(scene, None)
+    return solvable_scene(scene, None)

@@ -10,15 +10,13 @@ import numpy as np
 from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify import __version__
-from sonify.export.motion import solved_motion
 from sonify.export.scene_source import scene_to_export
 from sonify.hearing.audio_source import read_samples
-from sonify.pipeline import cached_modes
-from sonify.plan.plan import plan_of
-from sonify.plan.preflight import plan_with_modes
-from sonify.plan.table import with_table
+from sonify.pipeline import DiskModesCache
+from sonify.plan.preflight import plan_with_modes, solve_motion
+from sonify.plan.table import audible_table, solve_table
 from sonify.runtime.files import claimed_folder
-from sonify.runtime.progress import Stages
+from sonify.runtime.progress import Stages, Watch
 from sonify.scene import Scene
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.fades import raised_cosine
@@ -77,15 +75,16 @@ def export_takes(
     """
     if rate is not None and rate not in (48000, 96000):
         raise InputError(f"--rate = {rate:g}: must be 48000 or 96000 for a sound")
-    scene = scene_to_export(scene)
+    scene, motion_plan = scene_to_export(scene)
     if rate is not None:
         scene = scene.replace(f"audio.sample_rate={round(rate)}")
     variations = [varied_scene(scene, seed, number) for number in range(1, takes + 1)]
     stages = stages or Stages()
     paths = []
     with claimed_folder(out or ".") as folder, stages.stage("takes") as watch:
-        table_plan, table = with_table(plan_of(scene), scene)
-        rendered = table_plan.rendered_table(table)
+        table = solve_table(scene, motion_plan)
+        rendered = table and audible_table(table, scene)
+        disk_modes = DiskModesCache()
         for number, (take, changes) in enumerate(variations, 1):
             title = f"take {number} of {takes}"
 
@@ -94,7 +93,7 @@ def export_takes(
 
             path = folder / f"{scene.name}-{number:0{max(2, len(str(takes)))}}.wav"
             try:
-                sound = sound_of_take(take, table, rendered, watch_take)
+                sound = sound_of_take(take, table, rendered, disk_modes, watch_take)
                 write_take(sound, path, f"{title}, seed {seed}; {' '.join(changes)}")
             except SceneError as error:
                 raise InputError(f"{title}: {error}") from None
@@ -127,16 +126,18 @@ def sound_of_take(
     scene: Scene,
     table: SurfaceModes | None,
     rendered: SurfaceModes | None,
-    watch: Callable[..., None],
+    disk_modes: DiskModesCache,
+    watch: Watch,
 ) -> Sound:
     """Return the sound of a take.
 
     The motion uses the modes `table`, the sound those in `rendered`.
-    `watch(fraction, note)` is called with the completed fraction.
     """
-    scene = scene_to_export(scene)
-    plan, modes = plan_with_modes(scene, cached_modes)
-    motion = solved_motion(scene, lambda share, note="": watch(share / 2, note), table)
+    scene, motion_plan = scene_to_export(scene)
+    plan, modes = plan_with_modes(scene, disk_modes, motion_plan)
+    if motion_plan.lacks_surface_modes:
+        motion_plan = motion_plan.with_surface_modes(table)
+    motion = solve_motion(motion_plan, lambda share, note="": watch(share / 2, note))
     return render_sound(
         scene,
         motion,
@@ -144,7 +145,7 @@ def sound_of_take(
         plan.sounding,
         plan.max_contact_turn,
         rendered,
-        lambda share: watch(0.5 + share / 2, "sound"),
+        lambda share, note="": watch(0.5 + share / 2, "sound"),
     )
 
 

@@ -15,7 +15,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.interpolate import CubicHermiteSpline, CubicSpline
 from scipy.ndimage import convolve1d
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.disk import Friction, Release
 from dynamics.dissipation import Dissipation, resistance_of
 from dynamics.equations import disk_constants
@@ -52,14 +52,12 @@ def neglected_parts(scene: Scene) -> list[str]:
 
     Their dissipation is attributed to the fitted shares.
     """
-    from dynamics.compliant.two_way_onset import may_be_two_way  # imports SciPy
-
     means = (
         "its dissipation is attributed to rolling, air or law, and their intervals may not contain the "
         "true values; no verdict is given"
     )
     found = {
-        "the table may affect the motion": may_be_two_way(scene),
+        "the table may affect the motion": plan_motion(scene).may_be_two_way,
         "the table is wavy": scene.imperfection is not None,
     }
     return [f"{what}: {means}" for what, here in found.items() if here]

@@ -7,7 +7,7 @@ from dynamics import Motion, Outcome
 from dynamics.disk import Friction
 from dynamics.dissipation import Dissipation, resistance_of
 from dynamics.equations import disk_constants
-from dynamics.film.activation import MAX_KNUDSEN_NUMBER, decide_film, final_inclination
+from dynamics.film.activation import MAX_KNUDSEN_NUMBER
 from dynamics.film.wedge import (
     boundary_layer_ratio,
     compressibility_number,
@@ -27,7 +27,7 @@ from sonify.sound.radiation import listeners_of
 def with_air(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with the decision on the air film and with models and omissions
     of the air."""
-    decided = decide_film(scene)
+    decided = plan.motion.film_decision
     published = published_law_notes(scene)
     if decided.film:
         choice = sentences.FILM_ACTS_CHOICE
@@ -144,7 +144,7 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
                     time=times[0], ratio=ratio, path=path, error=error
                 )
             )
-    final = final_inclination(scene)
+    final = motion.plan.final_inclination
     stops_early = final > scene.numerics.stopping_inclination(scene.disk)
     if motion.outcome is Outcome.SETTLED and stops_early:
         limits.append(

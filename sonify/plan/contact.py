@@ -7,15 +7,9 @@ from math import radians
 
 import numpy as np
 
+from dynamics import MotionPlan
 from dynamics.compliant.law.unevenness import unevenness
-from dynamics.compliant.model_inputs import contact_law, contact_law_table
-from dynamics.compliant.model_selection import (
-    choose_contact_model,
-    roughness_energy_share,
-    steady_precession_rate,
-)
-from dynamics.disk import GRAVITY
-from dynamics.film.activation import decide_film
+from dynamics.compliant.model_selection import steady_precession_rate
 from sonify.plan import sentences
 from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction
@@ -25,23 +19,22 @@ from sonify.scene import Scene
 def with_contact(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with the model of the contact at the edge and the predicted error
     of its sound."""
-    chosen = choose_contact_model(scene)
-    kind = chosen.kind
-    film = decide_film(scene).film is not None
+    motion = plan.motion
+    kind, reason = motion.contact
+    film = motion.film is not None
     rough = scene.roughness
-    reason = chosen.reason
     if kind == "filter":
         reason += f"; {sentences.FILTER_ERROR_REASON}"
     if kind != "rigid" and rough:
-        reason += unevenness_clause(scene)
+        reason += unevenness_clause(motion)
     contact = Decision(subject="contact at the edge", choice=kind, reason=reason)
     modelled = [*sentences.CONTACT_MODELLED[kind]]
     neglected = [*sentences.CONTACT_NEGLECTED[kind]]
     if kind != "rigid":
-        if kind == "filter" and rough and (share := roughness_energy_share(scene)):
+        if kind == "filter" and rough and (share := motion.roughness_energy_share):
             neglected.append(sentences.ROUGHNESS_LOSS_NEGLECTED.format(share=share))
         bends = scene.contact.body == "elastic" and scene.elastic_edge is not None
-        (modelled if bends else neglected).append(bending_sentence(scene))
+        (modelled if bends else neglected).append(bending_sentence(motion))
         if rough:
             modelled.append(sentences.ROUGHNESS_LOSS_MODELLED[rough.loss])
         if not film:
@@ -54,8 +47,6 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
                 neglected.append(sentences.OPEN_FILM_NEGLECTED)
             modelled.append(sentences.HEIGHT_SOUND_MODELLED)
             neglected.append(sentences.FILM_ACTION_NEGLECTED)
-    if kind == "many":
-        plan = with_prediction(plan, "end", lambda p: rattling_end_prediction(p, scene))
     if rough:
         plan = with_prediction(
             plan, "sound", lambda p: roughness_sound_prediction(p, kind, film)
@@ -71,10 +62,12 @@ def with_prediction(
     return replace(plan, predictions=tuple(predictions))
 
 
-def unevenness_clause(scene: Scene) -> str:
+def unevenness_clause(motion: MotionPlan) -> str:
     """Return a clause on the unevenness of table and edge at the release and near the
     end."""
-    law = contact_law(scene)
+    scene = motion.scene
+    assert motion.law_table is not None  # the contact is elastic
+    law = motion.law_table.law
     release = radians(scene.release.inclination_deg)
     late = release / 10
     first = unevenness(scene.disk, law, scene.roughness, release)
@@ -83,25 +76,6 @@ def unevenness_clause(scene: Scene) -> str:
         f"; the rms height is {first.rms_over_depth:.2g} times the indentation of the contact, and "
         f"the curvature of the heights is {first.curvature_number:.2g} times that of the rim at {release:.2g} rad and "
         f"{last.curvature_number:.2g} times at {late:.2g} rad (contact is lost above a ratio of 0.25 to 0.5)"
-    )
-
-
-def rattling_end_prediction(predicted: Prediction, scene: Scene) -> Prediction:
-    """Return the predicted error of the end of a chaotic rattling motion.
-
-    The relative error is the change of the duration with the time step. The inclination
-    decreases at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a coefficient of
-    restitution e."""
-    duration_scatter = 0.02  # relative
-    if scene.roughness is None:
-        return predicted
-    rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
-    fall = (1 - 0.66 * (scene.contact.restitution or 1.0)) * np.sqrt(GRAVITY * rms)
-    duration = scene.disk.radius * radians(scene.release.inclination_deg) / fall
-    return replace(
-        predicted,
-        error=float(duration_scatter * duration),
-        source="the end of a rattling motion is chaotic: it varies by 2 % with the time step",
     )
 
 
@@ -133,13 +107,15 @@ def roughness_sound_prediction(
     )
 
 
-def bending_sentence(scene: Scene) -> str:
+def bending_sentence(motion: MotionPlan) -> str:
     """Return a sentence on the reduction of the contact resonance by bending of the
     disk.
 
     The reduction is stated at the release and at a small inclination.
     """
     late_inclination = 0.01  # rad
+    scene = motion.scene
+    assert motion.law_table is not None  # the contact is elastic
     if scene.elastic_edge is None:
         return sentences.SHELL_BENDING_NEGLECTED
     steep = np.radians(scene.release.inclination_deg)
@@ -147,10 +123,10 @@ def bending_sentence(scene: Scene) -> str:
     beta = np.array([steep, min(late_inclination, steep / 2)])
     speed = disk.radius * np.array([steady_precession_rate(scene, b) for b in beta])
     with_edge, without = (
-        contact_law_table(scene.replace(f"contact.body={body}"))
+        replace(motion.law_table, edge=edge)
         .contact_resonance(beta, disk.weight, speed)
         .frequency
-        for body in ("elastic", "rigid")
+        for edge in (scene.elastic_edge, None)
     )
     first, late = 1 - with_edge / without
     return sentences.BENDING_SENTENCE.format(

@@ -1,13 +1,14 @@
 """Models, omissions and predicted errors of a run, determined in advance."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from math import pi
+from typing import Any
 
 import numpy as np
 
-from dynamics import Disk, Motion, Outcome
-from dynamics.film.activation import MAX_KNUDSEN_NUMBER, final_inclination
+from dynamics import Disk, Motion, MotionPlan, Outcome, plan_motion
+from dynamics.film.activation import MAX_KNUDSEN_NUMBER
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY, resolved_integrator_name
 from dynamics.steady_motion import squared_rate_times_inclination
 from modal import Material, Modes, SurfaceModes
@@ -62,6 +63,8 @@ class Plan:
         itself.
     modelled, left_out : tuple of str
         Sentences on the model and on its omissions.
+    motion : MotionPlan
+        The decisions of the motion, which the sentences describe.
     """
 
     accuracy: str
@@ -75,6 +78,7 @@ class Plan:
     predictions: tuple[Prediction, ...] = ()
     modelled: tuple[str, ...]
     left_out: tuple[str, ...]
+    motion: MotionPlan
 
     def __repr__(self):
         """Return a one-line summary without the sentences."""
@@ -100,22 +104,36 @@ class Plan:
         """Return the rendered modes of a table, or None without a table."""
         return None if table is None else table.select(self.sounding_table)
 
+    def record(self) -> dict[str, Any]:
+        """Return the plan for run.json, without the decisions of the motion."""
+        texts = {"decisions": [vars(decision) for decision in self.decisions]}
+        texts["predictions"] = [vars(prediction) for prediction in self.predictions]
+        names = [field.name for field in fields(self) if field.name != "motion"]
+        return {name: texts.get(name, vars(self)[name]) for name in names}
+
     def error(self, key: str) -> float:
         """Return the predicted error of a quantity, or 0 without a prediction."""
         return next((p.error for p in self.predictions if p.key == key), 0.0)
 
 
-def plan_of(scene: Scene) -> Plan:
+def highest_mode_of(scene: Scene) -> float:
+    """Return the upper frequency limit [Hz] of the modes of disk and table."""
+    return min(MAX_AUDIBLE_FREQUENCY, scene.audio.sample_rate / 2)
+
+
+def plan_of(scene: Scene, motion: MotionPlan | None = None) -> Plan:
     """Return the plan of a scene before its modes are known.
 
-    Explicit settings of the scene take precedence over those of the accuracy level.
+    Explicit settings of the scene take precedence over those of the accuracy level. The
+    decisions of the motion are made here if they are not given.
     """
+    motion = motion or plan_motion(scene)
     numerics = scene.numerics
-    heard = min(MAX_AUDIBLE_FREQUENCY, scene.audio.sample_rate / 2)
+    heard = highest_mode_of(scene)
     integrator = resolved_integrator_name(numerics.integrator)
     level = numerics.level
     tolerance = numerics.chosen_tolerance
-    final = final_inclination(scene)
+    final = motion.final_inclination
     sampling = sentences.DENSE_SAMPLING
     if level.max_contact_turn:
         sampling = sentences.SPARSE_SAMPLING.format(
@@ -152,7 +170,7 @@ def plan_of(scene: Scene) -> Plan:
         ),
         predictions=()
         if numerics.accuracy == "reference"
-        else (predicted_end_error(scene, final),),
+        else (predicted_end_error(motion),),
         modelled=(
             sentences.SUPPORT_MODELLED[scene.support.kind],
             *sentences.RADIATION_MODELLED,
@@ -163,6 +181,7 @@ def plan_of(scene: Scene) -> Plan:
             sentences.MODES_ABOVE_NEGLECTED.format(frequency=heard),
             *(sentences.NEGLECTED_IN_DRAFT if numerics.accuracy == "draft" else []),
         ),
+        motion=motion,
     )
 
 

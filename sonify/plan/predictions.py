@@ -1,14 +1,12 @@
 """Predicted errors of a run relative to accuracy "reference"."""
 
 from dataclasses import dataclass
-from math import isfinite, pi
+from math import pi
 from typing import Literal
 
 import numpy as np
 
-from dynamics.film.activation import decide_film
-from dynamics.quasi_steady import scene_time_to_flat
-from dynamics.solver_settings import MIN_SOLVED_INCLINATION
+from dynamics import MotionPlan
 from modal import Modes
 from sonify.scene import Scene
 
@@ -29,20 +27,23 @@ class Prediction:
     source: str
 
 
-def predicted_end_error(scene: Scene, final_inclination: float) -> Prediction:
-    """Return the predicted time [s] by which a settling motion is stopped too early."""
-    early = 0.0
-    if decide_film(scene).film:
+def predicted_end_error(motion: MotionPlan) -> Prediction:
+    """Return the predicted error of the end of a motion [s]."""
+    if motion.contact.kind == "many" and motion.scene.roughness:
+        source = "the end of a rattling motion is chaotic: it varies by 2 % with the time step"
+    elif motion.film:
         source = (
             "the motion ends at a solved event, when the air begins to carry the disk"
         )
     else:
         source = "quasi-steady decay of steady motion"
-        left = scene_time_to_flat(final_inclination, scene)
-        if isfinite(left):
-            early = left - scene_time_to_flat(MIN_SOLVED_INCLINATION, scene)
-    name = "end of the motion, if the disk settles"
-    return Prediction(key="end", name=name, error=early, unit="s", source=source)
+    return Prediction(
+        key="end",
+        name="end of the motion, if the disk settles",
+        error=motion.predicted_end_error,
+        unit="s",
+        source=source,
+    )
 
 
 def predicted_frequency_error(scene: Scene, modes: Modes) -> Prediction:

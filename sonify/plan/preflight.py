@@ -6,18 +6,21 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from dynamics import ImpossibleContactError, Motion, Outcome, simulate
-from dynamics.film.activation import decide_film
-from dynamics.simulation import chosen_integrator
+from dynamics import ImpossibleContactError, Motion, MotionPlan, Outcome
+from dynamics.progress import MotionProgress
+from dynamics.simulation import solve_planned_motion
 from modal import Modes, SurfaceModes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP_FACE
 from modal.solve import check_solvable
 from sonify.claims.resonance_matching import resonances
+from sonify.plan.air import with_air
 from sonify.plan.contact import with_contact
-from sonify.plan.plan import Plan, plan_of, with_sounding_modes
+from sonify.plan.motion import planned_scene
+from sonify.plan.plan import Plan, highest_mode_of, plan_of, with_sounding_modes
 from sonify.plan.supports import support_comparison
-from sonify.plan.table import check_table, table_exit_time
-from sonify.scene import Scene, SceneError, scene_with_accuracy
+from sonify.plan.table import solve_table, table_exit_time, with_table
+from sonify.runtime.progress import Watch
+from sonify.scene import Scene, SceneError
 from sonify.sound.audible_modes import response_to_unit_jump
 
 
@@ -26,15 +29,25 @@ def check_solvable_scene(scene: Scene | str | Path, accuracy: str | None) -> Sce
 
     Raises SceneError if the table, disk, support, integrator or air film cannot be
     solved."""
-    scene = scene_with_accuracy(scene, accuracy)
-    check_table(scene)
+    return solvable_scene(scene, accuracy)[0]
+
+
+def solvable_scene(
+    scene: Scene | str | Path, accuracy: str | None
+) -> tuple[Scene, MotionPlan]:
+    """Return the scene with the given accuracy and the decisions of its motion, after
+    `check_solvable_scene`."""
+    scene, motion = planned_scene(scene, accuracy)
+    check_solvable_disk(scene)
+    return scene, motion
+
+
+def check_solvable_disk(scene: Scene) -> None:
+    """Raise SceneError if the modes of the disk cannot be solved on its support."""
     try:
         check_solvable(scene.disk, scene.support)
-        chosen_integrator(scene.numerics.integrator)
-        decide_film(scene)
     except ValueError as error:
         raise SceneError(str(error)) from None
-    return scene
 
 
 def known_resonances(scene: Scene) -> list[tuple[str, float]]:
@@ -49,28 +62,51 @@ def known_resonances(scene: Scene) -> list[tuple[str, float]]:
 
 
 def plan_with_modes(
-    scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes
+    scene: Scene,
+    eigenmodes: Callable[..., Modes] = eigenmodes,
+    motion: MotionPlan | None = None,
 ) -> tuple[Plan, Modes]:
     """Return the plan, including the selection of audible modes, and the modes of the
     disk.
 
-    `eigenmodes` computes the modes. Raises SceneError if there are too many modes, if
-    round-off dominates the patch, or if there are more measured decay rates than modes.
+    `eigenmodes` computes the modes. The decisions of the motion are made here if they are
+    not given. Raises SceneError if there are too many modes, if round-off dominates the
+    patch, or if there are more measured decay rates than modes.
     """
-    plan = plan_of(scene)
-    try:
-        elastic = eigenmodes(scene, below=plan.highest_mode)
-    except UnsolvableError as error:
-        raise SceneError(str(error)) from None
-    modes = with_measured_damping(
-        with_radiation(elastic, (TOP_FACE,), scene.air), scene.material.decay_rates
-    )
+    plan = plan_of(scene, motion)
+    modes = solve_modes(scene, eigenmodes)
     if scene.support.kind == "contact":
         plan = plan.with_additions(support_comparison(scene, modes, plan.highest_mode))
     return with_contact(
         with_sounding_modes(plan, scene, modes, *response_to_unit_jump(modes, scene)),
         scene,
     ), modes
+
+
+def plan_of_run(
+    scene: Scene,
+    motion: MotionPlan,
+    table: SurfaceModes | None,
+    eigenmodes: Callable[..., Modes],
+) -> tuple[Plan, Modes]:
+    """Return the complete plan of a run and the modes of the disk; see
+    `plan_with_modes`."""
+    plan, modes = plan_with_modes(scene, eigenmodes, motion)
+    return with_table(with_air(plan, scene), scene, table), modes
+
+
+def solve_modes(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> Modes:
+    """Return the radiating modes of the disk below the highest frequency of a run.
+
+    See `plan_with_modes`.
+    """
+    try:
+        elastic = eigenmodes(scene, below=highest_mode_of(scene))
+    except UnsolvableError as error:
+        raise SceneError(str(error)) from None
+    return with_measured_damping(
+        with_radiation(elastic, (TOP_FACE,), scene.air), scene.material.decay_rates
+    )
 
 
 def with_measured_damping(modes: Modes, measured: tuple[float, ...]) -> Modes:
@@ -87,24 +123,36 @@ def with_measured_damping(modes: Modes, measured: tuple[float, ...]) -> Modes:
     )
 
 
-def solve_motion(
-    scene: Scene,
-    watch: Callable[..., None] = lambda t, inclination, doing: None,
-    table: SurfaceModes | None = None,
-) -> Motion:
-    """Return the motion of a scene on a table with the given modes.
+def motion_plan_with_table(scene: Scene, motion: MotionPlan) -> MotionPlan:
+    """Return the decisions of a motion, completed by those on a table that may act back.
 
-    The motion ends at the latest when the contact leaves the table.
-
-    Raises SceneError if no contact force satisfies the balance laws.
+    Raises SceneError if the modes of the table cannot be computed.
     """
+    if not motion.lacks_surface_modes:
+        return motion
+    return motion.with_surface_modes(solve_table(scene, motion))
+
+
+def solve_motion(
+    motion: MotionPlan, watch: Watch = lambda share, note="": None
+) -> Motion:
+    """Return the motion of a plan.
+
+    It ends at the latest when the contact leaves the table. Raises SceneError if no
+    contact force satisfies the balance laws.
+    """
+    progress = MotionProgress(motion)
+
+    def show(t, inclination, doing):
+        note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
+        watch(progress.solved_fraction(t, inclination), note)
+
     try:
-        motion: Any = simulate(scene, watch, surface_modes=table)
-        if (end := table_exit_time(scene, motion)) is None:
-            return motion
-        motion = simulate(
-            scene.replace(f"numerics.time_limit={end}"), watch, surface_modes=table
-        )
-        return replace(motion, outcome=Outcome.LEFT_TABLE)
+        solved: Any = solve_planned_motion(motion, show)
+        if (end := table_exit_time(solved)) is None:
+            return solved
+        numerics = replace(motion.scene.numerics, time_limit=end)
+        solved = solve_planned_motion(motion.part(numerics=numerics), show)
+        return replace(solved, outcome=Outcome.LEFT_TABLE)
     except ImpossibleContactError as error:
         raise SceneError(f"friction, release: {error}") from None

@@ -1,26 +1,21 @@
 """Plan of the table: its model, its omissions and a check that it can be solved."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
-from dynamics import Motion
-from dynamics.compliant.model_selection import choose_contact_model
-from dynamics.compliant.two_way_onset import (
-    may_be_two_way,
-    must_compute_table_modes,
-    reason_against_contact_law,
-    reason_against_full_model,
-    reason_against_two_way,
-    table_modes,
-    table_reaction,
-)
+from dynamics import MeshSurface, Motion, MotionPlan, PlateSurface
 from dynamics.contact_geometry import contact_position
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan import sentences
-from sonify.plan.plan import MIN_MODE_ENERGY_SHARE, Decision, Plan, audible_mode_indices
+from sonify.plan.plan import (
+    MIN_MODE_ENERGY_SHARE,
+    Decision,
+    Plan,
+    audible_mode_indices,
+    highest_mode_of,
+)
 from sonify.scene import Scene, SceneError
 from sonify.sound.sources.tabletop import response_to_unit_jump
 
@@ -29,28 +24,15 @@ MAX_DEFLECTION_RATIO = 0.5
 fails."""
 
 
-def check_table(scene: Scene):
-    """Raise SceneError before any computation if the table cannot be solved."""
-    surface = scene.surface
-    what = instead = ""
-    if surface.action == "motion":
-        what = "surface.action = 'motion'"
-        instead = reason_against_two_way(scene) or reason_against_full_model(scene)
-    elif scene.imperfection is not None:
-        what = "imperfection"
-        instead = reason_against_contact_law(scene) or reason_against_full_model(scene)
-    if instead:
-        raise SceneError(f"{what} with {instead}")
-    if surface.kind == "mesh" and not Path(surface.file).is_file():
-        raise SceneError(f"surface.file = {surface.file!r}: no such file")
+def has_table_modes(scene: Scene) -> bool:
+    """Return True if the table of a scene has modes; a rigid or infinite one has none."""
+    return scene.surface.kind not in ("rigid", "infinite")
 
 
-def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
-    """Return the plan with the model of the table, and all modes of the table.
+def with_table(plan: Plan, scene: Scene, modes: SurfaceModes | None) -> Plan:
+    """Return the plan with the model of the table.
 
-    The motion uses all these modes, and the sound those of `Plan.sounding_table`. The
-    modes are None for a rigid or infinite table. Raises SceneError if they cannot be
-    computed."""
+    The motion uses all `modes`, and the sound those of `Plan.sounding_table`."""
     if scene.imperfection:
         plan = without_unknown_predictions(plan, scene).with_additions(
             modelled=[sentences.WAVY_TABLE_MODELLED],
@@ -58,7 +40,7 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         )
     if scene.surface.kind == "rigid":
         plan = with_disk(plan, scene, joins_table=False)
-        return plan.with_additions(left_out=[sentences.RIGID_TABLE_NEGLECTED]), None
+        return plan.with_additions(left_out=[sentences.RIGID_TABLE_NEGLECTED])
     if scene.surface.kind == "infinite":
         reason = sentences.INFINITE_ACTION_REASON.format(action=scene.surface.action)
         infinite = Decision(
@@ -69,12 +51,9 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
             infinite,
             modelled=[sentences.INFINITE_TABLE_MODELLED],
             left_out=[*sentences.TABLE_NEGLECTED, sentences.NEAR_LISTENER_NEGLECTED],
-        ), None
-    modes = modes_of_table(scene, plan.highest_mode)
-    moving_modes = table_modes(
-        scene, modes if must_compute_table_modes(scene) else None
-    )
-    action, joins = table_action(scene, modes if moving_modes is None else moving_modes)
+        )
+    assert modes is not None
+    joins = plan.motion.two_way.is_two_way
     audible = audible_table_modes(modes, scene, plan.highest_mode)
     plan = replace(plan, sounding_table=tuple(audible.tolist()))
     selection = Decision(
@@ -87,7 +66,9 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         + (sentences.MOTION_USES_ALL_MODES_CLAUSE if joins else ""),
     )
     plan = without_unknown_predictions(plan, scene).with_additions(
-        action, selection, modelled=sentences.TABLE_MODELLED[scene.surface.kind]
+        table_action(plan.motion),
+        selection,
+        modelled=sentences.TABLE_MODELLED[scene.surface.kind],
     )
     neglected = [
         *sentences.TABLE_NEGLECTED[1 if joins else 0 :],
@@ -95,21 +76,22 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         *deflection_limits(modes, scene),
     ]
     plan = with_disk(plan, scene, joins_table=joins)
-    return plan.with_additions(left_out=neglected), modes
+    return plan.with_additions(left_out=neglected)
 
 
-def modes_of_table(scene: Scene, highest_audible: float) -> SurfaceModes:
-    """Return the modes of the table that motion or sound may use; none for a rigid one.
+def solve_table(scene: Scene, motion: MotionPlan) -> SurfaceModes | None:
+    """Return the modes of the table that motion or sound may use.
 
-    The sound uses those below `highest_audible` [Hz], the highest frequency of the plan.
-    The motion uses those below MAX_AUDIBLE_FREQUENCY, whatever the sample rate.
-    Raises SceneError if they cannot be computed.
+    The sound uses those below the highest frequency of the plan. The motion uses those
+    below MAX_AUDIBLE_FREQUENCY, whatever the sample rate. The modes are None for a rigid
+    or infinite table. Raises SceneError if they cannot be computed.
     """
-    moves = must_compute_table_modes(scene)
+    if not has_table_modes(scene):
+        return None
+    moves = motion.lacks_surface_modes
+    highest = MAX_AUDIBLE_FREQUENCY if moves else highest_mode_of(scene)
     try:
-        return surface_modes(
-            scene, below=MAX_AUDIBLE_FREQUENCY if moves else highest_audible
-        )
+        return surface_modes(scene, below=highest)
     except UnsolvableError as error:
         raise SceneError(str(error)) from None
     except ValueError as error:
@@ -123,7 +105,7 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
     """
     subject = "disk"
     choice = "rigid in the motion"
-    if choose_contact_model(scene).kind == "many":
+    if plan.motion.contact.kind == "many":
         if scene.contact.body == "elastic":
             choice = "the free modes of the disk move its edge"
         reason = f"contact anywhere on the rim, contact.body = {scene.contact.body!r}"
@@ -155,43 +137,40 @@ def without_unknown_predictions(plan: Plan, scene: Scene) -> Plan:
     The error of the sound samples is kept for a rough contact, except for a filtered
     contact on a table with modes. The error of the end is removed if the table is wavy
     or may affect the motion."""
-    has_modes = scene.surface.kind not in ("rigid", "infinite")
-    filtered = has_modes and choose_contact_model(scene).kind == "filter"
+    filtered = has_table_modes(scene) and plan.motion.contact.kind == "filter"
     unknown = set()
     if filtered or not scene.roughness:
         unknown.add("sound")
-    if may_be_two_way(scene) or scene.imperfection:
+    if plan.motion.may_be_two_way or scene.imperfection:
         unknown.add("end")
     known = tuple(p for p in plan.predictions if p.key not in unknown)
     return replace(plan, predictions=known)
 
 
-def table_action(scene: Scene, modes: SurfaceModes) -> tuple[Decision, bool]:
-    """Return the decision on two-way coupling with the table, and True if it occurs."""
-    action = scene.surface.action
-    is_two_way = action == "motion"
+def table_action(motion: MotionPlan) -> Decision:
+    """Return the decision on two-way coupling with the table."""
+    action = motion.scene.surface.action
+    reaction = motion.two_way
     choice = sentences.TABLE_MOVES_AND_SOUNDS
     if action == "motion":
         reason = sentences.MOTION_ACTION_REASON
     elif action == "sound":
         reason = "surface.action = 'sound'"
     else:
-        reaction = table_reaction(scene, modes)
-        is_two_way = reaction.is_two_way
         reason = f"surface.action = 'auto': {reaction.reason}"
         if reaction.reason_unsolved:
             reason += f", but {reaction.reason_unsolved}"
-        if is_two_way and choose_contact_model(scene).kind == "many":
+        if reaction.is_two_way and motion.is_two_way_from_release:
             reason += sentences.FROM_RELEASE_CLAUSE
-        elif is_two_way:
+        elif reaction.is_two_way:
             choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(
                 inclination=reaction.inclination
             )
-            if scene.contact.law == "rigid":
+            if motion.contact.kind == "rigid":
                 choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
-    if not is_two_way:
+    if not reaction.is_two_way:
         choice = sentences.TABLE_SOUNDS_ONLY
-    return Decision(subject="table", choice=choice, reason=reason), is_two_way
+    return Decision(subject="table", choice=choice, reason=reason)
 
 
 def audible_table_modes(
@@ -202,6 +181,11 @@ def audible_table_modes(
     low = np.flatnonzero(modes.frequency < below)
     jump = response_to_unit_jump(modes.select(low), scene)
     return low[audible_mode_indices(*jump, scene.numerics.level.range_db)]
+
+
+def audible_table(modes: SurfaceModes, scene: Scene) -> SurfaceModes:
+    """Return the modes of the table that the sound needs."""
+    return modes.select(audible_table_modes(modes, scene, highest_mode_of(scene)))
 
 
 def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:
@@ -222,18 +206,18 @@ def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:
     ]
 
 
-def table_exit_time(scene: Scene, motion: Motion) -> float | None:
+def table_exit_time(motion: Motion) -> float | None:
     """Return the time [s] at which the contact first leaves a plate or mesh; None if
     never."""
-    surface = scene.surface
-    if surface.kind not in ("plate", "mesh"):
+    surface = motion.plan.scene.surface
+    if not isinstance(surface, PlateSurface | MeshSurface):
         return None
     t = np.linspace(0.0, motion.t[-1], 4096)
-    place = contact_position(motion.at(t), scene.disk, motion.rolling_fillet)
+    place = contact_position(motion.at(t), motion.disk, motion.rolling_fillet)
     place = place + surface.place
     off = (
         np.hypot(*place.T) > surface.radius
-        if surface.kind == "plate"
+        if isinstance(surface, PlateSurface)
         else points_off_mesh(surface.file, place)
     )
     return float(t[off.argmax()]) if off.any() else None

@@ -5,23 +5,19 @@ from dataclasses import MISSING, fields, is_dataclass
 from math import inf
 from typing import Any
 
-from dynamics.compliant.model_selection import choose_contact_model
-from dynamics.compliant.two_way_onset import may_be_two_way
+from dynamics import MotionPlan
 from sonify.scene import SIZE_KEYS, Scene
 
 
-def has_elastic_contact(scene: Scene) -> bool:
+def has_elastic_contact(plan: MotionPlan) -> bool:
     """Return True if the contact is elastic from the release onwards or may become
     so."""
-    return scene.contact.law == "elastic" or may_be_two_way(scene)
+    return plan.contact.kind != "rigid" or plan.may_be_two_way
 
 
-def is_solved_in_full(scene: Scene) -> bool:
+def is_solved_in_full(plan: MotionPlan) -> bool:
     """Return True if time-stepping with a compliant contact starts at the release."""
-    return scene.contact.law == "elastic" and choose_contact_model(scene).kind in (
-        "full",
-        "many",
-    )
+    return plan.contact.kind in ("full", "many")
 
 
 def has_no_spectrum(scene: Scene) -> bool:
@@ -40,9 +36,9 @@ def has_no_film(scene: Scene) -> bool:
     return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
 
 
-def is_rattling(scene: Scene) -> bool:
+def is_rattling(plan: MotionPlan) -> bool:
     """Return True if the contact model allows contacts anywhere on the rim."""
-    return choose_contact_model(scene).kind == "many"
+    return plan.contact.kind == "many"
 
 
 def has_all_material_values(scene: Scene) -> bool:
@@ -61,83 +57,88 @@ ROUGHNESS_KEYS = (
 )
 
 
-UNUSED_KEY_RULES: tuple[tuple[str, Callable[[Scene], bool]], ...] = (
+UNUSED_KEY_RULES: tuple[tuple[str, Callable[[Scene, MotionPlan], bool]], ...] = (
     (
         "friction.mu_dynamic",
-        lambda scene: scene.friction.mu_static == inf and not is_rattling(scene),
+        lambda scene, plan: scene.friction.mu_static == inf and not is_rattling(plan),
     ),
     (
         "friction.mu_static roughness.loss",
-        is_rattling,
+        lambda scene, plan: is_rattling(plan),
     ),
-    ("material.name", has_all_material_values),
-    ("support.inclination_deg", lambda scene: scene.support.kind != "contact"),
-    (PATCH_KEYS, lambda scene: scene.support.kind != "patch"),
+    ("material.name", lambda scene, plan: has_all_material_values(scene)),
+    ("support.inclination_deg", lambda scene, plan: scene.support.kind != "contact"),
+    (PATCH_KEYS, lambda scene, plan: scene.support.kind != "patch"),
     (
         "support.position",
-        lambda scene: scene.support.height in (None, scene.disk.thickness),
+        lambda scene, plan: scene.support.height in (None, scene.disk.thickness),
     ),
-    ("surface.action", lambda scene: scene.surface.kind == "infinite"),
+    ("surface.action", lambda scene, plan: scene.surface.kind == "infinite"),
     (
         "dissipation.power_exponent",
-        lambda scene: scene.dissipation.power_coefficient == 0.0,
+        lambda scene, plan: scene.dissipation.power_coefficient == 0.0,
     ),
     (
         "dissipation.air_density",
-        lambda scene: scene.dissipation.boundary_layer_viscosity == 0.0,
+        lambda scene, plan: scene.dissipation.boundary_layer_viscosity == 0.0,
     ),
     (
         "contact.loss_factor",
-        lambda scene: (
-            not has_elastic_contact(scene) and scene.support.kind != "contact"
+        lambda scene, plan: (
+            not has_elastic_contact(plan) and scene.support.kind != "contact"
         ),
     ),
     (
         "contact.young contact.poisson",
-        lambda scene: (
-            not has_elastic_contact(scene)
+        lambda scene, plan: (
+            not has_elastic_contact(plan)
             and scene.support.kind != "contact"
             and scene.friction.arm_pivoting != "contact"
         ),
     ),
-    ("surface.diameter", lambda scene: not scene.surface.sag),
+    ("surface.diameter", lambda scene, plan: not scene.surface.sag),
     (
         "surface.place",
-        lambda scene: scene.surface.kind == "rigid" and not scene.surface.sag,
+        lambda scene, plan: scene.surface.kind == "rigid" and not scene.surface.sag,
     ),
     (
         "contact.body",
-        lambda scene: not has_elastic_contact(scene) or scene.disk.shape != "solid",
+        lambda scene, plan: (
+            not has_elastic_contact(plan) or scene.disk.shape != "solid"
+        ),
     ),
     (
         ROUGHNESS_KEYS,
-        lambda scene: scene.contact.law == "rigid",
+        lambda scene, plan: plan.contact.kind == "rigid",
     ),
-    (SPECTRUM_KEYS, has_no_spectrum),
-    ("roughness.loss", lambda scene: scene.numerics.contact == "filter"),
-    ("air.film air.viscosity", has_no_film),
+    (SPECTRUM_KEYS, lambda scene, plan: has_no_spectrum(scene)),
+    ("roughness.loss", lambda scene, plan: scene.numerics.contact == "filter"),
+    ("air.film air.viscosity", lambda scene, plan: has_no_film(scene)),
     (
         "audio.distance audio.elevation_deg",
-        lambda scene: bool(scene.audio.listeners),
+        lambda scene, plan: bool(scene.audio.listeners),
     ),
-    ("numerics.integrator numerics.tolerance", is_solved_in_full),
+    (
+        "numerics.integrator numerics.tolerance",
+        lambda scene, plan: is_solved_in_full(plan),
+    ),
     (
         "numerics.final_inclination",
-        lambda scene: (
+        lambda scene, plan: (
             scene.surface.action == "motion" or scene.imperfection is not None
         ),
     ),
-    ("numerics.contact", lambda scene: scene.contact.law == "rigid"),
+    ("numerics.contact", lambda scene, plan: plan.contact.kind == "rigid"),
     (
         "numerics.contact_rate",
-        lambda scene: not may_be_two_way(scene) and not is_solved_in_full(scene),
+        lambda scene, plan: not plan.may_be_two_way and not is_solved_in_full(plan),
     ),
 )
 """Keys, and the condition under which no stage reads them; tests/plan/test_unused_keys.py checks
 them."""
 
 
-def unused_keys(scene: Scene) -> tuple[str, ...]:
+def unused_keys(scene: Scene, plan: MotionPlan) -> tuple[str, ...]:
     """Return the keys with non-default values that have no effect on the run of a
     scene.
 
@@ -145,6 +146,8 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
     ----------
     scene : Scene
         Scene whose document sets the keys.
+    plan : MotionPlan
+        The decisions of its motion.
 
     Returns
     -------
@@ -155,16 +158,16 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
         key
         for key in keys_set_by_scene(scene)
         if any(
-            key in keys.split() and is_unread(scene)
+            key in keys.split() and is_unread(scene, plan)
             for keys, is_unread in UNUSED_KEY_RULES
         )
     )
 
 
-def unused_keys_notice(scene: Scene) -> str:
+def unused_keys_notice(scene: Scene, plan: MotionPlan) -> str:
     """Return the sentence that names the unused keys of a scene, or "" if there are
     none."""
-    unused = ", ".join(unused_keys(scene))
+    unused = ", ".join(unused_keys(scene, plan))
     return f"unused: {unused} (no effect on this run)" if unused else ""
 
 

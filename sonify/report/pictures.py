@@ -4,7 +4,7 @@ Every picture is readable without colour.
 """
 
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import Executor, Future
 from functools import partial
 from io import BytesIO
 from itertools import zip_longest
@@ -32,7 +32,6 @@ from sonify.plan.supports import modes_over_run
 from sonify.report.mode_names import table_caption
 from sonify.report.render_worker import draw_png, painter
 from sonify.runtime.files import atomic_write
-from sonify.runtime.progress import in_background
 from sonify.sound.radiation import listener_of
 
 if TYPE_CHECKING:
@@ -47,25 +46,32 @@ class Pictures:
     The `painter` draws each picture as soon as its data are known.
     """
 
-    def __init__(self):
+    def __init__(self, executor: Executor):
+        self._executor = executor
         self._futures: dict[str, Future] = {}
         self._parts = {"colours": painter().draw("sound", "write_colour_table", dict)}
 
-    def begin(self, found: "SolvedMotion | Result"):
-        """Start drawing the pictures and encoding the page parts with known data."""
-        known = ("motion",) if found.sound is None else ("motion", "sound")
+    @classmethod
+    def of_result(cls, result: "Result", executor: Executor) -> "Pictures":
+        """Start drawing all pictures of a result."""
+        pictures = cls(executor)
+        for stage in PAGE_PARTS:
+            pictures._begin_stage(stage, result)
+        return pictures
+
+    def begin(self, found: "SolvedMotion"):
+        """Start drawing the pictures and encoding the page part of a completed stage."""
+        self._begin_stage(found.completed_stage, found)
+
+    def _begin_stage(self, stage: str, found: "SolvedMotion | Result"):
         for name, (needs, module, function, shown) in PICTURES.items():
-            begun = name in self._futures
-            if needs in known and not begun and not _is_omitted(name, found):
+            if needs == stage and not _is_omitted(name, found):
                 data = partial(shown, found)
                 self._futures[name] = painter().draw(module, function, data)
-        if "motion" not in self._parts:
-            self._parts["motion"] = in_background(encode_motion, found.motion)
-        if found.sound is not None and "sound" not in self._parts:
-            self._parts["sound"] = in_background(encode_sounds, found.sound)
+        self._parts[stage] = self._executor.submit(PAGE_PARTS[stage], found)
 
     def page_parts(self) -> dict[str, Any]:
-        """Return the argument `parts` of `page_data`; `begin` must have been called."""
+        """Return the argument `parts` of `page_data`, after both stages have begun."""
         return {name: part.result() for name, part in self._parts.items()}
 
     def write(self, result: "Result"):
@@ -73,7 +79,6 @@ class Pictures:
 
         Drafts omit the stems, and motions without two-way coupling omit the energies.
         """
-        self.begin(result)
         for name in PICTURES:
             path = result.out / f"{name}.png"
             if _is_omitted(name, result):
@@ -83,17 +88,24 @@ class Pictures:
                 temporary.write_bytes(self._futures[name].result())
 
 
-def encode_motion(motion):
+def encode_motion(found):
     from sonify.report.page_data import encoded_motion  # slow import
 
-    return encoded_motion(motion)
+    return encoded_motion(found.motion)
 
 
-def encode_sounds(sound):
+def encode_sounds(found):
     from sonify.report.page_data import encoded_sounds  # slow import
 
-    _ = sound.loudness  # computed early, because run.json contains it
-    return encoded_sounds(sound)
+    _ = found.sound.loudness  # computed early, because run.json contains it
+    return encoded_sounds(found.sound)
+
+
+PAGE_PARTS: dict[str, Callable[[Any], Any]] = {
+    "motion": encode_motion,
+    "sound": encode_sounds,
+}
+"""Function that encodes the part of the page of each stage."""
 
 
 def _is_omitted(name, found):

@@ -159,8 +159,8 @@ def run_record(result: "Result") -> dict:
     sound = result.sound
     return {
         "scene": scene_record(result.scene),
-        "unused": list(unused_keys(result.scene)),
-        "plan": asdict(result.plan),
+        "unused": list(unused_keys(result.scene, result.motion.plan)),
+        "plan": result.plan.record(),
         "outcome": {
             "name": result.motion.outcome.name,
             "sentence": result.motion.outcome.sentence,

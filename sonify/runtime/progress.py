@@ -1,16 +1,26 @@
 """Stage times, progress estimates and background threads of a run."""
 
 from collections import deque
-from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Iterator
+from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager
 from math import floor
 from statistics import median
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 if TYPE_CHECKING:
     from sonify.result import Result
+
+MAX_SIMULTANEOUS_STAGES = 8
+"""Number of threads of a run; a task may wait for the result of one that began earlier."""
+
+
+class Watch(Protocol):
+    """Progress callback of every task."""
+
+    def __call__(self, share: float, note: str = "") -> None:
+        """Receive the completed share, from 0 to 1, and a short note."""
 
 
 class Stages:
@@ -24,8 +34,8 @@ class Stages:
         self.seconds = {} if seconds is None else seconds
 
     @contextmanager
-    def stage(self, name: str):
-        """Time the block as stage `name`; yield a callback watch(share_done, note)."""
+    def stage(self, name: str) -> Iterator[Watch]:
+        """Time the block as stage `name` and yield its progress callback."""
         began = perf_counter()
         yield lambda share, note="": None
         self.seconds[name] = perf_counter() - began
@@ -131,10 +141,17 @@ def duration_in_words(seconds: float) -> str:
     return f"{number:.0f} {unit}" if number >= 10 else f"{number:.2g} {unit}"
 
 
-def in_background(work: Callable, *arguments: Any) -> Future:
-    """Run `work` in a background thread and return its Future."""
-    thread = ThreadPoolExecutor(1, work.__name__)
+@contextmanager
+def background_threads(executor: Executor | None = None) -> Iterator[Executor]:
+    """Yield the given executor, or else one with threads for this block.
+
+    The block does not wait for tasks whose results it has not requested.
+    """
+    if executor is not None:
+        yield executor
+        return
+    threads = ThreadPoolExecutor(MAX_SIMULTANEOUS_STAGES, "stage")
     try:
-        return thread.submit(work, *arguments)
+        yield threads
     finally:
-        thread.shutdown(wait=False)
+        threads.shutdown(wait=False, cancel_futures=True)

@@ -4,15 +4,19 @@ import json
 import os
 from collections.abc import Callable
 from contextlib import contextmanager
+from functools import cache
 from math import inf
 from pathlib import Path
 from struct import pack
 from threading import Lock
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from sonify.runtime.progress import StageProgress, Stages
+from sonify.runtime.progress import StageProgress, Stages, background_threads
 from sonify.runtime.workers import serve_calls
+
+if TYPE_CHECKING:
+    from sonify.pipeline import DiskModesCache
 
 PROGRESS_FILE = "progress.json"
 PREVIEW_FILE = "preview.wav"
@@ -122,7 +126,15 @@ def warm_up() -> None:
     painter()
     from sonify import pipeline
 
-    pipeline.solve("published", "draft", eigenmodes=pipeline.cached_modes)
+    pipeline.solve("published", "draft", eigenmodes=known_disk_modes())
+
+
+@cache
+def known_disk_modes() -> "DiskModesCache":
+    """Return the modes of the last disks, which this process keeps for further runs."""
+    from sonify.pipeline import DiskModesCache
+
+    return DiskModesCache()
 
 
 def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
@@ -137,16 +149,19 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     from sonify.scene import from_document
 
     stages = ProgressFile(session)
-    scene = pipeline.check_solvable_scene(from_document(document), None)
-    if notice := unused_keys_notice(scene):
+    scene, motion_plan = pipeline.solvable_scene(from_document(document), None)
+    if notice := unused_keys_notice(scene, motion_plan):
         stages.notice(notice)
-    with claimed_folder(out) as folder:
-        pictures = Pictures()
-        begin = _callback_with_preview(pictures.begin, stages, session)
+    with claimed_folder(out) as folder, background_threads() as threads:
+        pictures = Pictures(threads)
         result = pipeline.solve(
-            scene, stages=stages, eigenmodes=pipeline.cached_modes, begin=begin
+            scene,
+            stages=stages,
+            eigenmodes=known_disk_modes(),
+            begin=_callback_with_preview(pictures.begin, stages, session),
+            executor=threads,
         )
-        pipeline.write(result, folder, stages, pictures)
+        pipeline.write(result, folder, stages, pictures, threads)
     return {
         "outcome": result.motion.outcome.sentence,
         "seconds": result.sound.duration,
@@ -206,7 +221,7 @@ def _callback_with_preview(
     import soundfile
 
     def begin_with_preview(solved):
-        if solved.sound is not None:
+        if solved.completed_stage == "sound":
             copy = solved.sound.playback_copy
             temporary = session / "preview.tmp"
             with soundfile.SoundFile(

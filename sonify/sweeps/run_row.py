@@ -4,16 +4,19 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from dynamics.compliant.two_way_onset import must_compute_table_modes
 from modal import as_json
 from sonify.claims.air import end_cause_scalars
 from sonify.claims.checks import mode_checks, motion_checks
 from sonify.claims.rigid_motion import mode_findings
 from sonify.claims.verdict import simplest_scene, verdict_findings
-from sonify.pipeline import cached_modes, solve, write
-from sonify.plan.plan import plan_of
-from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
-from sonify.plan.table import modes_of_table, with_table
+from sonify.pipeline import DiskModesCache, solve, write
+from sonify.plan.motion import planned_scene
+from sonify.plan.preflight import (
+    check_solvable_disk,
+    motion_plan_with_table,
+    solve_modes,
+    solve_motion,
+)
 from sonify.report.write import (
     duration_columns,
     summary,
@@ -25,6 +28,9 @@ from sonify.runtime.progress import Stages
 from sonify.scene import from_document
 from sonify.sound.wav import write_sound
 from sonify.sweeps.required_stages import motion_findings
+
+DISK_MODES = DiskModesCache()
+"""Modes of the last disks, which a worker process keeps for further rows."""
 
 
 def row_of(
@@ -39,13 +45,7 @@ def row_of(
     one-line `error`. Raises OSError if a file cannot be written."""
     watch = Stages()
     try:
-        row = _row(
-            check_solvable_scene(from_document(document), None),
-            stages,
-            keep,
-            Path(folder),
-            watch,
-        )
+        row = _row(from_document(document), stages, keep, Path(folder), watch)
     except OSError:
         raise  # a full disk is not an error of the run
     except Exception as error:  # the sweep continues after any failure of a run
@@ -55,10 +55,11 @@ def row_of(
 
 def _row(scene, stages, keep, folder, watch):
     if "sound" in stages:
-        result = solve(scene, stages=watch, eigenmodes=cached_modes)
+        result = solve(scene, stages=watch, eigenmodes=DISK_MODES)
         for kind in keep:
             FILE_WRITERS[kind](result, folder, watch)
         return summary(result)
+    check_solvable_disk(scene)
     row: dict[str, Any] = {}
     for stage in stages:
         with watch.stage(stage):
@@ -71,12 +72,8 @@ def _row(scene, stages, keep, folder, watch):
 def solve_motion_only(scene, folder):
     """Return the scalars, findings and checks of the motion; write it to `folder` if
     given."""
-    table = (
-        with_table(plan_of(scene), scene)[1]
-        if must_compute_table_modes(scene)
-        else None
-    )
-    motion = solve_motion(scene, table=table)
+    scene, plan = planned_scene(scene)
+    motion = solve_motion(motion_plan_with_table(scene, plan))
     return (
         outcome_scalars(motion, folder)
         | end_cause_scalars(scene, motion)
@@ -93,7 +90,7 @@ def outcome_scalars(motion, folder):
 
 def solve_modes_only(scene, folder):
     """Return the findings and checks of the modes; write them to `folder` if given."""
-    _, modes = plan_with_modes(scene, cached_modes)
+    modes = solve_modes(scene, DISK_MODES)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
     return verdict_columns(mode_findings(modes), mode_checks(scene, modes))
@@ -102,9 +99,8 @@ def solve_modes_only(scene, folder):
 def solve_verdict(scene, folder):
     """Return the verdicts on the motion of the simplest model; write it to `folder` if
     given."""
-    simple = simplest_scene(scene)
-    table = modes_of_table(simple, plan_of(simple).highest_mode)
-    motion = solve_motion(simple, table=table)
+    simple, plan = planned_scene(simplest_scene(scene))
+    motion = solve_motion(motion_plan_with_table(simple, plan))
     return outcome_scalars(motion, folder) | verdict_columns(
         verdict_findings(scene, motion), motion_checks(motion)
     )

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 from annotated_types import Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from sonify.plan.motion import planned_scene
 from sonify.plan.unused import unused_keys
 from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene import from_document, load_scene, scene_with_accuracy
@@ -165,10 +166,12 @@ class Sweep:
         """Return True if no stage reads the keys in `own` in the scene with the values
         `others` and `own`."""
         try:
-            scene = from_document(with_values(self.document, others | own))
+            scene, plan = planned_scene(
+                from_document(with_values(self.document, others | own))
+            )
         except SceneError:
             return False
-        return own.keys() <= set(unused_keys(scene))
+        return own.keys() <= set(unused_keys(scene, plan))
 
 
 def _contradiction(documents):

@@ -11,14 +11,13 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from dynamics import plan_motion
 from sonify import load_scene
 from sonify.__main__ import main
 from sonify.claims.ensemble import Quantity, repeat_final_part
 from sonify.claims.shares import share_of
 from sonify.claims.two_way import losses_above_flat
-from sonify.plan.plan import plan_of
-from sonify.plan.preflight import solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.preflight import motion_plan_with_table, solve_motion
 
 
 @pytest.mark.parametrize(("k", "n"), [(0, 16), (3, 16), (16, 16), (100, 512)])
@@ -54,8 +53,8 @@ def test_the_command_repeats_a_motion_and_prints_shares(tmp_path):
 def test_the_losses_of_a_light_plate_differ_between_perturbed_motions():
     """Contact is lost in every motion, a chaotic number of times; the end hardly differs."""
     scene = load_scene("light-plate")
-    table = with_table(plan_of(scene), scene)[1]
-    motion = solve_motion(scene, table=table)
+    plan = motion_plan_with_table(scene, plan_motion(scene))
+    motion = solve_motion(plan)
     found = repeat_final_part(scene, motion, 4)
     losses = found.quantities[1].values
     assert losses_above_flat(motion) > 0

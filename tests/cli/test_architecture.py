@@ -194,7 +194,7 @@ def test_every_stage_of_a_run_says_what_it_takes_and_gives():
     }
     assert {
         "solve_motion",
-        "plan_with_modes",
+        "plan_of_run",
         "render_sound",
         "analyse_sound",
         "write_sound",

@@ -7,6 +7,7 @@ Source: the README's command line. Oracle: the duration of motions solved to the
 import numpy as np
 import pytest
 
+from dynamics import plan_motion
 from dynamics.progress import MotionProgress
 from modal import eigenmodes
 from modal.progress import progress_range, progress_reported_to, report_progress
@@ -17,7 +18,7 @@ from sonify.runtime.progress import StageProgress
 
 
 def shares(scene, motion, times):
-    progress = MotionProgress(scene)
+    progress = MotionProgress(plan_motion(scene))
     inclinations = motion.at(times)[:, 1]
     return [
         progress.solved_fraction(*place)
@@ -30,7 +31,7 @@ def test_the_share_of_a_motion_is_that_of_its_duration(name):
     """The scenes cover friction alone, an air film and another law; the initial transient is not
     predicted."""
     scene = load_scene(name).replace("numerics.accuracy=draft")
-    motion = solve_motion(scene)
+    motion = solve_motion(plan_motion(scene))
     true = np.linspace(0, 1, 201)[:-1]
     told = np.array(shares(scene, motion, true * motion.t[-1]))
     assert (np.diff(told) >= 0).all()
@@ -45,7 +46,7 @@ def test_a_motion_without_loss_ends_at_its_time_limit():
     scene = load_scene("published").replace(
         friction, "numerics.time_limit=4", "air.film=none"
     )
-    progress = MotionProgress(scene)
+    progress = MotionProgress(plan_motion(scene))
     assert [progress.solved_fraction(t, 0.4) for t in (1.0, 3.0, 2.0, 4.0)] == [
         0.25,
         0.75,
@@ -56,11 +57,11 @@ def test_a_motion_without_loss_ends_at_its_time_limit():
 
 def test_a_disk_too_steep_for_a_steady_motion_has_its_time_limit():
     scene = load_scene("published").replace("numerics.time_limit=8", "air.film=none")
-    assert MotionProgress(scene).solved_fraction(2.0, 1.5) == 0.25
+    assert MotionProgress(plan_motion(scene)).solved_fraction(2.0, 1.5) == 0.25
 
 
 def test_impacts_reduce_the_inclination_of_a_rattling_disk_at_a_constant_rate():
-    progress = MotionProgress(load_scene("coin"))
+    progress = MotionProgress(plan_motion(load_scene("coin")))
     release = np.radians(33.0)
     shares = [
         progress.solved_fraction(t, s * release) for t, s in ((0.4, 0.75), (0.5, 0.8))

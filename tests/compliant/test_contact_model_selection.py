@@ -12,14 +12,12 @@ import numpy as np
 import pytest
 from paths import REFERENCES
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.compliant.model_selection import (
-    choose_contact_model,
     predicted_vibration,
     release_force,
-    roughness_energy_share,
 )
-from dynamics.film.activation import airborne_inclination
+from dynamics.motion_plan import motion_basis
 from sonify import load_scene
 from sonify.scene import from_document
 from sonify.scene_keys import keys
@@ -29,6 +27,12 @@ GENTLE = (
     "release.omega=[0.0, 0.0, 7.0]",
     "friction.mu_static=2.0",
 )
+
+
+def vibration_of(scene):
+    """Return inclinations [rad] and the predicted rms of N'/weight of a scene."""
+    plan = plan_motion(scene)
+    return predicted_vibration(plan, plan.law_table)
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +50,7 @@ def test_first_force_is_that_of_the_rigid_motion(scene):
     ):
         motion = simulate(given.replace("numerics.time_limit=1e-3"))
         expected = motion.force([0.0])[0]
-        assert release_force(given) == pytest.approx(
+        assert release_force(motion_basis(given)) == pytest.approx(
             expected, rel=error, abs=error * given.disk.weight
         )
 
@@ -63,22 +67,22 @@ def test_a_slide_without_a_first_step_has_its_force_too():
     } | rounded
     rigid = from_document(smooth).replace("numerics.time_limit=1e-3")
     expected = simulate(rigid).force([0.0])[0]
-    assert release_force(given) == pytest.approx(
+    assert release_force(motion_basis(given)) == pytest.approx(
         expected, rel=1e-5, abs=1e-6 * given.disk.weight
     )
 
 
 def test_rough_scenes_are_solved_in_full_from_where_contact_is_lost(elastic):
     gentle = elastic.replace(*GENTLE)
-    beta, share = predicted_vibration(gentle.replace("roughness.rms=1e-8"))
-    assert predicted_vibration(gentle.replace("roughness.rms=3e-8"))[
-        1
-    ] == pytest.approx(3 * share)
+    beta, share = vibration_of(gentle.replace("roughness.rms=1e-8"))
+    assert vibration_of(gentle.replace("roughness.rms=3e-8"))[1] == pytest.approx(
+        3 * share
+    )
     rms = 0.3e-8 / share.max()
     for factor, kind in ((0.99, "filter"), (1.01, "full")):
         rough = gentle.replace(f"roughness.rms={factor * rms}")
-        assert predicted_vibration(rough)[1].max() == pytest.approx(0.3 * factor)
-        chosen = choose_contact_model(rough)
+        assert vibration_of(rough)[1].max() == pytest.approx(0.3 * factor)
+        chosen = plan_motion(rough).contact
         assert chosen.kind == kind
         lost = f"below {beta[np.argmax(share)]:.2g} rad, where contact is lost"
         assert (lost in chosen.reason) == (factor > 1)
@@ -96,23 +100,25 @@ def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
     blown = fine.replace(
         "air.film=acts", "friction.arm_rolling=0.0", "dissipation.contour_moment=1e-4"
     )
-    assert choose_contact_model(fine).kind == "full"
-    assert choose_contact_model(blown).kind == "filter"
-    assert predicted_vibration(blown)[1].max() < 0.3
+    assert plan_motion(fine).contact.kind == "full"
+    assert plan_motion(blown).contact.kind == "filter"
+    assert vibration_of(blown)[1].max() < 0.3
     flown = simulate(blown.replace("contact.law=rigid"))
     assert flown.outcome.name == "AIRBORNE"
-    assert airborne_inclination(blown) == pytest.approx(flown.state[-1, 1], rel=0.2)
-    assert airborne_inclination(fine) == 0.0
+    assert plan_motion(blown).film_decision.airborne_inclination == pytest.approx(
+        flown.state[-1, 1], rel=0.2
+    )
+    assert plan_motion(fine).film_decision.airborne_inclination == 0.0
 
 
 def test_slides_and_what_is_asked_for(elastic):
-    assert choose_contact_model(elastic.replace("contact.law=rigid")).kind == "rigid"
-    assert "88% of its static limit" in choose_contact_model(elastic).reason
-    assert choose_contact_model(elastic).kind == "full"
-    assert choose_contact_model(elastic.replace(*GENTLE)).kind == "filter"
+    assert plan_motion(elastic.replace("contact.law=rigid")).contact.kind == "rigid"
+    assert "88% of its static limit" in plan_motion(elastic).contact.reason
+    assert plan_motion(elastic).contact.kind == "full"
+    assert plan_motion(elastic.replace(*GENTLE)).contact.kind == "filter"
     for asked in ("filter", "full"):
         assert (
-            choose_contact_model(elastic.replace(f"numerics.contact={asked}")).kind
+            plan_motion(elastic.replace(f"numerics.contact={asked}")).contact.kind
             == asked
         )
 
@@ -132,16 +138,18 @@ def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
     slow = elastic.replace(
         *GENTLE, *free, "dissipation.contour_moment=5e-8", "roughness.rms=1e-8"
     )
-    chosen = choose_contact_model(slow)
-    assert roughness_energy_share(slow) > 0.05
+    chosen = plan_motion(slow).contact
+    assert plan_motion(slow).roughness_energy_share > 0.05
     assert chosen.kind == "full"
     assert "in addition to friction" in chosen.reason
-    assert choose_contact_model(slow.replace("roughness.loss=fitted")).kind == "filter"
+    assert plan_motion(slow.replace("roughness.loss=fitted")).contact.kind == "filter"
     little = slow.replace("dissipation.contour_moment=1e-3")
-    assert choose_contact_model(little).kind == "filter"
-    assert roughness_energy_share(
+    assert plan_motion(little).contact.kind == "filter"
+    assert plan_motion(
         little.replace("roughness.rms=5e-9")
-    ) == pytest.approx(0.25 * roughness_energy_share(little), rel=0.01)
+    ).roughness_energy_share == pytest.approx(
+        0.25 * plan_motion(little).roughness_energy_share, rel=0.01
+    )
 
 
 @pytest.mark.parametrize(
@@ -150,6 +158,6 @@ def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
 def test_auto_selects_any_of_the_three_models_as_its_help_states(rms, kind):
     """Granite as polished, as ground, and as rough as unfinished stone."""
     scene = load_scene("granite").replace(f"roughness.rms={rms}")
-    assert choose_contact_model(scene).kind == kind
+    assert plan_motion(scene).contact.kind == kind
     (row,) = [key for key in keys() if key.name == "numerics.contact"]
     assert "auto selects one of the three" in row.meaning

@@ -12,6 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from table_models import GRIPS, TABLE, run, standing, steady
 
+from dynamics import plan_motion
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.law.linearised import inertias, mobility
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, SeriesLawTable
@@ -167,7 +168,7 @@ def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, 
 def test_energy_is_kept_and_never_gained(elastic, loss_factor):
     """The disk has its own modes and loses contact on a soft table."""
     scene = elastic.replace(TABLE, f"material.loss_factor={loss_factor}")
-    model = replace(compliant_model(scene, surface_modes(scene)), rate=2e5)
+    model = replace(compliant_model(plan_motion(scene, surface_modes(scene))), rate=2e5)
     y = preloaded_compliant_state(model, steady(contact_law(scene), 4e-4)[0])
     first, _, state, losses, _ = run(model, y, 1, 0.05)
     now = energy(model, state)

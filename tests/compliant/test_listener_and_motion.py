@@ -12,13 +12,13 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
-from dynamics.compliant.two_way_onset import must_compute_table_modes
+from dynamics import plan_motion
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal.tabletop.solve import table_modes_from_numbers
 from sonify import load_scene, solve
-from sonify.export.motion import solved_motion
 from sonify.plan import table as table_plan
 from sonify.plan.plan import plan_of
+from sonify.plan.preflight import motion_plan_with_table, solve_motion
 from sonify.plan.table import with_table
 from sonify.scene import Audio, shipped_scenes
 
@@ -36,8 +36,15 @@ PAIR_AND_SINGLE = (
     "{order=2, frequency=9000.0, damping_ratio=0.02, modal_mass=2.0}]}"
 )
 MOVING_TABLES = [
-    name for name in shipped_scenes() if must_compute_table_modes(load_scene(name))
+    name
+    for name in shipped_scenes()
+    if plan_motion(load_scene(name)).lacks_surface_modes
 ]
+
+
+def solved_motion(scene):
+    """Return the motion of a scene, as in a run."""
+    return solve_motion(motion_plan_with_table(scene, plan_motion(scene)))
 
 
 def bytes_of(motion):
@@ -68,8 +75,9 @@ def test_no_listener_changes_the_modes_that_move_the_disk(name, monkeypatch):
     sounding = []
     for change in ["audio.distance=0.5", *OTHER_LISTENERS.values()]:
         varied = scene.replace(change)
-        plan, moving = with_table(plan_of(varied), varied)
-        assert moving is known
+        motion = motion_plan_with_table(varied, plan_motion(varied))
+        assert motion.surface_modes is known
+        plan = with_table(plan_of(varied, motion), varied, known)
         sounding.append(plan.sounding_table)
     usual = scene.surface, scene.disk, scene.numerics, MAX_AUDIBLE_FREQUENCY
     assert limits == [usual] * len(limits)
@@ -82,9 +90,7 @@ def test_no_listener_changes_any_other_motion(name):
     """The first 20 ms are compared, in which every part of the motion reads the scene."""
     short = "numerics.accuracy=draft", "numerics.time_limit=0.02"
     usual, other = (
-        bytes_of(
-            solved_motion(load_scene(name).replace(*change), lambda *progress: None)
-        )
+        bytes_of(solved_motion(load_scene(name).replace(*change)))
         for change in (short, (*short, *OTHER_LISTENERS.values()))
     )
     assert usual == other
@@ -94,9 +100,9 @@ def test_no_listener_changes_any_other_motion(name):
 @pytest.mark.parametrize("name", ["light-plate", "glass-plate"])
 def test_the_motion_is_the_same_for_every_listener(name):
     scene = load_scene(name).replace("numerics.accuracy=draft")
-    usual = bytes_of(solved_motion(scene, lambda *progress: None))
+    usual = bytes_of(solved_motion(scene))
     everything = scene.replace(*OTHER_LISTENERS.values())
-    assert bytes_of(solved_motion(everything, lambda *progress: None)) == usual
+    assert bytes_of(solved_motion(everything)) == usual
 
 
 @pytest.mark.slow

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from rattling_coin import RADIUS, coin, model_of, settle
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.compliant.law.unevenness import static_depth, unevenness
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.model_selection import predicted_vibration
@@ -250,7 +250,8 @@ def test_below_the_onset_the_other_models_agree(kappa):
         load = motion.force(np.arange(0.05, 0.29, 2e-5))[:, 2] / scene.disk.weight
         lost = sum(loss.duration for loss in motion.contact_losses) / motion.t[-1]
         found[kind] = load.std(), lost, motion.inclination(np.array([0.29]))[0]
-    linear = predicted_vibration(scene)[1][0]
+    plan = plan_motion(scene)
+    linear = predicted_vibration(plan, plan.law_table)[1][0]
     assert unevenness(
         scene.disk, contact_law(scene), scene.roughness, 0.105
     ).curvature_number == (pytest.approx(kappa, rel=0.05))

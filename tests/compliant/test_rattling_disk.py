@@ -19,7 +19,7 @@ from scipy.integrate import solve_ivp
 from scipy.signal import welch
 
 from benchmarks.coin_calibration import burst_decay
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.unevenness import (
     curvature_number,
@@ -29,7 +29,6 @@ from dynamics.compliant.law.unevenness import (
     rim_heights,
     static_depth,
 )
-from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.disk import GRAVITY
 from dynamics.motion import Outcome
 from dynamics.rattling.contact_steps import AXIS, CENTRE, MOMENTUM, VELOCITY
@@ -117,7 +116,7 @@ def test_energy_and_losses_add_up(modes):
         scene = scene.replace(
             f"numerics.contact_rate={rate}", "numerics.time_limit=0.1"
         )
-        motion = solve_rattling_motion(scene)
+        motion = solve_rattling_motion(plan_motion(scene))
         total = motion.energy(motion.t) + motion.state[:, -1]
         errors.append(np.abs(total / total[0] - 1).max())
         at_end.append(abs(total[-1] / total[0] - 1))
@@ -139,7 +138,7 @@ def test_a_lossless_disk_gains_nothing(is_ruled):
         "numerics.time_limit=0.1",
         "numerics.contact_rate=2.4e6",
     ).replace(f"roughness.grain={is_ruled}")
-    motion = solve_rattling_motion(scene)
+    motion = solve_rattling_motion(plan_motion(scene))
     energy = motion.energy(motion.t)
     assert np.abs(energy / energy[0] - 1).max() < 1e-6
     assert abs(energy[-1] / energy[0] - 1) < 1e-7
@@ -321,7 +320,7 @@ def test_the_effective_restitution_is_that_of_the_flat_limit(body, restitution):
 def test_an_upright_disk_ends_with_a_name():
     scene = coin(1e-6, 1.0, 0.5, 0, 1.2)
     spinning = scene.replace("release.omega=[-30.0, 0.0, 0.0]")
-    assert solve_rattling_motion(spinning).outcome in {
+    assert solve_rattling_motion(plan_motion(spinning)).outcome in {
         Outcome.UPRIGHT,
         Outcome.LIFTED_OFF,
     }
@@ -335,7 +334,7 @@ def test_the_modes_that_sound_are_those_of_the_motion():
         1e-6, 1.0, 0.5, 1, 0.1, "contact.body=elastic", "numerics.time_limit=0.02"
     )
     modes = eigenmodes(scene, below=19e3)
-    motion = solve_rattling_motion(scene)
+    motion = solve_rattling_motion(plan_motion(scene))
     rim = motion.model.rim
     share = mode_shares(rim, modes)
     assert np.abs(share).sum(axis=0).tolist() == [1.0] * len(modes)
@@ -397,7 +396,7 @@ def test_the_film_acts_on_a_coin_that_impacts_stop_before_the_time_limit():
     """Without impacts the film would act after 4.9 s only."""
     for limit in (2.0, 600.0):
         scene = load_scene("coin").replace(f"numerics.time_limit={limit}")
-        assert rattling_model(scene).film is not None
+        assert rattling_model(plan_motion(scene)).film is not None
 
 
 @pytest.mark.parametrize(
@@ -453,7 +452,7 @@ def test_a_measured_profile_is_repeated_at_every_turn(tmp_path):
 )
 def test_contact_anywhere_is_chosen_where_no_rolling_motion_exists(changes, kind):
     """Above kappa = 0.25. Where the model lacks something the scene asks for, the plan warns."""
-    chosen = choose_contact_model(load_scene("granite").replace(*changes))
+    chosen = plan_motion(load_scene("granite").replace(*changes)).contact
     assert chosen.kind == kind
     warned = "where rolling is impossible" in chosen.reason
     assert warned == bool(changes)

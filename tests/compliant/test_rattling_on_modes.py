@@ -9,13 +9,11 @@ from math import pi
 
 import numpy as np
 import pytest
-from rattling_coin import RADIUS, coin, model_of
+from rattling_coin import coin, model_of
 from scipy.integrate import solve_ivp
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.compliant.compliant_motion import FORCE_SAMPLE_RATE, FORCES_PER_ROW
-from dynamics.compliant.model_selection import choose_contact_model
-from dynamics.compliant.modes_from_scene import modes_from_numbers
 from dynamics.disk import GRAVITY
 from dynamics.rattling.contact_steps import CENTRE
 from dynamics.rattling.rattling_motion import (
@@ -83,7 +81,7 @@ def test_a_lossless_table_that_slopes_gains_nothing(is_fixed):
     )
     # modes given by numbers move with the disk; those of a table of known mass do not
     table = replace(table_of(scene), mass=0.02 if is_fixed else 0.0)
-    model = rattling_model(scene, table)
+    model = rattling_model(plan_motion(scene, table))
     motion = simulate_rattling(
         model, rolling_state_at_release(model, 0.09, scene.release.omega), 0.03, 0.0
     )
@@ -167,11 +165,9 @@ def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass
 
 def test_an_impact_on_a_light_table_loses_energy_to_its_waves():
     scene = on_modes((0, 3000.0, 0.05, 0.002), changes=["friction.mu_dynamic=0"])
-    alone = effective_restitution(rattling_model(scene), 0.09, 0.01)
-    assert (
-        effective_restitution(rattling_model(scene, table_of(scene)), 0.09, 0.01)
-        < alone - 0.05
-    )
+    model = rattling_model(plan_motion(scene))
+    alone = effective_restitution(model._replace(modes=None), 0.09, 0.01)
+    assert effective_restitution(model, 0.09, 0.01) < alone - 0.05
 
 
 def test_a_table_that_stores_too_little_only_sounds():
@@ -182,8 +178,8 @@ def test_a_table_that_stores_too_little_only_sounds():
         )
         motion = simulate(scene)
         assert motion.moves_table == acts
-        decision, joins = table_action(scene, modes_from_numbers(scene.surface, RADIUS))
-        assert joins == acts
+        decision = table_action(motion.plan)
+        assert motion.plan.two_way.is_two_way == acts
         assert ("from the release" in decision.reason) == acts
 
 
@@ -191,9 +187,9 @@ def test_contact_anywhere_is_chosen_on_a_table_that_moves():
     scene = on_modes((2, 900.0, 0.01, 0.1)).document
     del scene["contact"]["restitution"]
     scene["numerics"]["contact"] = "auto"
-    assert choose_contact_model(from_document(scene)).kind == "many"
+    assert plan_motion(from_document(scene)).contact.kind == "many"
     scene["roughness"]["rms"] = 1e-9
-    assert choose_contact_model(from_document(scene)).kind == "full"
+    assert plan_motion(from_document(scene)).contact.kind == "full"
 
 
 def table_of(scene):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from rattling_coin import coin, model_of, settle
 
+from dynamics import plan_motion
 from dynamics.rattling.rattling_motion import solve_rattling_motion
 from sonify.claims.rattling import (
     disk_rattles,
@@ -43,7 +44,7 @@ def test_vibration_is_named_where_contact_is_lost_by_the_modes_alone():
     scene = coin(
         6e-8, 1.0, 0.5, 1, 0.12, "contact.body=elastic", "numerics.time_limit=0.3"
     )
-    verdict = vibration_opens_contact(scene, solve_rattling_motion(scene))
+    verdict = vibration_opens_contact(scene, solve_rattling_motion(plan_motion(scene)))
     assert verdict.verdict == "yes"
     assert verdict.cause == "vibration"
 

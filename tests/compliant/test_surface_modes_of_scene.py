@@ -11,11 +11,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from dynamics import MotionScene, OwnLaw, simulate
+from dynamics import MotionScene, OwnLaw, plan_motion, simulate
 from dynamics.compliant.compliant_motion import CompliantMotion
 from dynamics.compliant.law.sections import SwitchedContact
 from dynamics.compliant.modes_from_scene import MAX_TABLE_FREQUENCY, modes_from_numbers
-from dynamics.compliant.two_way_onset import table_reaction
 from dynamics.sections import as_motion_scene
 from modal import surface_modes
 from modal.modes import DEFAULT_HIGHEST_FREQUENCY
@@ -72,9 +71,8 @@ def test_a_table_that_reacts_at_the_release_is_coupled_from_the_start(scene):
         *RELEASED_FLAT,
         "numerics.time_limit=0.01",
     )
-    modes = modes_from_numbers(on_table.surface, on_table.disk.radius)
     tilt = np.radians(on_table.release.inclination_deg)
-    assert table_reaction(on_table, modes).inclination == tilt
+    assert plan_motion(on_table).two_way.inclination == tilt
     requested = as_motion_scene(on_table).part(
         contact=SwitchedContact(law="elastic"),
         surface=replace(on_table.surface, action="motion"),

@@ -20,10 +20,10 @@ from scipy.stats import ttest_ind
 from table_models import GRIPS, TABLE, run, standing, steady
 
 from benchmarks.cases.table_halt import simulate_halt
-from dynamics import Motion, Outcome
+from dynamics import Motion, Outcome, plan_motion
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.model_inputs import contact_law, step_rate
+from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import (
     columns,
     energy,
@@ -34,8 +34,6 @@ from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.table_modes import CONTACT, store_table_shapes
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.compliant.two_way_onset import (
-    may_be_two_way,
-    table_reaction,
     table_shares_by_inclination,
 )
 from dynamics.disk import Friction
@@ -207,7 +205,7 @@ def halts(elastic, friction, rate, starts):
     stiffness constant, as in the other programs.
     """
     sharp = elastic.replace("contact.fillet=1e-5", "contact.young=87e9")
-    motion = solve_motion(load_scene("published"))
+    motion = solve_motion(plan_motion(load_scene("published")))
     t0 = 250 * elastic.disk.time_unit
     mode = 2, 600.0, 0.02, 1.0
     model = standing(sharp, rate, friction, mode, stiffness=1.1e11)
@@ -333,7 +331,7 @@ def test_what_is_not_solved_is_refused_in_one_line(elastic):
     ):
         elastic.replace(TABLE, "numerics.accuracy=draft", "numerics.contact_rate=1.4e5")
     assert (
-        step_rate(elastic.replace(TABLE, "numerics.accuracy=draft")) < 4e5
+        plan_motion(elastic.replace(TABLE, "numerics.accuracy=draft")).step_rate < 4e5
     )  # a draft then uses this rate
 
 
@@ -401,13 +399,13 @@ def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(
         light, "release.inclination_deg=2.0", "release.omega=[0.0, 1.011, 5.929]"
     )
     with pytest.raises(SceneError, match=r"no first step: the table bends"):
-        solve_motion(scene, table=surface_modes(scene))
+        solve_motion(plan_motion(scene, surface_modes(scene)))
     soft = elastic.replace(TABLE.replace("600.0", "0.001"))
     with pytest.raises(
         SceneError,
         match=r"the weight of the disk would bend the table by \S+ m, more than the radius",
     ):
-        solve_motion(soft, table=surface_modes(soft))
+        solve_motion(plan_motion(soft, surface_modes(soft)))
 
 
 @pytest.mark.parametrize("order", [1, 2])
@@ -425,7 +423,7 @@ def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
         "modal_mass=1.0", "modal_mass=0.05"
     )
     scene = elastic.replace(light, *low, "numerics.time_limit=6")
-    motion = solve_motion(scene, table=surface_modes(scene))
+    motion = solve_motion(plan_motion(scene, surface_modes(scene)))
     assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
     assert motion.t[-1] < 2
     assert motion.largest_regain() < 1e-12 * motion.energy(0.0)[0]
@@ -441,8 +439,8 @@ def test_a_heavy_table_is_a_rigid_one(elastic):
     )
     scene = elastic.replace(*low, "numerics.contact=full", "numerics.contact_rate=2e5")
     heavy = scene.replace(TABLE.replace("modal_mass=1.0", "modal_mass=1e5"))
-    motion = solve_motion(heavy, table=surface_modes(heavy))
-    alone = solve_motion(scene)
+    motion = solve_motion(plan_motion(heavy, surface_modes(heavy)))
+    alone = solve_motion(plan_motion(scene))
     t = np.linspace(0, 0.05, 50)
     assert motion.at(t)[:, 1] == pytest.approx(alone.at(t)[:, 1], rel=2e-3)
     assert motion.table_energy(t).max() < 1e-3 * motion.energy(t).max()
@@ -461,12 +459,12 @@ def test_a_massive_table_is_never_handed_over(elastic):
         *LATE,
         TABLE.replace("modal_mass=1.0", "modal_mass=1e8").replace("motion", "auto"),
     )
-    modes = surface_modes(massive)
-    assert not table_reaction(massive, modes).inclination
-    assert "remain below 1%" in table_action(massive, modes)[0].reason
+    plan = plan_motion(massive, surface_modes(massive))
+    assert not plan.two_way.inclination
+    assert "remain below 1%" in table_action(plan).reason
     alone = massive.replace("surface={kind='rigid'}")
-    motion = solve_motion(massive, table=modes)
-    rigid = solve_motion(alone)
+    motion = solve_motion(plan)
+    rigid = solve_motion(plan_motion(alone))
     t = np.linspace(0, rigid.t[-1], 100)
     assert (motion.at(t) == rigid.at(t)).all()
     assert (motion.force(t) == rigid.force(t)).all()
@@ -480,7 +478,7 @@ def handed(elastic):
         TABLE.replace("modal_mass=1.0", "modal_mass=10.0").replace("motion", "auto"),
     )
     modes = surface_modes(scene)
-    return scene, modes, solve_motion(scene, table=modes)
+    return scene, modes, solve_motion(plan_motion(scene, modes))
 
 
 def test_a_table_is_handed_over_where_the_plan_says(handed):
@@ -490,7 +488,7 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     n = 2
     w = 2 * np.pi * 600
     zeta = 0.02
-    beta, energy_share, _ = table_shares_by_inclination(scene, modes)
+    beta, energy_share, _ = table_shares_by_inclination(motion.plan, modes)
     x = n * np.array([steady(contact_law(scene), b)[1] for b in beta]) / w
     shape = (1 - contact_law(scene).rolling_fillet / disk.radius) ** n  # at the contact
     amplitude = shape * disk.weight / (10.0 * w**2) / np.hypot(1 - x**2, 2 * zeta * x)
@@ -503,13 +501,13 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
         / (1.5 * disk.weight * disk.radius * beta)
     )
     assert energy_share == pytest.approx(closed, rel=1e-4)  # splines of the shape
-    found = table_reaction(scene, modes)
-    assert may_be_two_way(scene)
-    assert may_be_two_way(scene.replace("contact.law=rigid"))
-    assert not may_be_two_way(scene.replace("roughness.rms=1e-8"))
+    found = motion.plan.two_way
+    assert plan_motion(scene).may_be_two_way
+    assert plan_motion(scene.replace("contact.law=rigid")).may_be_two_way
+    assert not plan_motion(scene.replace("roughness.rms=1e-8")).may_be_two_way
     assert (
         f"below an inclination of {found.inclination:.2g} rad"
-        in table_action(scene, modes)[0].choice
+        in table_action(motion.plan).choice
     )
     t = motion.switch_time
     assert isinstance(motion, Motion)
@@ -550,10 +548,9 @@ def test_what_each_cause_takes_of_a_motion_in_two_parts_adds_up(handed):
     )
     assert what_ends(motion).value < 1
     film = film_under(motion.disk, load_scene("toy").air)
-    assert (
-        replace(motion, passive_part=replace(motion.passive_part, loads=film)).film
-        is film
-    )
+    first = motion.passive_part
+    over_film = replace(first, plan=replace(first.plan, loads=film))
+    assert replace(motion, passive_part=over_film).film is film
 
 
 def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
@@ -567,7 +564,7 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
         "motion", "auto"
     )
     scene = elastic.replace(*LATE, lighter)
-    motion = solve_motion(scene, table=surface_modes(scene))
+    motion = solve_motion(plan_motion(scene, surface_modes(scene)))
     assert motion.contact_losses
     t = np.linspace(0.0, motion.switch_time, 200_001)
     (state, force) = motion.passive_part.at_and_force(t)
@@ -625,7 +622,7 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     heavy = scene.replace(
         "surface.action=motion", TABLE.replace("modal_mass=1.0", "modal_mass=1e6")
     )
-    rigid = solve_motion(heavy, table=surface_modes(heavy))
+    rigid = solve_motion(plan_motion(heavy, surface_modes(heavy)))
     earlier = found["halt_comes_earlier"]
     advance = time_above(rigid, FLAT_INCLINATION) - time_above(motion, FLAT_INCLINATION)
     assert earlier.value == pytest.approx(advance, abs=earlier.margin + 0.02)
@@ -748,10 +745,10 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(
         "contact.law=elastic", "surface.action=auto"
     )
     modes = surface_modes(scene, 20e3)
-    motion = solve_motion(scene, table=modes)
+    motion = solve_motion(plan_motion(scene, modes))
     advanced = two_way.halt_comes_earlier(scene, motion)
     monkeypatch.setattr("dynamics.compliant.two_way_onset.MIN_RELEVANT_SHARE", 0.005)
-    earlier = solve_motion(scene, table=modes)
+    earlier = solve_motion(plan_motion(scene, modes))
     assert earlier.switch_time < motion.switch_time - 0.5
     assert 0.1 < advanced.value < 1.0
     assert time_above(motion, 1e-4) == pytest.approx(

@@ -13,9 +13,8 @@ import numpy as np
 import pytest
 from scenes import scene, whirling
 
-from dynamics import Air, Outcome, OwnLaw, simulate
+from dynamics import Air, Outcome, OwnLaw, plan_motion, simulate
 from dynamics.equations import DiskConstants, Loads, disk_constants
-from dynamics.film.activation import decide_film
 from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
 from dynamics.observables import precession_rate
@@ -291,10 +290,10 @@ def test_auto_takes_the_film_where_it_will_matter():
     """The film starts where its steady power is 1 % of the total, slides excluded."""
     long = scene(air=Air())
     short = scene({"time_limit": 5.0}, air=Air())
-    told = decide_film(long)
+    told = plan_motion(long).film_decision
     disk = long.disk
     assert told.film == film_under(disk, AIR)
-    assert decide_film(short).film is None
+    assert plan_motion(short).film_decision.film is None
     np.testing.assert_array_equal(
         simulate(short).state, simulate(scene({"time_limit": 5.0})).state
     )
@@ -322,7 +321,7 @@ def test_auto_takes_the_film_where_it_will_matter():
     ],
 )
 def test_where_auto_leaves_the_film_out(air, others):
-    told = decide_film(scene(air=air, **others))
+    told = plan_motion(scene(air=air, **others)).film_decision
     assert told.film is None
     assert told.reason
 

@@ -8,11 +8,9 @@ ideal gas, 0.66 mm at 10 Pa.
 import numpy as np
 import pytest
 
-from dynamics import Outcome, simulate
+from dynamics import Outcome, plan_motion, simulate
 from dynamics.film.activation import (
     MAX_KNUDSEN_NUMBER,
-    decide_film,
-    final_inclination,
     rarefied_inclination,
 )
 from sonify import SceneError
@@ -67,19 +65,18 @@ def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
 def test_in_air_of_one_atmosphere_the_end_is_as_before(scene):
     acts = scene.replace("air.film=acts")
     assert rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN_NUMBER) < 2e-8
-    assert final_inclination(acts) == max(
+    assert plan_motion(acts).final_inclination == max(
         acts.numerics.stopping_inclination(acts.disk),
         rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN_NUMBER),
     )
-    assert final_inclination(
-        scene.replace("air.film=none")
-    ) == scene.numerics.stopping_inclination(scene.disk)
+    still = plan_motion(scene.replace("air.film=none"))
+    assert still.final_inclination == scene.numerics.stopping_inclination(scene.disk)
 
 
 def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
     """The mean gap at release is 20 mm; the mean free path equals it at 10 Pa 0.66/20 = 0.33 Pa."""
     thin = rare.replace("air.pressure=0.3")
-    found = decide_film(thin)
+    found = plan_motion(thin).film_decision
     assert found.film is None
     assert "must be at least 0.326" in found.reason
     with pytest.raises(
@@ -87,6 +84,5 @@ def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
     ) as refused:
         check_solvable_scene(thin.replace("air.film=acts"), None)
     assert "\n" not in str(refused.value)
-    assert (
-        decide_film(thin.replace("air.pressure=0.34", "air.film=acts")).film is not None
-    )
+    denser = thin.replace("air.pressure=0.34", "air.film=acts")
+    assert plan_motion(denser).film is not None

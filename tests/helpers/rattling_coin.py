@@ -4,6 +4,7 @@ from math import pi, radians, sin, sqrt
 
 import numpy as np
 
+from dynamics import plan_motion
 from dynamics.disk import GRAVITY
 from dynamics.rattling.rattling_motion import (
     rattling_model,
@@ -56,8 +57,9 @@ def model_of(scene, heights=None, modes=None):
     """Return the model of a scene with E* = 40 GPa, and with other heights if given, on a table with
     modes or at rest.
     """
-    model = rattling_model(scene, modes)
-    model = model._replace(constants=model.constants._replace(modulus=40e9))
+    model = rattling_model(plan_motion(scene))
+    constants = model.constants._replace(modulus=40e9)
+    model = model._replace(constants=constants, modes=modes)
     return model if heights is None else model._replace(heights=heights)
 
 

@@ -57,7 +57,7 @@ def ask(*_):
     ("door", "work"),
     [
         (eigenmodes, "modal.solve.check_solvable"),
-        (run, "sonify.pipeline.plan_with_modes"),
+        (run, "sonify.pipeline.plan_of_run"),
     ],
 )
 def test_one_thread_inside_and_as_many_as_before_outside(

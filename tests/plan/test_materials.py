@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from paths import ROOT
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from modal import Material, eigenmodes
 from modal.materials import MATERIALS
 from sonify import SceneError, load_scene
@@ -158,8 +158,8 @@ def test_a_scene_without_mass_density_and_name_is_wrong():
 
 def test_a_name_without_effect_is_reported():
     scene = load_scene("published").replace("material.name=glass")
-    assert unused_keys(scene) == ("material.name",)
-    assert unused_keys(named("glass")) == ()
+    assert unused_keys(scene, plan_motion(scene)) == ("material.name",)
+    assert unused_keys(named("glass"), plan_motion(named("glass"))) == ()
 
 
 def test_the_list_of_keys_names_the_materials():

@@ -16,8 +16,7 @@ from arithmetic import gamma
 
 import modal.accuracy
 from benchmarks.cases.sound_error import audible_error, level_error
-from dynamics import RigidMotion, simulate
-from dynamics.quasi_steady import scene_time_to_flat
+from dynamics import RigidMotion, plan_motion, simulate
 from dynamics.solver_settings import ACCURACY_LEVELS, inclination_at_rate
 from modal import radiation_decay
 from modal.radiation import TOP_FACE
@@ -25,7 +24,7 @@ from sonify import SceneError, load_scene
 from sonify.plan.plan import plan_of, steady_precession_frequency
 from sonify.plan.predictions import mode_frequency_error, predicted_sound_error
 from sonify.plan.preflight import plan_with_modes
-from sonify.plan.table import with_table
+from sonify.plan.table import audible_table, solve_table, with_table
 from sonify.scene import shipped_scenes
 from sonify.sound.force import INTERPOLATION_NODES, INTERPOLATION_STRIDE
 from sonify.sound.oscillators import OscillatorBank
@@ -58,9 +57,9 @@ def rendered(scene, accuracy):
     """Solve a scene up to its sound and return the parts that `measured` compares."""
     scene = scene.replace(f"numerics.accuracy={accuracy}")
     plan, modes = plan_with_modes(scene)
-    plan, table = with_table(plan, scene)
+    table = solve_table(scene, plan.motion)
     motion = simulate(scene, surface_modes=table)
-    rendered = plan.rendered_table(table)
+    rendered = table and audible_table(table, scene)
     renderer = Renderer(
         scene, motion, modes, plan.sounding, plan.max_contact_turn, rendered
     )
@@ -187,7 +186,7 @@ def test_the_time_that_is_left_is_that_of_the_solved_motion(name):
     motion = simulate(scene)
     for beta in (1e-4, 1e-6):
         when = motion.t[np.argmax(motion.state[:, 1] < beta)]
-        left = scene_time_to_flat(beta, scene)
+        left = plan_motion(scene).time_to_flat(beta)
         assert motion.t_end - when == pytest.approx(left, rel=0.1)
 
 
@@ -312,7 +311,7 @@ def test_a_disk_that_loses_nothing_has_all_the_time_there_is(scene):
         f"friction.arm_{name}=0" for name in ("nutation", "rolling", "pivoting")
     ]
     still = scene.replace(*lossless, "numerics.time_limit=1")
-    assert scene_time_to_flat(1e-3, still) == inf
+    assert plan_motion(still).time_to_flat(1e-3) == inf
     assert plan_of(still).predictions[0].error == 0
 
 
@@ -320,10 +319,10 @@ def test_a_disk_that_moves_with_its_table_is_not_said_to_stay_rigid_on_a_plane(s
     """A table mode of 1 kg ends in two-way coupling; one of 1e6 kg never does."""
     surface = "surface={{kind='modes', modes=[{{order=2, frequency=600.0, damping_ratio=0.02, modal_mass={}}}]}}"
     moves, still = (
-        with_table(plan_of(on), on)[0]
+        with_table(plan_of(on), on, solve_table(on, plan_motion(on)))
         for on in (scene.replace(surface.format(mass)) for mass in (1.0, 1e6))
     )
-    plane = with_table(plan_of(scene), scene)[0].modelled[-1]
+    plane = with_table(plan_of(scene), scene, None).modelled[-1]
     assert plane == "A rigid disk rolls and slides on a rigid plane."
     assert plane in still.modelled
     assert plane not in moves.modelled

@@ -12,11 +12,17 @@ from functools import cache
 import numpy as np
 import pytest
 
-from dynamics.compliant.two_way_onset import may_be_two_way, must_compute_table_modes
+from dynamics import plan_motion
 from modal import eigenmodes
 from sonify import SceneError, load_scene, run
-from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.preflight import (
+    check_solvable_scene,
+    motion_plan_with_table,
+    plan_with_modes,
+    solvable_scene,
+    solve_motion,
+)
+from sonify.plan.table import audible_table, solve_table
 from sonify.plan.unused import UNUSED_KEY_RULES, unused_keys
 from sonify.runtime.progress import Stages
 from sonify.scene_keys import keys
@@ -213,14 +219,12 @@ def remembered(scene, below):
 
 def stages(scene):
     """Yield the bytes of the modes, the motion and the sound of a scene lazily."""
-    scene = check_solvable_scene(scene, None)
+    scene, motion_plan = solvable_scene(scene, None)
     plan, modes = plan_with_modes(scene, remembered)
-    plan, table = with_table(plan, scene)
-    rendered = plan.rendered_table(table)
+    table = solve_table(scene, motion_plan)
+    rendered = table and audible_table(table, scene)
     yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
-    motion = solve_motion(
-        scene, table=table if must_compute_table_modes(scene) else None
-    )
+    motion = solve_motion(motion_plan_with_table(scene, motion_plan))
     yield motion.t.tobytes() + motion.state.tobytes() + motion.force(motion.t).tobytes()
     renderer = Renderer(
         scene, motion, modes, plan.sounding, plan.max_contact_turn, rendered
@@ -274,7 +278,7 @@ def test_every_key_is_walked_over():
 def test_a_key_is_unused_or_changes_something(base):
     wrong = {}
     for name, scene in allowed(base):
-        unused = name in unused_keys(scene)
+        unused = name in unused_keys(scene, plan_motion(scene))
         changes = differs(scene, base)
         if unused == changes and not (name in NOT_REACHED and not unused):
             wrong[name] = (
@@ -332,19 +336,25 @@ def test_roughness_on_a_rigid_contact_is_listed_and_changes_no_byte(tmp_path):
         one, other = ((out / name).read_bytes() for out in files)
         assert one == other, name
     again = load_scene(files[1] / "run.json")
-    assert set(unused_keys(again)) == {"roughness.rms", "contact.young"}
+    assert set(unused_keys(again, plan_motion(again))) == {
+        "roughness.rms",
+        "contact.young",
+    }
 
 
 def test_only_what_a_scene_sets_is_listed():
     published = load_scene("published")
-    assert unused_keys(published) == ()
+    assert unused_keys(published, plan_motion(published)) == ()
     assert (
-        unused_keys(published.replace("contact.loss_factor=0.02")) == ()
+        unused_keys(
+            published.replace("contact.loss_factor=0.02"), plan_motion(published)
+        )
+        == ()
     )  # the default
     elastic = published.replace(
         "contact.law=elastic", "roughness.rms=1e-7", "contact.young=7e10"
     )
-    assert unused_keys(elastic) == ()
+    assert unused_keys(elastic, plan_motion(elastic)) == ()
 
 
 def test_roughness_does_not_keep_a_table_from_acting_on_a_rigid_contact():
@@ -352,7 +362,7 @@ def test_roughness_does_not_keep_a_table_from_acting_on_a_rigid_contact():
     the motion."""
     table = load_scene("published").replace(f"surface={{kind='modes', modes=[{MODE}]}}")
     rough = table.replace("roughness.rms=1e-7")
-    assert may_be_two_way(table)
-    assert may_be_two_way(rough)
-    assert not may_be_two_way(rough.replace("contact.law=elastic"))
-    assert unused_keys(rough) == ("roughness.rms",)
+    assert plan_motion(table).may_be_two_way
+    assert plan_motion(rough).may_be_two_way
+    assert not plan_motion(rough.replace("contact.law=elastic")).may_be_two_way
+    assert unused_keys(rough, plan_motion(rough)) == ("roughness.rms",)

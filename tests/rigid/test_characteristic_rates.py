@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scenes import conservative, scene, whirling
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.observables import (
     _in_long_intervals,
     lossless_rolling_load,
@@ -113,7 +113,7 @@ def test_where_the_contact_hops_the_nutation_is_drawn_while_there_is_one():
     coin = load_scene("coin-polished").replace(
         "friction.arm_nutation=1e-4", "numerics.time_limit=3"
     )
-    motion = solve_motion(coin)
+    motion = solve_motion(plan_motion(coin))
     assert len(motion.contact_losses) > 100
     time, precession, nutation = plotted_rates(motion)
     drawn = np.isfinite(nutation)
@@ -152,7 +152,7 @@ def test_a_few_peaks_that_come_by_chance_are_no_nutation():
 def test_where_the_table_drives_the_disk_the_nutation_is_drawn_while_it_is_the_stronger():
     """A plate with position-dependent stiffness drives the disk once per turn."""
     plate = load_scene("glass-plate")
-    motion = solve_motion(plate, table=surface_modes(plate))
+    motion = solve_motion(plan_motion(plate, surface_modes(plate)))
     time, _, nutation = plotted_rates(motion)
     end = nutation_end_time(motion)
     assert 18.0 < end < motion.t[-1] - 0.2

@@ -14,7 +14,7 @@ import pytest
 from psutil import Process
 from scenes import scene, whirling
 
-from dynamics import Loads, OwnLaw, simulate
+from dynamics import Loads, OwnLaw, plan_motion, simulate
 from dynamics.equations import DiskConstants
 from dynamics.hybrid import StalledError
 from dynamics.regime import Regime
@@ -125,7 +125,7 @@ def test_what_most_motions_need_is_compiled_before_they_ask():
         dissipation={"viscous_force": 1e-9},
     )
     before = taylor.compiled_taylor_future.cache_info().misses
-    compile_in_background(wanted)
+    compile_in_background(plan_motion(wanted))
     assert taylor.compiled_taylor_future.cache_info().misses == before + 2
     assert {t.after for t in simulate(wanted).transitions} == {"roll", "slide"}
     assert taylor.compiled_taylor_future.cache_info().misses == before + 2

@@ -19,11 +19,10 @@ import soundfile
 from paths import REFERENCES, ROOT
 from scipy.signal import stft, welch
 
+from dynamics import plan_motion
 from sonify.claims.two_way import halt_comes_earlier
 from sonify.hearing.loudness import a_weighting_db
-from sonify.plan.plan import plan_of
-from sonify.plan.preflight import solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.preflight import motion_plan_with_table, solve_motion
 from sonify.scene import FORMER_SCENES, load_scene, shipped_scenes
 
 KNOWN = json.loads((REFERENCES / "finding_values.json").read_text("utf-8"))
@@ -129,8 +128,8 @@ def test_a_table_brings_equal_inclinations_forward(name, flat, above):
     scene = load_scene(name)
     if scene.contact.law == "elastic":
         scene = scene.replace("contact.fillet=1e-5")  # as good as sharp
-    table = with_table(plan_of(scene), scene)[1]
-    earlier = halt_comes_earlier(scene, solve_motion(scene, table=table))
+    plan = motion_plan_with_table(scene, plan_motion(scene))
+    earlier = halt_comes_earlier(scene, solve_motion(plan))
     assert earlier.value == pytest.approx(flat, rel=0.03)
     assert earlier.details["advance_at_100_urad"] == pytest.approx(above, rel=0.03)
 

@@ -125,8 +125,9 @@ def without_roughness(scene):
     )
 
 
-def steadily(law, beta, seconds):
-    """Return the motion of a disk that slides steadily under its weight."""
+def steadily(table, beta, seconds):
+    """Return the motion of a disk that slides steadily under its weight on a tabulated law."""
+    law = table.law
     disk = law.disk
     speed = steady_speed(law, beta)
     weight = [0.0, 0.0, disk.weight]
@@ -143,7 +144,8 @@ def steadily(law, beta, seconds):
         disk=disk, t=np.array([0.0, seconds]), state=at(np.array([0.0, seconds])), jumps=none, at=at,
         force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
         bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
-        outcome=Outcome.TIME_LIMIT,
+        outcome=Outcome.TIME_LIMIT, film=None, rim_modes=None, vibration_crossover=None,
+        plan=SimpleNamespace(film=None, law_table=table),
     )  # fmt: skip
 
 
@@ -165,7 +167,8 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     distance = scene.audio.distance
     law = contact_law(scene)
     speed = steady_speed(law, beta)
-    motion = steadily(law, beta, seconds)
+    table = contact_law_table(scene)
+    motion = steadily(table, beta, seconds)
     free = eigenmodes(scene, below=18e3)
     added = ContactVibration(
         scene,
@@ -191,7 +194,7 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     heave = 2 * jv(1, x) / x / disk.mass
     tilt = disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
     theory = predicted_spectrum(
-        contact_law_table(scene),
+        table,
         scene.roughness,
         beta,
         disk.weight,
@@ -254,7 +257,7 @@ def test_memory_does_not_grow_with_the_length(rough):
     table = contact_law_table(rough)
     peaks = []
     for seconds in (6.0, 60.0):
-        motion = steadily(contact_law(rough), 0.1, seconds)
+        motion = steadily(table, 0.1, seconds)
         tracemalloc.start()
         frames = sum(
             len(block)

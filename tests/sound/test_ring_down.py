@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.signal import butter, hilbert, sosfiltfilt
 
-from dynamics import Outcome
+from dynamics import Outcome, plan_motion
 from modal import radiation_decay
 from sonify import load_scene, run
 from sonify.plan.plan import decay_decision, omissions_after_end
@@ -65,7 +65,7 @@ def carried():
     )
     scene = load_scene("published").replace("numerics.accuracy=draft", *changes)
     plan, modes = plan_with_modes(scene)
-    motion = solve_motion(scene)
+    motion = solve_motion(plan_motion(scene))
     assert motion.outcome is Outcome.AIRBORNE
     renderer = Renderer(scene, motion, modes, plan.sounding)
     return renderer, np.vstack(list(renderer.blocks())).sum(axis=1)

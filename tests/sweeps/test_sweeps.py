@@ -327,7 +327,7 @@ def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
         "eigenmodes",
         lambda scene, **asked: solved.append(1) or alone(scene, **asked),
     )
-    pipeline._modes_of.cache_clear()
+    monkeypatch.setattr(run_row, "DISK_MODES", pipeline.DiskModesCache())
     painter.cache_clear()
     whole = summary(solve(FALLING))
     for arm in (3e-3, 2.9e-3):

@@ -20,10 +20,6 @@ from dynamics.compliant.law.linear_response import (
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.tabulated import LawTable
-from dynamics.compliant.model_inputs import contact_law_table
-from dynamics.film.activation import decide_film
-from dynamics.rattling.rattling_motion import RattlingMotion
-from dynamics.rigid_motion import RigidMotion
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
@@ -145,7 +141,7 @@ class ContactVibration(Source):
         self._filter_from = partial(
             ContactFilter,
             motion,
-            contact_law_table(scene),
+            motion.plan.law_table,
             profiles(scene.roughness, scene.disk.radius),
             scene.audio.sample_rate,
         )
@@ -276,18 +272,14 @@ def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Sou
     includes it. If superposed, it also drives the table sources `below`."""
     if scene.contact.law == "rigid":
         return [rigid, elastic]
-    if isinstance(motion, RattlingMotion):
-        vibrating = VibratingDisk(scene, listener) if scene.air.pressure else rigid
-        crossover = 200.0  # Hz; the precession is slower
-    else:
-        vibrating = VibratingDisk(scene, listener) if decide_film(scene).film else rigid
-        if isinstance(motion, RigidMotion):
-            superposed = ContactVibration(scene, motion, vibrating, elastic, *below)
-            return [rigid, elastic, superposed]
-        resonance = contact_law_table(scene).contact_resonance(
-            motion.state[:1, 1], scene.disk.weight, 0.0
-        )
-        crossover = float(resonance.frequency[0]) / 2
+    is_over_film = motion.plan.film is not None
+    if motion.rim_modes is not None:  # the open film under a rattling disk
+        is_over_film = scene.air.pressure > 0
+    vibrating = VibratingDisk(scene, listener) if is_over_film else rigid
+    if motion.vibration_crossover is None:
+        superposed = ContactVibration(scene, motion, vibrating, elastic, *below)
+        return [rigid, elastic, superposed]
+    crossover = motion.vibration_crossover
     return [
         SolvedContactVibration(
             rigid, elastic, vibrating, crossover, scene.audio.sample_rate

@@ -13,11 +13,9 @@ import numpy as np
 from scipy.linalg import expm
 
 from dynamics.equations import DiskConstants
-from dynamics.film.activation import decide_film
 from dynamics.film.wedge import compressibility_number
 from dynamics.numba_kernels import njit
 from dynamics.observables import precession_rate
-from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.regime import ARRAY_FORMULAS
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import (
@@ -82,10 +80,10 @@ def disk_sources(
     """Return the sources of the rigid disk and of its modes, which include the film if
     it is active."""
     elastic: type[ElasticDisk]
-    if isinstance(motion, RattlingMotion):
+    if motion.rim_modes is not None:
         rigid = RigidDisk(scene, face, listener.azimuth)
         elastic = RattlingModes
-    elif decide_film(scene).film is None:
+    elif motion.plan.film is None:
         rigid = RigidDisk(scene, face, listener.azimuth)
         elastic = ElasticDisk
     else:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from dynamics.rattling.rattling_motion import RattlingMotion
+from dynamics import Motion
 from modal import Modes
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import fluid_loaded_modes
@@ -44,10 +44,10 @@ class RimVibration:
     the sound without a counterpart in the motion is at rest.
     """
 
-    def __init__(self, motion: RattlingMotion, modes: Modes):
+    def __init__(self, motion: Motion, modes: Modes):
         self.t = motion.t
         self._motion = motion
-        self._share = mode_shares(motion.model.rim, modes)
+        self._share = mode_shares(motion.rim_modes, modes)
 
     def vibration(self, t: np.ndarray) -> np.ndarray:
         """Return displacement, velocity and acceleration (k, 3, m) of the modes at

@@ -1,0 +1,494 @@
+"""The decisions of a motion, made once from its scene: `plan_motion`."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import isfinite, radians
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+
+from dynamics.compliant.law.sections import SwitchedContact
+from dynamics.disk import GRAVITY
+from dynamics.dissipation import OwnLaw, combined_loads, resistance_of
+from dynamics.equations import DiskConstants
+from dynamics.film.activation import FilmDecision, decide_film, final_inclination
+from dynamics.film.wedge import Film
+from dynamics.quasi_steady import time_to_flat
+from dynamics.scene_constants import scene_constants
+from dynamics.sections import MotionScene, as_motion_scene
+from dynamics.solver_settings import MIN_SOLVED_INCLINATION
+from dynamics.surface import ModesSurface
+
+if TYPE_CHECKING:
+    from dynamics.compliant.law.tabulated import LawTable
+
+ContactModel = Literal["rigid", "filter", "full", "many"]
+"""Model of the contact: rigid, elastic as a linear filter on the rigid motion, one elastic
+contact in time steps, or contacts anywhere on the rim in time steps."""
+
+
+class ModelChoice(NamedTuple):
+    """Contact model of a motion.
+
+    Attributes
+    ----------
+    kind : ContactModel
+        The model.
+    reason : str
+        Reason for the choice.
+    """
+
+    kind: ContactModel
+    reason: str
+
+
+class TableReaction(NamedTuple):
+    """Reaction of the table on the motion of the disk.
+
+    Attributes
+    ----------
+    is_two_way : bool
+        True if the motion is solved with two-way coupling.
+    inclination : float
+        Inclination [rad] below which the reaction is relevant; 0 if it never is or if the
+        modes of the table are unknown.
+    reason : str
+        Reason for the result.
+    reason_unsolved : str
+        Reason why a relevant reaction is not solved, or "".
+    """
+
+    is_two_way: bool
+    inclination: float
+    reason: str
+    reason_unsolved: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MotionBasis:
+    """What all contact models of a scene share.
+
+    Parameters
+    ----------
+    scene : MotionScene
+        The scene.
+    constants : DiskConstants
+        Dimensionless constants of disk, friction and table.
+    film_decision : FilmDecision
+        Whether the air film acts, with the reason and its predicted onset.
+    loads : OwnLaw, Resistance, Film, CombinedLoads or None
+        Loads other than those of the contact.
+    final_inclination : float
+        Inclination [rad] at which the motion counts as settled.
+    """
+
+    scene: MotionScene
+    constants: DiskConstants
+    film_decision: FilmDecision
+    loads: Any
+    final_inclination: float
+
+    @property
+    def film(self) -> Film | None:
+        """The air film that acts on the disk, or None."""
+        return self.film_decision.film
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MotionPlan(MotionBasis):
+    """The decisions of a motion, with their reasons: the result of `plan_motion`.
+
+    Solver, sound, claims and texts read the plan and decide nothing from the scene.
+
+    Parameters
+    ----------
+    scene : MotionScene
+        The scene.
+    constants : DiskConstants
+        Dimensionless constants of disk, friction and table.
+    film_decision : FilmDecision
+        Whether the air film acts, with the reason and its predicted onset.
+    loads : OwnLaw, Resistance, Film, CombinedLoads or None
+        Loads other than those of the contact.
+    final_inclination : float
+        Inclination [rad] at which the motion counts as settled.
+    law_table : LawTable or None
+        The tabulated law of an elastic contact.
+    contact : ModelChoice
+        Model of the contact.
+    step_rate : float
+        Time steps per second of the models "full" and "many"; 0 for the others.
+    obstacle_to_two_way : str
+        Reason why two-way coupling with the table is impossible, or "".
+    two_way : TableReaction
+        Whether and from where the table acts back on the disk.
+    surface_modes : modal.SurfaceModes or None
+        Modes of the table, if they are known.
+
+    Examples
+    --------
+    >>> from dynamics import plan_motion
+    >>> from sonify import load_scene
+    >>> plan = plan_motion(load_scene("published"))
+    >>> plan.contact.kind, plan.film_decision.reason
+    ('rigid', "air.film = 'none'")
+    """
+
+    law_table: "LawTable | None"
+    contact: ModelChoice
+    step_rate: float
+    obstacle_to_two_way: str
+    two_way: TableReaction
+    surface_modes: Any
+
+    @property
+    def may_be_two_way(self) -> bool:
+        """True if the table may act back on the disk, depending on its modes."""
+        return self.scene.surface.action != "sound" and not self.obstacle_to_two_way
+
+    @property
+    def lacks_surface_modes(self) -> bool:
+        """True if the motion may depend on modes of the table that are unknown."""
+        return self.may_be_two_way and self.surface_modes is None
+
+    @property
+    def is_two_way_from_release(self) -> bool:
+        """True if the table and the disk are coupled from the release on."""
+        requested = self.scene.surface.action == "motion"
+        return self.two_way.is_two_way and (requested or self.contact.kind == "many")
+
+    @property
+    def switches_to_two_way(self) -> bool:
+        """True if the table and the disk are coupled below an inclination only."""
+        return self.two_way.is_two_way and not self.is_two_way_from_release
+
+    @property
+    def moving_modes(self) -> Any:
+        """The `modal.SurfaceModes` that move from the release on, or None."""
+        return self.surface_modes if self.is_two_way_from_release else None
+
+    @cached_property
+    def series_law_table(self) -> "LawTable":
+        """The tabulated law with the flexibility of the edge in series with every spring.
+
+        It exists for an elastic contact only.
+        """
+        assert self.law_table is not None
+        from dynamics.compliant.law.tabulated import SeriesLawTable  # loads SciPy
+
+        return SeriesLawTable(law=self.law_table.law, edge=self.law_table.edge)
+
+    @cached_property
+    def roughness_energy_share(self) -> float:
+        """Predicted fraction of the energy that roughness dissipates on a rolling disk."""
+        if self.law_table is None:
+            return 0.0
+        from dynamics.compliant.model_selection import roughness_energy_share
+
+        return roughness_energy_share(self, self.law_table)
+
+    @cached_property
+    def predicted_end_error(self) -> float:
+        """Predicted error [s] of the end of the motion, if the disk settles.
+
+        It is the time by which a quasi-steady motion is stopped too early, and 0 with an
+        air film, which ends the motion at a solved event. For a disk that rattles on a
+        rough table, it is the change of the chaotic duration with the time step.
+        """
+        if self.contact.kind == "many" and self.scene.roughness:
+            return rattling_end_error(self.scene)
+        if self.film:
+            return 0.0
+        left = self.time_to_flat(self.final_inclination)
+        if not isfinite(left):
+            return 0.0
+        return left - self.time_to_flat(MIN_SOLVED_INCLINATION)
+
+    def time_to_flat(self, inclination: float) -> float:
+        """Return the predicted time in which the inclination falls to 0.
+
+        The motion is quasi-steady, and the air film is neglected.
+
+        Parameters
+        ----------
+        inclination : float
+            Inclination [rad].
+
+        Returns
+        -------
+        float
+            Time [s]; infinite if nothing dissipates the energy in a finite time.
+
+        Raises
+        ------
+        ValueError
+            If the disk is too thick or too steep for steady motion.
+        """
+        disk = self.scene.disk
+        loads = resistance_of(self.scene.dissipation, disk)
+        return time_to_flat(inclination, disk, self.constants, loads)
+
+    def with_surface_modes(self, surface_modes: Any) -> "MotionPlan":
+        """Return the plan of the motion on a table with known modes.
+
+        Parameters
+        ----------
+        surface_modes : modal.SurfaceModes
+            Modes of the table.
+
+        Returns
+        -------
+        MotionPlan
+            The plan, with the reaction of the table.
+        """
+        action = self.scene.surface.action
+        plan = replace(self, surface_modes=surface_modes)
+        if action == "sound":
+            return plan
+        from dynamics.compliant.two_way_onset import table_reaction  # loads SciPy
+
+        inclination, reason = table_reaction(self, surface_modes)
+        if action == "motion":
+            found = TableReaction(True, inclination, "surface.action = 'motion'")
+        elif not inclination:
+            found = TableReaction(False, 0.0, reason)
+        else:
+            obstacle = self.obstacle_to_two_way
+            found = TableReaction(not obstacle, inclination, reason, obstacle)
+        return replace(plan, two_way=found)
+
+    def with_own_law(self, law: OwnLaw) -> "MotionPlan":
+        """Return the plan with a user-defined law that replaces the dissipation.
+
+        Parameters
+        ----------
+        law : OwnLaw
+            The law.
+
+        Returns
+        -------
+        MotionPlan
+            The plan.
+
+        Raises
+        ------
+        ValueError
+            If the contact model or the table does not support such a law.
+        """
+        reason = ""
+        if self.contact.kind == "many":
+            reason = "is not supported for a rattling disk"
+        elif self.switches_to_two_way:
+            reason = "requires a rigid table: set surface.action = 'sound'"
+        elif self.contact.kind == "full":
+            reason = "requires a rigid contact, or numerics.contact = 'filter'"
+        if reason:
+            raise ValueError(f"loads: a user-defined law {reason}")
+        return replace(self, loads=combined_loads(law, self.film))
+
+    def part(self, **sections: Any) -> "MotionPlan":
+        """Return the plan of a part or variant of the motion, with the same decisions.
+
+        Parameters
+        ----------
+        **sections
+            Sections that replace those of the scene, as in `MotionScene.part`. They must
+            not change the constants.
+
+        Returns
+        -------
+        MotionPlan
+            The plan.
+        """
+        scene = self.scene.part(**sections)
+        plan = replace(
+            self,
+            scene=scene,
+            final_inclination=final_inclination(scene, self.film),
+            law_table=_law_table(scene) if "contact" in sections else self.law_table,
+        )
+        return replace(plan, step_rate=_step_rate(plan, plan.contact))
+
+    def coupled_part(self, **sections: Any) -> "MotionPlan":
+        """Return the plan of the part in which the table acts back on the disk.
+
+        A rigid contact becomes elastic. The roughness has no effect: a rough elastic
+        contact does not switch to two-way coupling.
+
+        Parameters
+        ----------
+        **sections
+            Sections that replace those of the scene, as in `part`.
+
+        Returns
+        -------
+        MotionPlan
+            The plan.
+        """
+        contact = self.scene.contact
+        if contact.law == "rigid":
+            contact = SwitchedContact(**{**vars(contact), "law": "elastic"})
+        surface: Any = self.scene.surface
+        coupled = replace(self, contact=ModelChoice("full", self.two_way.reason))
+        return coupled.part(
+            contact=contact,
+            roughness=None,
+            surface=replace(surface, action="motion"),
+            **sections,
+        )
+
+
+def plan_motion(scene: MotionScene, surface_modes: Any = None) -> MotionPlan:
+    """Make the decisions of the motion of a scene.
+
+    Parameters
+    ----------
+    scene : MotionScene
+        The scene, or any object with some of its attributes, as for `simulate`.
+    surface_modes : modal.SurfaceModes, optional
+        Modes of the table, as returned by `modal.surface_modes(scene)`. They replace
+        those of a scene that lists its modes. Without them, the reaction of a plate or a
+        mesh remains undecided (`MotionPlan.lacks_surface_modes`) until
+        `MotionPlan.with_surface_modes`.
+
+    Returns
+    -------
+    MotionPlan
+        The decisions.
+
+    Raises
+    ------
+    ValueError
+        If the requested air film, contact or two-way coupling is impossible, or if a
+        height profile cannot be read.
+
+    Examples
+    --------
+    >>> from dynamics import plan_motion
+    >>> from sonify import load_scene
+    >>> plan = plan_motion(load_scene("coin"))
+    >>> plan.contact.kind, plan.contact.reason
+    ('many', "numerics.contact = 'many'")
+    """
+    scene = as_motion_scene(scene)
+    basis = motion_basis(scene)
+    law_table = None if scene.contact.law == "rigid" else _law_table(scene)
+    contact = _contact_choice(basis, law_table)
+    obstacle = _obstacle_to_two_way(scene, contact.kind)
+    plan = MotionPlan(
+        **vars(basis),
+        law_table=law_table,
+        contact=contact,
+        step_rate=_step_rate(basis, contact),
+        obstacle_to_two_way=obstacle,
+        two_way=_undecided_reaction(scene, obstacle),
+        surface_modes=None,
+    )
+    if surface_modes is None and isinstance(scene.surface, ModesSurface):
+        from dynamics.compliant.modes_from_scene import modes_from_numbers
+
+        surface_modes = modes_from_numbers(scene.surface, scene.disk.radius)
+    return plan if surface_modes is None else plan.with_surface_modes(surface_modes)
+
+
+def rattling_end_error(scene: MotionScene) -> float:
+    """Return the predicted error [s] of the end of a motion that rattles on a rough table.
+
+    The inclination decreases at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a
+    coefficient of restitution e.
+    """
+    duration_scatter = 0.02  # relative, with the time step
+    assert scene.roughness is not None
+    rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
+    fall = (1 - 0.66 * (scene.contact.restitution or 1.0)) * np.sqrt(GRAVITY * rms)
+    duration = scene.disk.radius * radians(scene.release.inclination_deg) / fall
+    return float(duration_scatter * duration)
+
+
+def motion_basis(scene: MotionScene) -> MotionBasis:
+    """Return the constants, air film, loads and final inclination of a scene."""
+    constants = scene_constants(scene)
+    decision = decide_film(scene, constants)
+    resistance = resistance_of(scene.dissipation, scene.disk)
+    return MotionBasis(
+        scene=scene,
+        constants=constants,
+        film_decision=decision,
+        loads=combined_loads(resistance, decision.film),
+        final_inclination=final_inclination(scene, decision.film),
+    )
+
+
+def _law_table(scene: MotionScene) -> "LawTable":
+    """Return the tabulated law of the elastic contact of a scene."""
+    from dynamics.compliant.model_inputs import contact_law_table  # loads SciPy
+
+    return contact_law_table(scene)
+
+
+def _contact_choice(basis: MotionBasis, law_table: "LawTable | None") -> ModelChoice:
+    """Select the contact model of a scene; see `numerics.contact`."""
+    scene = basis.scene
+    if law_table is None:
+        return ModelChoice("rigid", "contact.law = 'rigid'")
+    if scene.numerics.contact == "many":
+        return ModelChoice("many", "numerics.contact = 'many'")
+    if scene.imperfection:
+        return ModelChoice("full", "imperfection: the table is wavy")
+    from dynamics.compliant.model_selection import choose_contact_model
+
+    return ModelChoice(*choose_contact_model(basis, law_table))
+
+
+def _step_rate(basis: MotionBasis, contact: ModelChoice) -> float:
+    """Return the time steps per second [1/s] of a contact model; 0 if it has none."""
+    if contact.kind == "full":
+        from dynamics.compliant.model_inputs import step_rate
+
+        return step_rate(basis.scene, basis.final_inclination)
+    if contact.kind == "many":
+        from dynamics.rattling.rattling_motion import rattling_step_rate
+
+        return rattling_step_rate(basis.scene)
+    return 0.0
+
+
+def _obstacle_to_two_way(scene: MotionScene, model: ContactModel) -> str:
+    """Return the reason why two-way coupling to a table is impossible, or "".
+
+    Raises ValueError if it is requested although it is impossible, or if a wavy table
+    does not have the contact that it requires.
+    """
+    surface = scene.surface
+    not_full = _reason_against_full_model(scene)
+    if scene.imperfection is not None and not_full:
+        raise ValueError(f"imperfection with {not_full}")
+    if surface.kind in ("rigid", "infinite"):
+        obstacle = (
+            f"surface.kind = '{surface.kind}': two-way coupling requires table modes"
+        )
+    else:
+        from dynamics.compliant.two_way_onset import reason_against_two_way
+
+        obstacle = reason_against_two_way(scene, model)
+    if surface.action == "motion":
+        obstacle = obstacle or not_full
+        if obstacle:
+            raise ValueError(f"surface.action = 'motion' with {obstacle}")
+    return obstacle
+
+
+def _reason_against_full_model(scene: MotionScene) -> str:
+    """Return the reason why the contact of a scene is not solved in full, or ""."""
+    if scene.contact.law == "rigid":
+        return "contact.law = 'rigid': two-way coupling requires an elastic contact"
+    if scene.numerics.contact == "filter":
+        return "numerics.contact = 'filter': two-way coupling requires 'full'"
+    return ""
+
+
+def _undecided_reaction(scene: MotionScene, obstacle: str) -> TableReaction:
+    """Return the reaction of a table whose modes are unknown."""
+    if scene.surface.action == "sound":
+        return TableReaction(False, 0.0, "surface.action = 'sound'")
+    return TableReaction(False, 0.0, obstacle or "the modes of the table are unknown")
