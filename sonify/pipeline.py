@@ -231,6 +231,7 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
         checks = all_checks(scene, motion, modes, sound)
         findings = motion_and_mode_findings(scene, motion, modes)
         heard, silence = hearing.result()
+        tone = heard.tone if heard else None
         findings += sound_findings(heard, motion, modes, sound, plan.error("sound"))
         findings += two_way.result()
         findings += table_findings(
@@ -238,16 +239,14 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
             motion,
             sound,
             listener_of(scene),
-            heard and heard.tone,
+            tone,
             plan.error("sound"),
         )
         findings += rattling_findings(scene, motion, modes, sound)
         findings += air_findings(scene, motion, sound)
         on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
         findings += on_contact
-        findings += literature_findings(
-            scene, motion, modes, sound, heard and heard.tone
-        )
+        findings += literature_findings(scene, motion, modes, sound, tone)
     notes = [*limits_of_film_law(scene, motion), *silence, *contact_notes]
     return Result(
         scene=scene,

@@ -262,6 +262,7 @@ class LandingMotion(MotionBase):
             yield MotionEvent(t, "rests on the asperities", 0.0, energy)
             return
         film = self.model.film
+        assert film is not None  # a disk rests on a cushion
         gap = float(self.film_gap(t)[0])
         weight = self.disk.weight
         yield MotionEvent(

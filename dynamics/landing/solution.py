@@ -112,7 +112,7 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
     sag = weight / (2 * np.pi * model.stop.stiffness)
 
     def rests(t: float, y: np.ndarray) -> float:
-        at = model.geometry(y)
+        at = model.geometry(y.tolist())
         on_stop = _excess(y, at) / (REST_ENERGY_SHARE * released) - 1
         if model.film is None:
             return on_stop
@@ -130,6 +130,6 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
         still = [*y[:8], 0.0, 0.0, y[10], 0.0]
         return model.energy(still) + weight * sag / 2
 
-    rests.terminal = True
-    rests.direction = -1
+    rests.terminal = True  # type: ignore[attr-defined]
+    rests.direction = -1  # type: ignore[attr-defined]
     return rests

@@ -333,7 +333,8 @@ def rattling_model(plan: "MotionPlan") -> RattlingModel:
     law = contact_law(scene)
     diametral, axial = inertias(disk)
     pivoting = plan.constants.pivoting or (0.0,) * (2 * PIVOTING_COEFFICIENT_COUNT)
-    has_spin_friction = scene.friction.arm_pivoting == "contact"
+    arm_pivoting = scene.friction.arm_pivoting
+    has_spin_friction = arm_pivoting == "contact"
     restitution = scene.contact.restitution
     # the damping ratio is half the loss factor
     ratio = (
@@ -358,7 +359,7 @@ def rattling_model(plan: "MotionPlan") -> RattlingModel:
         arms=(
             scene.friction.arm_nutation,
             scene.friction.arm_rolling,
-            0.0 if has_spin_friction else scene.friction.arm_pivoting,
+            0.0 if arm_pivoting == "contact" else arm_pivoting,
         ),
         film=film_in_si_units(plan.film, disk),
     )

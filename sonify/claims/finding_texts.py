@@ -107,7 +107,7 @@ class FindingText:
 
     def of_run(
         self, variant: str = "", words: Mapping[str, str] = NO_WORDS
-    ) -> dict[str, str]:
+    ) -> dict[str, Any]:
         """Return claim, unit and source of a variant, with the words of a run."""
         texts = {"claim": self.claim, "unit": self.unit, "source": self.source}
         texts |= self.variants[variant] if variant else {}

@@ -43,7 +43,7 @@ def run_events(scene: Scene, motion: Motion) -> list[MotionEvent]:
 def halt_is_abrupt(landing: LandingMotion) -> Measured:
     """The turns from the lift-off until the disk precesses less than once per second."""
     slow = 2 * np.pi  # rad/s
-    state = landing.state
+    state = landing.at(landing.t)
     rate = np.abs(precession_rate(state))
     stops = int(np.argmax(rate < slow))
     if not rate[stops] < slow:

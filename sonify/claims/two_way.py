@@ -50,7 +50,7 @@ class EnergyBudget(NamedTuple):
     sound: np.ndarray
 
 
-def two_way_part(motion: Motion) -> tuple[Any, float] | None:
+def two_way_part(motion: Motion) -> Any:
     """Return the part of a motion with two-way coupling and its start [s]; None without
     such a part."""
     return next(

@@ -137,15 +137,21 @@ def sound_of_take(
     plan, modes = plan_with_modes(scene, disk_modes, motion_plan)
     if motion_plan.lacks_surface_modes:
         motion_plan = motion_plan.with_surface_modes(table)
-    motion = solve_motion(motion_plan, lambda share, note="": watch(share / 2, note))
+
+    def watch_motion(share: float, note: str = "") -> None:
+        watch(share / 2, note)
+
+    def watch_sound(share: float, note: str = "") -> None:
+        watch(0.5 + share / 2, "sound")
+
     return render_sound(
         scene,
-        motion,
+        solve_motion(motion_plan, watch_motion),
         modes,
         plan.sounding,
         plan.max_contact_turn,
         rendered,
-        lambda share, note="": watch(0.5 + share / 2, "sound"),
+        watch_sound,
     )
 
 

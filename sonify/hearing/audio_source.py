@@ -217,11 +217,10 @@ class SoundFile:
         rate, announced, kind, notes = self._header
         held = self.frames / rate
         if self._mp3 is not None:
-            if not self._mp3.is_truncated:
+            counted = self._mp3.announced
+            if counted is None or not self._mp3.is_truncated:
                 return None
-            missing = (
-                (self._mp3.announced - self._mp3.frames) * self._mp3.samples / rate
-            )
+            missing = (counted - self._mp3.frames) * self._mp3.samples / rate
             return Truncation(held, held + missing)
         if kind == "OGG":
             with self.stream() as file:

@@ -96,11 +96,14 @@ class Heard:
         ]
         if self.tone and all(run.kind != "tone" for run in self.runs):
             rows.insert(1, f"tone: {self.tone}")
-        shortened = [("runs", self.runs), ("lines and noise bands", self.carriers)]
+        counts = {
+            "runs": len(self.runs),
+            "lines and noise bands": len(self.carriers),
+        }
         rows += [
-            f"{len(values) - max_rows} more {name}"
-            for name, values in shortened
-            if len(values) > max_rows
+            f"{count - max_rows} more {name}"
+            for name, count in counts.items()
+            if count > max_rows
         ]
         return "\n  ".join(["Heard(", *rows]) + "\n)"
 

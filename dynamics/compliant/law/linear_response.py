@@ -151,17 +151,17 @@ def linear_contact_force_blocks(
     z = np.nan
     yielding = driven_table(modes, 1 / rate, plate_mobility)
     radius = table.law.disk.radius - table.law.rolling_fillet
+    heights, rim = profiles
     for block in blocks:
         knots, A, B, drive = _coefficients(table, block, rate)
         if np.isnan(z):
             half_length, path, edge = knots[0, :3]
-            table_profile, rim_profile = profiles
-            z = mean_height(table_profile, path, half_length)
-            z += mean_height(rim_profile, edge, half_length)
+            z = mean_height(heights, path, half_length)
+            z += mean_height(rim, edge, half_length)
         if modes is not None:
             set_contact_circle(yielding, modes, modes.place + block.centre, radius)
         out, x, z = _filter_steps(
-            x, z, knots, A, B, drive, 1 / rate, *profiles, yielding, block.azimuth
+            x, z, knots, A, B, drive, 1 / rate, heights, rim, yielding, block.azimuth
         )
         yield out
 
