@@ -29,6 +29,8 @@ class TableModes:
         Position [m] of the disk centre in the frame of the splines.
     mass : float
         Mass of the table [kg]; 0, because the scene does not specify it.
+    round_shapes : None
+        The shapes are splines.
     """
 
     frequency: np.ndarray
@@ -38,6 +40,7 @@ class TableModes:
     coefficients: np.ndarray
     place: np.ndarray
     mass: float = 0.0
+    round_shapes: None = None
 
     def at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Return the mode shapes (k, m) at points x, y (k,) [m].

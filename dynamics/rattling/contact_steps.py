@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.stepping.round_table import RoundTable
 from dynamics.compliant.stepping.state_layout import Pair, Vector, first_indices
 from dynamics.compliant.stepping.table_modes import (
     store_table_shapes,
@@ -152,8 +153,10 @@ class MovingTable(NamedTuple):
         Spline coefficients of the upward mode shapes.
     knots_x, knots_y : ndarray
         Knots of the splines [m].
+    round_shapes : RoundTable
+        Shapes of the modes of a round table, in place of the splines.
     place : ndarray, shape (2,)
-        Origin [m] in the frame of the splines.
+        Origin [m] in the frame of the shapes.
     is_fixed : float
         0 if the modes move with the centre of the disk, as modes given by numbers do; else 1.
     frequency, decay : ndarray, shape (t,)
@@ -193,6 +196,7 @@ class MovingTable(NamedTuple):
     coefficients: np.ndarray
     knots_x: np.ndarray
     knots_y: np.ndarray
+    round_shapes: RoundTable
     place: np.ndarray
     is_fixed: float
     frequency: np.ndarray

@@ -26,6 +26,7 @@ from dynamics.compliant.law.unevenness import (
 from dynamics.compliant.model_inputs import contact_law, edge_flexibility
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
+from dynamics.compliant.stepping.round_table import greatest_shape_norm, round_table
 from dynamics.compliant.stepping.row_store import interpolate_rows
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.wedge import Film, film_in_si_units
@@ -151,23 +152,29 @@ class RattlingModel(NamedTuple):
         frequency = 2 * pi * modes.frequency
         # copies, because read-only arrays have a different Numba type
         knots_x, knots_y = (np.array(part) for part in modes.knots)
-        spacing = min(np.diff(part).max() for part in (knots_x, knots_y))
-        nodes_per_knot = 2
+        waves = modes.round_shapes
+        if waves is None:
+            nodes_per_knot = 2
+            spacing = min(np.diff(part).max() for part in modes.knots) / nodes_per_knot
+            norm = float(np.linalg.norm(modes.coefficients, axis=2).max())
+        else:
+            spacing = waves.radius / (len(waves.starts) - 1)
+            norm = greatest_shape_norm(waves)
         min_count = 64
-        around = 2 * pi * self.constants.radius / spacing
-        count = max(min_count, ceil(nodes_per_knot * around))
+        count = max(min_count, ceil(2 * pi * self.constants.radius / spacing))
         place = np.arange(len(self.heights)) * count / len(self.heights)
         return MovingTable(
             np.array(modes.coefficients, order="C"),
             knots_x,
             knots_y,
+            round_shapes=round_table(waves),
             place=np.array(modes.place, dtype=float),
             is_fixed=float(modes.mass > 0),  # 0 for modes without a body
             frequency=frequency,
             decay=np.array(modes.decay_rate),
             mean_factor=self._mean_factor(frequency),
             place_factor=self._place_factor(frequency),
-            shape_norm=float(np.linalg.norm(modes.coefficients, axis=2).max()),
+            shape_norm=norm,
             shapes=np.zeros((count, len(frequency))),
             slopes=np.zeros((count, 2, len(frequency))),
             known_since=np.full(count, -1.0),

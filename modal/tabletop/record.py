@@ -1,14 +1,76 @@
-"""Define the record of the modes of a table and splines of their shapes on its top
-face."""
+"""Define the record of the modes of a table, and two forms of their shapes: splines over
+the top face, or waves around the centre of a round table."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
-from scipy.interpolate import NdBSpline, make_interp_spline
+from scipy.interpolate import CubicSpline, NdBSpline, PPoly, make_interp_spline
 
 from modal.modes import ModeList
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RoundShapes:
+    """Shapes w = g(s) cos(n theta) rho^n, or with the sine, of a round table.
+
+    Here rho is the distance from the centre divided by the radius, and s = rho^2. The
+    functions g are smooth at the centre and cubic within each of c cells of equal width
+    in rho. Both modes of a pair have the same g, so that the table is exactly isotropic.
+
+    Attributes
+    ----------
+    radius : float
+        Radius of the table [m].
+    starts : ndarray, shape (c + 1,)
+        Values of s at the ends of the cells.
+    pieces : ndarray, shape (4, c, m)
+        Coefficients of g [kg^-1/2] in powers of s - starts, highest first.
+    order : ndarray of int, shape (m,)
+        Number n of waves around the centre.
+    is_sine : ndarray of bool, shape (m,)
+        True for sin(n theta), False for cos(n theta).
+    """
+
+    radius: float
+    starts: np.ndarray
+    pieces: np.ndarray
+    order: np.ndarray
+    is_sine: np.ndarray
+
+    def at(
+        self, x: np.ndarray, y: np.ndarray, slope: tuple[int, int] = (0, 0)
+    ) -> np.ndarray:
+        """Return the shapes (k, m) at points x, y (k,) [m], or their first derivatives.
+
+        Points outside the table are moved to its rim.
+        """
+        z = (np.asarray(x) + 1j * np.asarray(y)) / self.radius
+        z = (z / np.maximum(abs(z), 1.0))[:, None]
+        s = abs(z[:, 0]) ** 2
+        wave = z**self.order
+        member = np.where(self.is_sine, -1j, 1.0)  # its real part selects the member
+        g = PPoly(self.pieces, self.starts)
+        if slope == (0, 0):
+            return g(s) * (wave * member).real
+        along = {(1, 0): (z.real, 1.0), (0, 1): (z.imag, 1j)}
+        if slope not in along:
+            raise ValueError(f"slope = {slope!r}: must be (0, 0), (1, 0) or (0, 1)")
+        coordinate, direction = along[slope]
+        # n z^(n - 1) is 0 for n = 0, also at the centre
+        steeper = self.order * z ** np.maximum(self.order - 1, 0) * direction
+        change = 2 * coordinate * g(s, 1) * wave + g(s) * steeper
+        return (change * member).real / self.radius
+
+    def select(self, kept: np.ndarray) -> "RoundShapes":
+        """Return the shapes with the indices `kept` (k,)."""
+        return replace(
+            self,
+            pieces=self.pieces[:, :, kept],
+            order=self.order[kept],
+            is_sine=self.is_sine[kept],
+        )
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -34,7 +96,7 @@ class SurfaceModes(ModeList):
         w at `points`.
     knots, coefficients : pair of ndarray, and ndarray of shape (a, b, m)
         Tensor-product splines of w in x and y, on a rectangle that contains all contact
-        points.
+        points; without knots if there are `round_shapes`.
     radius : float
         Radius of a round table [m], or 0 for other tables.
     place : ndarray, shape (2,)
@@ -47,6 +109,8 @@ class SurfaceModes(ModeList):
         Method of computation.
     unknowns : int
         Number of unknowns of the discrete model.
+    round_shapes : RoundShapes or None
+        Shapes of a round plate, in place of the splines.
 
     Examples
     --------
@@ -73,6 +137,7 @@ class SurfaceModes(ModeList):
     mass: float
     method: str
     unknowns: int
+    round_shapes: RoundShapes | None = None
 
     def at(
         self, x: np.ndarray, y: np.ndarray, slope: tuple[int, int] = (0, 0)
@@ -82,16 +147,18 @@ class SurfaceModes(ModeList):
         Parameters
         ----------
         x, y : ndarray, shape (k,)
-            Points [m]; outside the rectangle of the splines, the value at the nearest
-            point of the rectangle is used.
+            Points [m]; outside a round plate or the rectangle of the splines, the value
+            at the nearest point of its edge is used.
         slope : pair of int, optional
-            Orders of the derivatives along x and y.
+            Orders of the derivatives along x and y; at most 1 in all for a round plate.
 
         Returns
         -------
         ndarray, shape (k, m)
             Deflection w [kg^-1/2], or its derivative.
         """
+        if self.round_shapes is not None:
+            return self.round_shapes.at(x, y, slope)
         return spline_values(self.knots, self.coefficients, x, y, slope)
 
     def select(self, indices: Sequence[int] | np.ndarray) -> "SurfaceModes":
@@ -110,7 +177,13 @@ class SurfaceModes(ModeList):
         kept = self.as_indices(indices)
         per_mode = ("frequency", "decay_rate", "order", "face", "residual", "error")
         arrays = {name: getattr(self, name)[kept] for name in per_mode}
-        return replace(self, **arrays, coefficients=self.coefficients[:, :, kept])
+        waves = self.round_shapes
+        return replace(
+            self,
+            **arrays,
+            coefficients=self.coefficients[:, :, kept],
+            round_shapes=None if waves is None else waves.select(kept),
+        )
 
     def compliance(self, radius: float = 0.0) -> float:
         """Return the largest static deflection under 1 N at 16 points of a circle
@@ -133,6 +206,35 @@ class SurfaceModes(ModeList):
             axis=1
         )
         return float(deflection.max(initial=0.0))
+
+
+def fit_round_shapes(
+    profile: Callable[[np.ndarray], np.ndarray],
+    radius: float,
+    shortest_wave: float,
+    order: np.ndarray,
+    is_sine: np.ndarray,
+) -> RoundShapes:
+    """Return `RoundShapes` from profile(rho (k,)) -> (m, k), the shapes along one radius.
+
+    With 48 samples per shortest wavelength [m], the error of cubic splines is 1e-5 of the
+    amplitude. The functions g = profile / rho^n are evaluated near the centre in place of
+    the centre itself.
+    """
+    samples_per_wave = 48
+    lowest_rho = 1e-4
+    count = 4 + ceil(radius * samples_per_wave / shortest_wave)
+    rho = np.linspace(0.0, 1.0, count + 1)
+    rho[0] = lowest_rho
+    values = profile(rho) / rho ** order[:, None]
+    spline = CubicSpline(rho**2, values, axis=1)
+    return RoundShapes(
+        radius=radius,
+        starts=spline.x,
+        pieces=np.ascontiguousarray(spline.c),
+        order=order,
+        is_sine=is_sine,
+    )
 
 
 def fit_splines(

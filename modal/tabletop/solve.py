@@ -19,7 +19,7 @@ from modal.spectral.p_refinement import (
     all_eigenpairs,
     displacement_amplitudes,
 )
-from modal.tabletop.record import SurfaceModes, fit_splines
+from modal.tabletop.record import SurfaceModes, fit_round_shapes, fit_splines
 
 
 @one_blas_thread
@@ -93,16 +93,12 @@ def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> Surfa
     )
     ascending = np.argsort(frequency, kind="stable")
 
-    def shape(r: np.ndarray, theta: np.ndarray) -> np.ndarray:
-        rho = np.minimum(r, plate.radius) / plate.radius
-        distinct, position = np.unique(rho.round(12), return_inverse=True)
-        parts = []
-        for pairs, odd in members:
-            amplitudes = displacement_amplitudes(pairs, distinct, np.ones(1))
-            axial = amplitudes[2, ..., 0][:, position]
-            around = np.sin if odd else np.cos
-            parts.append(axial * around(pairs.problem.n * theta))
-        return np.concatenate(parts or [np.zeros((0, len(r)))])[ascending]
+    def profile(rho: np.ndarray) -> np.ndarray:
+        parts = [
+            displacement_amplitudes(pairs, rho, np.ones(1))[2, ..., 0]
+            for pairs, _ in members
+        ]
+        return np.concatenate(parts or [np.zeros((0, len(rho)))])[ascending]
 
     def sorted_values(
         values_of_pairs: Callable[[Eigenpairs], np.ndarray],
@@ -111,14 +107,30 @@ def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> Surfa
             [values_of_pairs(p) for p, _ in members] or [np.zeros(0)]
         )[ascending]
 
+    order = sorted_values(lambda p: np.full(len(p.values), p.problem.n)).astype(int)
+    odd_members = [np.full(len(pairs.values), odd) for pairs, odd in members]
+    is_sine = np.concatenate(odd_members or [np.zeros(0, bool)])[ascending]
+
+    def shape(r: np.ndarray, theta: np.ndarray) -> np.ndarray:
+        distinct, position = np.unique(
+            (r / plate.radius).round(12), return_inverse=True
+        )
+        turn = np.multiply.outer(order, theta) - pi / 2 * is_sine[:, None]
+        return profile(distinct)[:, position] * np.cos(turn)
+
     shortest_wave = (
         2 * pi / bending_wave_number(surface, plate.thickness, plate.density, below)
     )
     return SurfaceModes(
         frequency=frequency[ascending],
         decay_rate=pi * frequency[ascending] * surface.loss_factor,
-        order=sorted_values(lambda p: np.full(len(p.values), p.problem.n)).astype(int),
-        **sample_round_table(shape, plate.radius, shortest_wave, below),
+        order=order,
+        **sample_face(shape, plate.radius, shortest_wave, below),
+        knots=(np.zeros(0), np.zeros(0)),
+        coefficients=np.zeros((0, 0, len(order))),
+        round_shapes=fit_round_shapes(
+            profile, plate.radius, shortest_wave, order, is_sine
+        ),
         radius=plate.radius,
         place=np.array(surface.place),
         residual=sorted_values(lambda p: p.residual),
@@ -156,14 +168,21 @@ def table_modes_from_numbers(surface: Any, disk: Any, below: float) -> SurfaceMo
         phase = np.multiply.outer(order, theta) - pi / 2 * odd[:, None]
         return amplitude[:, None] * (r / radius) ** order[:, None] * np.cos(phase)
 
+    def shape_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        return shape(np.hypot(x, y), np.arctan2(y, x))
+
     shortest_wave = 2 * pi * radius / max(order.max(initial=1), 1)
+    corner = np.array([radius, radius])
+    knots, coefficients = fit_splines(shape_at, -corner, corner, shortest_wave)
     return SurfaceModes(
         frequency=np.array([mode.frequency for mode, _ in members]),
         decay_rate=np.array(
             [2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]
         ),
         order=order,
-        **sample_round_table(shape, radius, shortest_wave, below),
+        **sample_face(shape, radius, shortest_wave, below),
+        knots=knots,
+        coefficients=coefficients,
         radius=0.0,
         place=np.zeros(2),
         residual=np.zeros(len(members)),
@@ -174,14 +193,13 @@ def table_modes_from_numbers(surface: Any, disk: Any, below: float) -> SurfaceMo
     )
 
 
-def sample_round_table(
+def sample_face(
     shape: Callable[[np.ndarray, np.ndarray], np.ndarray],
     radius: float,
     shortest_wave: float,
     below: float,
 ) -> dict[str, Any]:
-    """Return points, weights, face, knots and coefficients of `SurfaceModes` for a
-    round table.
+    """Return points, weights and face of `SurfaceModes` for a round table.
 
     The function shape(r (k,), theta (k,)) -> (m, k) returns the mode shapes, and
     `shortest_wave` [m] is their shortest wavelength. The points are Gauss points in the
@@ -200,16 +218,8 @@ def sample_round_table(
         grid.ravel()
         for grid in np.meshgrid(radius * (1 + node) / 2, theta, indexing="ij")
     )
-    corner = np.array([radius, radius])
-
-    def shape_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        return shape(np.hypot(x, y), np.arctan2(y, x))
-
-    knots, coefficients = fit_splines(shape_at, -corner, corner, shortest_wave)
     return {
         "points": np.column_stack([r * np.cos(angle), r * np.sin(angle)]),
         "weights": r * np.repeat(radius / 2 * share, len(theta)) * theta[1],
         "face": shape(r, angle),
-        "knots": knots,
-        "coefficients": coefficients,
     }

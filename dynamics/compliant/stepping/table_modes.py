@@ -21,6 +21,13 @@ from dynamics.compliant.stepping.rim_modes import (
     rim_shapes,
     store_rim_shapes,
 )
+from dynamics.compliant.stepping.round_table import (
+    RoundTable,
+    round_deflection,
+    round_table,
+    store_round_shapes,
+    store_round_slopes,
+)
 from dynamics.compliant.stepping.state_layout import STATE, STATE_SLICES, first_indices
 from dynamics.numba_kernels import kernel
 
@@ -59,8 +66,10 @@ class ContactModes(NamedTuple):
         Spline coefficients of the shapes of the t table modes.
     knots_x, knots_y : arrays
         Knots of the splines [m].
+    round_shapes : RoundTable
+        Shapes of the modes of a round table, in place of the splines.
     place : (2,) array
-        Position [m] in the frame of the splines of the origin (`table_is_fixed` = 1) or
+        Position [m] in the frame of the shapes of the origin (`table_is_fixed` = 1) or
         of the centre of the disk (`table_is_fixed` = 0).
     table_is_fixed : float
         0 if the mode shapes move with the disk, like those of modes given by numbers;
@@ -84,6 +93,7 @@ class ContactModes(NamedTuple):
     coefficients: np.ndarray
     knots_x: np.ndarray
     knots_y: np.ndarray
+    round_shapes: RoundTable
     place: np.ndarray
     table_is_fixed: float
     stiffness: np.ndarray
@@ -109,6 +119,7 @@ def modes_at_rest(modes, h: float, body: RimModes) -> ContactModes:
             np.zeros((0, 0, 0)),
             nothing,
             nothing,
+            round_shapes=round_table(None),
             place=np.zeros(2),
             table_is_fixed=1.0,
             stiffness=nothing,
@@ -125,6 +136,7 @@ def modes_at_rest(modes, h: float, body: RimModes) -> ContactModes:
     # copies, because read-only arrays have a different Numba type
     return _at_rest(
         *(np.array(part, order="C") for part in (modes.coefficients, *modes.knots)),
+        round_shapes=round_table(modes.round_shapes),
         place=np.array(modes.place, dtype=float),
         table_is_fixed=float(modes.mass > 0),  # modes given by numbers have no mass
         stiffness=k,
@@ -175,6 +187,7 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
         np.ascontiguousarray(spline.c.T[:, :, None]),
         spline.t,
         spline.t,
+        round_shapes=round_table(None),
         place=np.zeros(2),
         table_is_fixed=0.0,
         stiffness=np.zeros(1),
@@ -240,6 +253,11 @@ def cubic_basis(knots, x, out):
 @kernel
 def store_table_shapes(waves, x, y, bx, by, shapes):
     """Store the table mode shapes at (x, y) [m] in `shapes`."""
+    if waves.round_shapes.index.size > 0:
+        store_round_shapes(
+            waves.round_shapes, x + waves.place[0], y + waves.place[1], shapes
+        )
+        return
     i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
     j = cubic_basis(waves.knots_y, y + waves.place[1], by)
     modes = waves.coefficients.shape[2]
@@ -256,6 +274,11 @@ def store_table_shapes(waves, x, y, bx, by, shapes):
 @kernel
 def store_table_slopes(waves, x, y, bx, by, slopes):
     """Store the slopes (2, t) of the table mode shapes along x and y at (x, y) [m]."""
+    if waves.round_shapes.index.size > 0:
+        store_round_slopes(
+            waves.round_shapes, x + waves.place[0], y + waves.place[1], slopes
+        )
+        return
     i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
     j = cubic_basis(waves.knots_y, y + waves.place[1], by)
     slopes[:] = 0.0
@@ -273,6 +296,16 @@ def table_deflection(waves, x, y, bx, by, out):
 
     W is the deflection at the end of a step without contact force.
     """
+    if waves.round_shapes.index.size > 0:
+        round_deflection(
+            waves.round_shapes,
+            waves.amplitude,
+            waves.free_change,
+            x + waves.place[0],
+            y + waves.place[1],
+            out,
+        )
+        return
     i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
     j = cubic_basis(waves.knots_y, y + waves.place[1], by)
     out[:] = 0.0
@@ -330,7 +363,8 @@ def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
 def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
     """Scan the whole rim for minima of the gap; store as many as there is space for.
 
-    A minimum near the contact is replaced by the contact.
+    The scan begins at the contact, so that it is the same in all directions. A minimum
+    near the contact is replaced by the contact.
     """
     # range of table heights along the rim, divided by R sin(beta), above which it is bent
     bent_table_ratio = 1e-3
@@ -340,6 +374,7 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
     bent_scan_interval = 16  # steps between two scans on a bent table
     R = constants.core_radius
     max_count = len(waves.contact) - CONTACT.minimum_angles
+    contact = waves.contact[CONTACT.angle]
     highest = -np.inf
     lowest = np.inf
     count = 0
@@ -354,7 +389,7 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
             n0,
             n1,
             n2,
-            2 * np.pi * n / RIM_SCAN_POINTS,
+            contact + 2 * np.pi * n / RIM_SCAN_POINTS,
             scratch,
         )
         risen = scratch[6, 0] + scratch[7, 0]
@@ -362,13 +397,11 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
         lowest = min(lowest, risen)
         value = risen + R * down
         if n > 1 and current >= previous and current > value and count < max_count:
-            turn = angle_between(
-                waves.contact[CONTACT.angle],
-                2 * np.pi * (n - 1) / RIM_SCAN_POINTS,
+            turn = angle_between(0.0, 2 * np.pi * (n - 1) / RIM_SCAN_POINTS)
+            is_other = abs(turn) > same_contact_angle
+            waves.contact[CONTACT.minimum_angles + count] = (
+                contact + turn if is_other else contact
             )
-            waves.contact[CONTACT.minimum_angles + count] = waves.contact[
-                CONTACT.angle
-            ] + (turn if abs(turn) > same_contact_angle else 0.0)
             count += 1
         previous = current
         current = value

@@ -1,0 +1,208 @@
+"""Mode shapes of a round table, as waves around its centre.
+
+A shape is g(s) Re z^n or g(s) Im z^n, where z = (x + iy)/radius and s = |z|^2. The
+functions g are cubic within cells of equal width in |z|. No operation depends on the
+direction of the axes, except through z^n, so that a round table is isotropic up to
+rounding. Modes with the same n are summed before the waves are evaluated.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.interpolate import PPoly
+
+from dynamics.numba_kernels import kernel
+
+
+class RoundTable(NamedTuple):
+    """Shapes of t modes of a round table, sorted by order; t = 0 for other tables.
+
+    Attributes
+    ----------
+    radius : float
+        Radius of the table [m].
+    starts : (c + 1,) array
+        Values of s at the ends of the c cells.
+    pieces : (c, 4, t) array
+        Coefficients of g [kg^-1/2] in powers of s - starts, highest first.
+    groups : (b, 4) array of int
+        Modes of equal wave: order n, 1 for Im z^n (else 0), first mode, end.
+    index : (t,) array of int
+        Index of each mode among the modes of the table.
+    """
+
+    radius: float
+    starts: np.ndarray
+    pieces: np.ndarray
+    groups: np.ndarray
+    index: np.ndarray
+
+
+def round_table(shapes) -> RoundTable:
+    """Return the `RoundTable` of `modal.RoundShapes`, or one without modes for None."""
+    if shapes is None:
+        return RoundTable(
+            radius=1.0,
+            starts=np.zeros(2),
+            pieces=np.zeros((1, 4, 0)),
+            groups=np.zeros((0, 4), dtype=np.int64),
+            index=np.zeros(0, dtype=np.int64),
+        )
+    wave = 2 * shapes.order + shapes.is_sine
+    index = np.argsort(wave, kind="stable")
+    waves, first, count = np.unique(wave[index], return_index=True, return_counts=True)
+    groups = np.column_stack([waves // 2, waves % 2, first, first + count])
+    return RoundTable(
+        radius=float(shapes.radius),
+        starts=np.array(shapes.starts),
+        pieces=np.ascontiguousarray(shapes.pieces[:, :, index].transpose(1, 0, 2)),
+        groups=groups.astype(np.int64),
+        index=index.astype(np.int64),
+    )
+
+
+def greatest_shape_norm(shapes) -> float:
+    """Return an upper bound of the norm of the m shapes at any point [kg^-1/2]."""
+    between_samples = 1.01  # a maximum lies at most 1/64 of a wave from a sample
+    rho = np.sqrt(shapes.starts)[:, None]
+    profiles = PPoly(shapes.pieces, shapes.starts)(shapes.starts)
+    squares = (profiles * rho**shapes.order) ** 2
+    total = np.zeros(len(rho))
+    for n in np.unique(shapes.order):
+        cosines = squares[:, (shapes.order == n) & ~shapes.is_sine].sum(axis=1)
+        sines = squares[:, (shapes.order == n) & shapes.is_sine].sum(axis=1)
+        total += np.maximum(cosines, sines)
+    return float(between_samples * np.sqrt(total.max(initial=0.0)))
+
+
+@kernel
+def point_on_round_table(table, x, y):
+    """Return z as two numbers, the cell of a point (x, y) [m], and its s - starts.
+
+    A point outside the table is moved to its rim.
+    """
+    u = x / table.radius
+    v = y / table.radius
+    distance = np.sqrt(u * u + v * v)
+    if distance > 1.0:
+        u /= distance
+        v /= distance
+        distance = 1.0
+    cells = table.starts.size - 1
+    cell = min(int(distance * cells), cells - 1)
+    return u, v, cell, u * u + v * v - table.starts[cell]
+
+
+@kernel
+def store_round_shapes(table, x, y, shapes):
+    """Store the mode shapes at (x, y) [m] in `shapes`."""
+    u, v, cell, offset = point_on_round_table(table, x, y)
+    row = table.pieces[cell]
+    n = 0
+    cosine = 1.0
+    sine = 0.0
+    for b in range(table.groups.shape[0]):
+        while n < table.groups[b, 0]:
+            cosine, sine = u * cosine - v * sine, u * sine + v * cosine
+            n += 1
+        wave = sine if table.groups[b, 1] else cosine
+        for k in range(table.groups[b, 2], table.groups[b, 3]):
+            g = row[2, k] + offset * (row[1, k] + offset * row[0, k])
+            shapes[table.index[k]] = wave * (row[3, k] + offset * g)
+
+
+@kernel
+def store_round_slopes(table, x, y, slopes):
+    """Store the slopes (2, t) of the mode shapes along x and y at (x, y) [m]."""
+    u, v, cell, offset = point_on_round_table(table, x, y)
+    row = table.pieces[cell]
+    n = 0
+    cosine = 1.0
+    sine = 0.0
+    lower_cosine = 0.0
+    lower_sine = 0.0
+    for b in range(table.groups.shape[0]):
+        while n < table.groups[b, 0]:
+            lower_cosine = cosine
+            lower_sine = sine
+            cosine, sine = u * cosine - v * sine, u * sine + v * cosine
+            n += 1
+        wave = cosine
+        along_x = n * lower_cosine
+        along_y = -n * lower_sine
+        if table.groups[b, 1]:
+            wave = sine
+            along_x = n * lower_sine
+            along_y = n * lower_cosine
+        for k in range(table.groups[b, 2], table.groups[b, 3]):
+            cubic = offset * row[0, k]
+            square = row[1, k] + cubic
+            slope = row[2, k] + offset * (2 * square + cubic)
+            g = row[3, k] + offset * (row[2, k] + offset * square)
+            m = table.index[k]
+            slopes[0, m] = (2 * u * slope * wave + g * along_x) / table.radius
+            slopes[1, m] = (2 * v * slope * wave + g * along_y) / table.radius
+
+
+@kernel
+def round_deflection(table, amplitude, change, x, y, out):
+    """Write W at (x, y), its gradient and its derivatives xx, xy, yy to `out` (6,).
+
+    W is the sum of the shapes multiplied by amplitude + change.
+    """
+    u, v, cell, offset = point_on_round_table(table, x, y)
+    row = table.pieces[cell]
+    out[:] = 0.0
+    n = 0
+    cosine = 1.0
+    sine = 0.0
+    lower_cosine = 0.0
+    lower_sine = 0.0
+    lowest_cosine = 0.0
+    lowest_sine = 0.0
+    for b in range(table.groups.shape[0]):
+        while n < table.groups[b, 0]:
+            lowest_cosine = lower_cosine
+            lowest_sine = lower_sine
+            lower_cosine = cosine
+            lower_sine = sine
+            cosine, sine = u * cosine - v * sine, u * sine + v * cosine
+            n += 1
+        # sums of g, g' and g'' over the modes of this wave
+        value = 0.0
+        slope = 0.0
+        bend = 0.0
+        for k in range(table.groups[b, 2], table.groups[b, 3]):
+            q = amplitude[table.index[k]] + change[table.index[k]]
+            cubic = offset * row[0, k]
+            square = row[1, k] + cubic
+            value += q * (row[3, k] + offset * (row[2, k] + offset * square))
+            slope += q * (row[2, k] + offset * (2 * square + cubic))
+            bend += q * (2 * square + 4 * cubic)
+        # the wave and its derivatives along x, along y, xx and xy; yy is -xx
+        twice = n * (n - 1)
+        wave = cosine
+        wave_x = n * lower_cosine
+        wave_y = -n * lower_sine
+        wave_xx = twice * lowest_cosine
+        wave_xy = -twice * lowest_sine
+        if table.groups[b, 1]:
+            wave = sine
+            wave_x = n * lower_sine
+            wave_y = n * lower_cosine
+            wave_xx = twice * lowest_sine
+            wave_xy = twice * lowest_cosine
+        out[0] += value * wave
+        out[1] += 2 * u * slope * wave + value * wave_x
+        out[2] += 2 * v * slope * wave + value * wave_y
+        out[3] += (2 * slope + 4 * u * u * bend) * wave
+        out[3] += 4 * u * slope * wave_x + value * wave_xx
+        out[4] += 4 * u * v * bend * wave + value * wave_xy
+        out[4] += 2 * slope * (u * wave_y + v * wave_x)
+        out[5] += (2 * slope + 4 * v * v * bend) * wave
+        out[5] += 4 * v * slope * wave_y - value * wave_xx
+    scale = 1 / table.radius
+    for i in range(1, 3):
+        out[i] *= scale
+    for i in range(3, 6):
+        out[i] *= scale * scale
