@@ -30,7 +30,7 @@ from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.details import details_in_words
 from sonify.claims.finding import JUDGE_BY_KEY, Finding, Measured
 from sonify.claims.finding import finding as claim
-from sonify.claims.finding_texts import texts_with
+from sonify.claims.finding_texts import FINDING_TEXTS, FindingText, texts_with
 from sonify.claims.literature import motion_findings as literature_claims
 from sonify.claims.paper_figures import paper_rows
 from sonify.claims.provenance import depends_on
@@ -692,8 +692,14 @@ def test_the_results_page_has_the_numbers_of_the_published_run(result):
 @pytest.mark.parametrize(
     ("found", "margin"), [(2, 0.0), (Measured(np.int64(2), np.float64(0.5)), 0.5)]
 )
-def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(found, margin):
-    @claim("c", "1", "s", needs=("motion",), at_least=2.0)
+def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(
+    found, margin, monkeypatch
+):
+    text = FindingText(claim="c", unit="1", source="s")
+    monkeypatch.setitem(FINDING_TEXTS, "grows", text)
+    monkeypatch.setattr("sonify.claims.finding.JUDGE_BY_KEY", {})
+
+    @claim(needs=("motion",), at_least=2.0)
     def grows(motion):
         return found
 
