@@ -60,10 +60,11 @@ DISK_COUPLED_LATER_MODELLED = (
     "from then on the contact is elastic, at the point of smallest gap between the rim and the "
     "deflected table."
 )
-DISK_MODES_COUPLED_MODELLED = (
-    " The elastic modes of the disk below 20 kHz are coupled as well."
+DISK_MODES_COUPLED_MODELLED = "The elastic modes of the disk below 20 kHz take part in two-way coupling with the table."
+RIGID_UNTIL_TWO_WAY = "rigid, until two-way coupling with the table begins"
+COUPLED_DISK_REASON = (
+    "the contact is elastic from then on, so that disk and table deform each other"
 )
-UNTIL_TWO_WAY_CLAUSE = ", until two-way coupling with the table begins"
 RIGID_DISK_REASON = (
     "surface.kind = {kind!r}; the elastic modes of the disk do not affect the motion"
 )
@@ -212,7 +213,11 @@ NEGLECTED_IN_DRAFT = (
     "modes.",
 )
 MODAL_REACTION_NEGLECTED = (
-    "The sound of impacts; the effect of the elastic modes on the motion"
+    "The sound of impacts; the effect of the elastic modes on the motion."
+)
+EARLY_MODAL_REACTION_NEGLECTED = (
+    "The sound of impacts; the effect of the elastic modes on the motion, until two-way coupling "
+    "with the table begins."
 )
 CONTACT_NEGLECTED = {
     "rigid": ("The sound of roughness, including the contact resonance.",),

@@ -116,16 +116,14 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
             subject = "disk and table"
         reason = sentences.RIGID_DISK_REASON.format(kind=scene.surface.kind)
         modelled = [sentences.RIGID_DISK_MODELLED]
-        neglected = [f"{sentences.MODAL_REACTION_NEGLECTED}."]
+        neglected = [sentences.MODAL_REACTION_NEGLECTED]
     else:
-        motion = sentences.DISK_COUPLED_LATER_MODELLED
+        choice = sentences.RIGID_UNTIL_TWO_WAY
+        reason = sentences.COUPLED_DISK_REASON
+        modelled = [sentences.DISK_COUPLED_LATER_MODELLED]
         if scene.contact.body == "elastic" and scene.disk.shape == "solid":
-            motion += sentences.DISK_MODES_COUPLED_MODELLED
-        choice = f"rigid{sentences.UNTIL_TWO_WAY_CLAUSE}"
-        reason = motion.removesuffix(".")
-        modelled = [motion]
-        until = sentences.UNTIL_TWO_WAY_CLAUSE
-        neglected = [f"{sentences.MODAL_REACTION_NEGLECTED}{until}."]
+            modelled.append(sentences.DISK_MODES_COUPLED_MODELLED)
+        neglected = [sentences.EARLY_MODAL_REACTION_NEGLECTED]
     disk = Decision(subject=subject, choice=choice, reason=reason)
     return plan.with_additions(disk, modelled=modelled, left_out=neglected)
 

@@ -5,6 +5,7 @@ Source: sonify/plan.py, sonify/predictions.py. Oracle: the same scene at accurac
 counts of the computed samples; white noise and sines of known level.
 """
 
+import re
 from dataclasses import replace
 from math import inf, pi
 from types import SimpleNamespace
@@ -21,6 +22,7 @@ from dynamics.solver_settings import ACCURACY_LEVELS, inclination_at_rate
 from modal import radiation_decay
 from modal.radiation import TOP_FACE
 from sonify import SceneError, load_scene
+from sonify.plan import sentences
 from sonify.plan.plan import plan_of, steady_precession_frequency
 from sonify.plan.predictions import mode_frequency_error, predicted_sound_error
 from sonify.plan.preflight import plan_with_modes
@@ -342,3 +344,21 @@ def test_a_disk_that_moves_with_its_table_is_not_said_to_stay_rigid_on_a_plane(s
         assert told in [
             decision.choice for decision in plan.decisions if decision.subject == "disk"
         ]
+    for plan in (still, moves):
+        for sentence in (*plan.modelled, *plan.left_out):
+            assert any(re.fullmatch(form, sentence) for form in sentence_forms())
+
+
+def sentence_forms():
+    """Return a regular expression for each template of a whole sentence in the table."""
+
+    def texts(entry):
+        if isinstance(entry, str):
+            yield entry
+        elif isinstance(entry, dict | tuple):
+            for part in entry.values() if isinstance(entry, dict) else entry:
+                yield from texts(part)
+
+    for text in texts({**vars(sentences), "__doc__": "", "__builtins__": ""}):
+        if re.fullmatch(r"[A-Z{].*\.", text):
+            yield re.sub(r"\\{.*?\\}", ".*", re.escape(text))
