@@ -697,7 +697,6 @@ def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(
 ):
     text = FindingText(claim="c", unit="1", source="s")
     monkeypatch.setitem(FINDING_TEXTS, "grows", text)
-    monkeypatch.setattr("sonify.claims.finding.JUDGE_BY_KEY", {})
 
     @claim(needs=("motion",), at_least=2.0)
     def grows(motion):
