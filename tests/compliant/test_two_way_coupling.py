@@ -668,7 +668,10 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
             scene, replace(motion, coupled_part=one)
         )
         assert (broken.answer, broken.value) == (answer, len(one.contact_losses))
-        assert count.answer == ("no" if answer == "no" else "undecided: chaotic")
+        if answer == "no":
+            assert count is None  # without a loss there is no number to be judged
+            continue
+        assert count.answer == "undecided: chaotic"
         assert (count.value, count.margin) == (
             len(one.contact_losses),
             float(one is not other),
