@@ -109,7 +109,11 @@ class FindingText:
         self, variant: str = "", words: Mapping[str, str] = NO_WORDS
     ) -> dict[str, Any]:
         """Return claim, unit and source of a variant, with the words of a run."""
-        texts = {"claim": self.claim, "unit": self.unit, "source": self.source}
+        texts: dict[str, Any] = {
+            "claim": self.claim,
+            "unit": self.unit,
+            "source": self.source,
+        }
         texts |= self.variants[variant] if variant else {}
         if not words:
             return texts
