@@ -99,6 +99,49 @@ def test_no_code_asks_what_kind_of_thing_it_has():
     assert found == []
 
 
+def calls_of(name, files):
+    """Yield file, line and arguments of each call of a builtin."""
+    for file in files:
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) == name:
+                arguments = [ast.unparse(argument) for argument in node.args]
+                yield file.relative_to(ROOT), node.lineno, arguments
+
+
+def test_no_code_outside_dynamics_asks_which_motion_it_has():
+    """What differs between motions are methods of `Motion`, and what is decided is in its plan."""
+    files = [f for f in FILES if f.relative_to(ROOT).parts[0] != "dynamics"]
+    files += sorted((ROOT / "docs").rglob("*.py"))
+    asked = re.compile(r"\b\w*Motion\b")
+    found = [
+        f"{file}:{line}"
+        for file, line, (thing, kinds, *_) in calls_of("isinstance", files)
+        if asked.search(kinds) or re.search(r"\bmotion$", thing)
+    ]
+    assert found == []
+
+
+def test_no_code_asks_whether_loads_have_laws():
+    found = [
+        f"{file}:{line}"
+        for file, line, (_, name, *_) in calls_of("getattr", FILES)
+        if name == "'laws'"
+    ]
+    assert found == []
+
+
+DECISIONS = {"decide_film": 2, "choose_contact_model": 1}
+"""Functions that decide on the models of a motion, with the number of places that may call them:
+the plan, and the validation of a scene, which needs the final inclination."""
+
+
+@pytest.mark.parametrize("name", DECISIONS)
+def test_models_are_decided_in_the_plan(name):
+    places = [str(file) for file, *_ in calls_of(name, FILES)]
+    assert "dynamics/motion_plan.py" in places
+    assert len(places) == DECISIONS[name]
+
+
 def test_every_import_keeps_the_contracts():
     """The contracts in pyproject.toml fix the order of packages and stages, and forbid cycles."""
     assert lint_imports(str(ROOT / "pyproject.toml"), no_cache=True) == 0
