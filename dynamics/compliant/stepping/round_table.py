@@ -27,7 +27,7 @@ class RoundTable(NamedTuple):
         Coefficients of g [kg^-1/2] in powers of s - starts, highest first.
     groups : (b, 4) array of int
         Modes of equal wave: order n, 1 for Im z^n (else 0), first mode, end.
-    index : (t,) array of int
+    mode_index : (t,) array of int
         Index of each mode among the modes of the table.
     """
 
@@ -35,7 +35,7 @@ class RoundTable(NamedTuple):
     starts: np.ndarray
     pieces: np.ndarray
     groups: np.ndarray
-    index: np.ndarray
+    mode_index: np.ndarray
 
 
 def round_table(shapes) -> RoundTable:
@@ -46,7 +46,7 @@ def round_table(shapes) -> RoundTable:
             starts=np.zeros(2),
             pieces=np.zeros((1, 4, 0)),
             groups=np.zeros((0, 4), dtype=np.int64),
-            index=np.zeros(0, dtype=np.int64),
+            mode_index=np.zeros(0, dtype=np.int64),
         )
     wave = 2 * shapes.order + shapes.is_sine
     index = np.argsort(wave, kind="stable")
@@ -57,7 +57,7 @@ def round_table(shapes) -> RoundTable:
         starts=np.array(shapes.starts),
         pieces=np.ascontiguousarray(shapes.pieces[:, :, index].transpose(1, 0, 2)),
         groups=groups.astype(np.int64),
-        index=index.astype(np.int64),
+        mode_index=index.astype(np.int64),
     )
 
 
@@ -108,7 +108,7 @@ def store_round_shapes(table, x, y, shapes):
         wave = sine if table.groups[b, 1] else cosine
         for k in range(table.groups[b, 2], table.groups[b, 3]):
             g = row[2, k] + offset * (row[1, k] + offset * row[0, k])
-            shapes[table.index[k]] = wave * (row[3, k] + offset * g)
+            shapes[table.mode_index[k]] = wave * (row[3, k] + offset * g)
 
 
 @kernel
@@ -139,7 +139,7 @@ def store_round_slopes(table, x, y, slopes):
             square = row[1, k] + cubic
             slope = row[2, k] + offset * (2 * square + cubic)
             g = row[3, k] + offset * (row[2, k] + offset * square)
-            m = table.index[k]
+            m = table.mode_index[k]
             slopes[0, m] = (2 * u * slope * wave + g * along_x) / table.radius
             slopes[1, m] = (2 * v * slope * wave + g * along_y) / table.radius
 
@@ -173,7 +173,7 @@ def round_deflection(table, amplitude, change, x, y, out):
         slope = 0.0
         bend = 0.0
         for k in range(table.groups[b, 2], table.groups[b, 3]):
-            q = amplitude[table.index[k]] + change[table.index[k]]
+            q = amplitude[table.mode_index[k]] + change[table.index[k]]
             cubic = offset * row[0, k]
             square = row[1, k] + cubic
             value += q * (row[3, k] + offset * (row[2, k] + offset * square))

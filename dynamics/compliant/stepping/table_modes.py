@@ -253,7 +253,7 @@ def cubic_basis(knots, x, out):
 @kernel
 def store_table_shapes(waves, x, y, bx, by, shapes):
     """Store the table mode shapes at (x, y) [m] in `shapes`."""
-    if waves.round_shapes.index.size > 0:
+    if waves.round_shapes.mode_index.size > 0:
         store_round_shapes(
             waves.round_shapes, x + waves.place[0], y + waves.place[1], shapes
         )
@@ -274,7 +274,7 @@ def store_table_shapes(waves, x, y, bx, by, shapes):
 @kernel
 def store_table_slopes(waves, x, y, bx, by, slopes):
     """Store the slopes (2, t) of the table mode shapes along x and y at (x, y) [m]."""
-    if waves.round_shapes.index.size > 0:
+    if waves.round_shapes.mode_index.size > 0:
         store_round_slopes(
             waves.round_shapes, x + waves.place[0], y + waves.place[1], slopes
         )
@@ -296,7 +296,7 @@ def table_deflection(waves, x, y, bx, by, out):
 
     W is the deflection at the end of a step without contact force.
     """
-    if waves.round_shapes.index.size > 0:
+    if waves.round_shapes.mode_index.size > 0:
         round_deflection(
             waves.round_shapes,
             waves.amplitude,
