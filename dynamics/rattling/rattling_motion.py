@@ -33,15 +33,11 @@ from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.kinematics import contact_place
 from dynamics.motion import FindingGroup, Outcome
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
-from dynamics.rattling import contact_steps as layout
-from dynamics.rattling.contact_steps import (
-    RECORD,
-    Edge,
-    MovingTable,
-    RattlingDisk,
-    motion_state,
-    step_rattling_disk,
-)
+from dynamics.rattling import layout, time_loop
+from dynamics.rattling.body import motion_state
+from dynamics.rattling.layout import RECORD, Edge, RattlingDisk
+from dynamics.rattling.time_loop import step_rattling_disk
+from dynamics.rattling.vibration import MovingTable
 from dynamics.switching import ImpossibleContactError
 
 if TYPE_CHECKING:
@@ -52,11 +48,11 @@ if TYPE_CHECKING:
 PROGRESS_INTERVAL = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
-    layout.CONTINUES: Outcome.TIME_LIMIT,
-    layout.LIES_FLAT: Outcome.SETTLED,
-    layout.STANDS_UPRIGHT: Outcome.UPRIGHT,
-    layout.LIFTS_OFF: Outcome.LIFTED_OFF,
-    layout.IS_AIRBORNE: Outcome.AIRBORNE,
+    time_loop.CONTINUES: Outcome.TIME_LIMIT,
+    time_loop.LIES_FLAT: Outcome.SETTLED,
+    time_loop.STANDS_UPRIGHT: Outcome.UPRIGHT,
+    time_loop.LIFTS_OFF: Outcome.LIFTED_OFF,
+    time_loop.IS_AIRBORNE: Outcome.AIRBORNE,
 }
 """Outcome of a motion for each reason for ending `step_rattling_disk`."""
 
@@ -126,12 +122,12 @@ class RattlingModel(NamedTuple):
         return Edge(
             heights=self.heights,
             block_heights=np.maximum.reduceat(
-                self.heights, np.arange(0, len(self.heights), layout.BLOCK_SIZE)
+                self.heights, np.arange(0, len(self.heights), layout.RIM_BLOCK_POINTS)
             ),
             angles=np.array([np.cos(angle), np.sin(angle)]),
             axial=self.rim.axial[:, None] * wave,
             radial=self.rim.radial[:, None] * wave,
-            place_factor=self._place_factor(frequency),
+            endpoint_mean_factor=self._endpoint_mean_factor(frequency),
             frequency=frequency,
             decay=self.rim.decay,
             highest=np.array([self.heights.max(), *displacement]),
@@ -140,7 +136,7 @@ class RattlingModel(NamedTuple):
     def _mean_factor(self, frequency: np.ndarray) -> np.ndarray:
         return np.sinc(frequency / (2 * pi * self.rate))
 
-    def _place_factor(self, frequency: np.ndarray) -> np.ndarray:
+    def _endpoint_mean_factor(self, frequency: np.ndarray) -> np.ndarray:
         turn = frequency / (2 * self.rate)
         return turn / np.tan(turn)
 
@@ -173,7 +169,7 @@ class RattlingModel(NamedTuple):
             frequency=frequency,
             decay=np.array(modes.decay_rate),
             mean_factor=self._mean_factor(frequency),
-            place_factor=self._place_factor(frequency),
+            endpoint_mean_factor=self._endpoint_mean_factor(frequency),
             shape_norm=norm,
             shapes=np.zeros((count, len(frequency))),
             slopes=np.zeros((count, 2, len(frequency))),
@@ -557,8 +553,8 @@ def simulate_rattling(
     blocks = []
     flights = [np.zeros((0, 3))]
     begin = 0.0
-    reason = layout.CONTINUES
-    while reason == layout.CONTINUES and begin < time_limit:
+    reason = time_loop.CONTINUES
+    while reason == time_loop.CONTINUES and begin < time_limit:
         samples = np.empty((chunk, sum(sizes)))
         found = np.empty((chunk * per_sample // 2 + 1, 3))
         written, losses, reason = step_rattling_disk(

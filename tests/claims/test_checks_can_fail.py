@@ -21,8 +21,8 @@ from dynamics import Loads, Outcome, OwnLaw, rigid_motion, simulate
 from dynamics.compliant import compliant_motion
 from dynamics.compliant.stepping import normal, tangential, time_loop
 from dynamics.kinematics import contact_arms
-from dynamics.rattling import contact_steps, rattling_motion
-from dynamics.rattling.contact_steps import DASHPOT, ELASTIC, FRICTION, VELOCITY
+from dynamics.rattling import rattling_motion, rim_contacts
+from dynamics.rattling.layout import DASHPOT, ELASTIC, FRICTION, VELOCITY
 from dynamics.rigid_motion import RigidMotion
 from modal import eigenmodes
 from modal.elements import elastic
@@ -266,7 +266,7 @@ class Mutant:
         return f"{self.key}-{(self.broken or self.run).__name__}-{self.name}"
 
 
-COIN = {"run": rattling_coin, "where": contact_steps, "name": "add_force"}
+COIN = {"run": rattling_coin, "where": rim_contacts, "name": "add_force"}
 SLIP = {"run": slipping_disk, "where": tangential, "name": "project_on_friction_circle"}
 MUTANTS = [
     Mutant(

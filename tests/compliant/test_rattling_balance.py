@@ -18,13 +18,11 @@ from dynamics.compliant.law.unevenness import static_depth, unevenness
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.model_selection import predicted_vibration
 from dynamics.disk import GRAVITY
-from dynamics.rattling import contact_steps as layout
-from dynamics.rattling.contact_steps import (
-    motion_state,
-    step_rattling_disk,
-    write_propagator,
-)
+from dynamics.rattling import layout
+from dynamics.rattling.body import motion_state
 from dynamics.rattling.rattling_motion import rigid_energy, rolling_state_at_release
+from dynamics.rattling.time_loop import step_rattling_disk
+from dynamics.rattling.vibration import write_propagator
 from sonify.scene import from_document
 
 
@@ -151,7 +149,7 @@ def propagator(frequency, decay, h):
     """Return the matrix (2, 2) of a mode over a time h [s], of its displacement and velocity."""
     one = np.array([frequency])
     edge = coin_edge()._replace(
-        place_factor=one, frequency=one, decay=np.array([decay])
+        endpoint_mean_factor=one, frequency=one, decay=np.array([decay])
     )
     out = np.empty((4, 1))
     write_propagator(edge, h, out)

@@ -31,7 +31,7 @@ from dynamics.compliant.law.unevenness import (
 )
 from dynamics.disk import GRAVITY
 from dynamics.motion import Outcome
-from dynamics.rattling.contact_steps import AXIS, CENTRE, MOMENTUM, VELOCITY
+from dynamics.rattling.layout import AXIS, CENTRE, MOMENTUM, VELOCITY
 from dynamics.rattling.rattling_motion import (
     effective_restitution,
     modal_energy,

@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 from dynamics import plan_motion, simulate
 from dynamics.compliant.compliant_motion import FORCE_SAMPLE_RATE, FORCES_PER_ROW
 from dynamics.disk import GRAVITY
-from dynamics.rattling.contact_steps import CENTRE
+from dynamics.rattling.layout import CENTRE
 from dynamics.rattling.rattling_motion import (
     effective_restitution,
     rattling_model,

@@ -1,4 +1,4 @@
-"""Forces of the air film under a rattling disk.
+"""Impulses of the air film under a rattling disk.
 
 The film is that of a disk in contact, because hops are low compared with the mean gap.
 A drag opposes the precession. The pressure force acts at the centre of pressure, normal
@@ -12,6 +12,8 @@ import numpy as np
 
 from dynamics.film.film_kernels import film_loads
 from dynamics.numba_kernels import kernel
+from dynamics.rattling.body import add_force
+from dynamics.rattling.layout import FILM, RECORD
 
 
 class FilmLoad(NamedTuple):
@@ -36,7 +38,7 @@ class FilmLoad(NamedTuple):
 
 
 @kernel
-def film_pressure(disk, axis, up_slope, velocity, stored_energy, step):
+def film_load(disk, axis, up_slope, velocity, stored_energy, step):
     """Return the `FilmLoad` in a step with an energy [J] stored in the compressed air.
 
     `disk` is a `RattlingDisk`, `axis` (3,) the unit vector along its axis, and `up_slope` that
@@ -100,3 +102,17 @@ def normal_speed(disk, axis, up_slope, velocity, place):
 def normal_mobility(disk, place):
     """Return the change of `normal_speed` per impulse at the same point [1/kg]."""
     return 1 / disk.mass + place**2 / disk.diametral_inertia
+
+
+@kernel
+def add_film(disk, motion, rim, velocity, step, contacts):
+    """Add the forces of the air film; return the work [J] of its compressed air."""
+    axis = rim.axis
+    up_slope = (-axis[0] * axis[2] / rim.sine, -axis[1] * axis[2] / rim.sine, rim.sine)
+    stored = motion.record[RECORD.compressed_air_energy]
+    film = film_load(disk, axis, up_slope, velocity, stored, step)
+    force = (film.pressure * axis[0], film.pressure * axis[1], film.pressure * axis[2])
+    add_force(contacts, FILM, force, point_on_face(disk, axis, up_slope, film.place))
+    for i in range(3):
+        contacts.torque[FILM, i] += film.drag * up_slope[i]
+    return film.work

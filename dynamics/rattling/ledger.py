@@ -1,0 +1,37 @@
+"""Samples and energy losses of a rattling disk, and its flights."""
+
+from dynamics.numba_kernels import kernel
+from dynamics.rattling.layout import RECORD, RECORD_SIZE
+
+
+@kernel
+def record_mode_losses(motion):
+    """Move the energies lost by the modes of the disk since the last sample to the record."""
+    for j in range(motion.mode_loss.size):
+        motion.record[RECORD.disk_mode_loss] += motion.mode_loss[j]
+        motion.mode_loss[j] = 0.0
+
+
+@kernel
+def add_half_sample(motion, row):
+    """Add half of state, record and modes of the disk to a row of the samples."""
+    disk = motion.disk.ravel()
+    modes = disk.size + RECORD_SIZE
+    for i in range(disk.size):
+        row[i] += 0.5 * disk[i]
+    for i in range(RECORD_SIZE):
+        row[disk.size + i] += 0.5 * motion.record[i]
+    for j in range(motion.mode_loss.size):
+        row[modes + 2 * j] += 0.5 * motion.modes[0, j]
+        row[modes + 2 * j + 1] += 0.5 * motion.modes[1, j]
+
+
+@kernel
+def is_carried_by_film(record, now, weight):
+    """Return True if the air film has supported the disk since the loss of contact."""
+    min_duration = 2e-3  # s
+    min_lift = 0.5  # mean force of the film divided by the weight
+    duration = now - record[RECORD.flight_start]
+    if record[RECORD.flight_start] < 0 or duration < min_duration:
+        return False
+    return record[RECORD.flight_film_impulse] > min_lift * weight * duration

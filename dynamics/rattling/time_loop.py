@@ -1,0 +1,281 @@
+"""Time steps of a disk with contact springs along its whole rim.
+
+A step consists of free flight for half its duration, the impulse of the contacts, and
+free flight for the other half. High above the table, all steps except the last one before
+the next sample are merged into one.
+"""
+
+import numpy as np
+
+from dynamics.film.film_kernels import film_capacity
+from dynamics.numba_kernels import outermost
+from dynamics.rattling.air_impulses import add_film
+from dynamics.rattling.body import (
+    clear,
+    energy_of_change,
+    fly,
+    kick,
+    rim_geometry,
+    scalar_product,
+    write_velocity,
+    write_velocity_change,
+    zero_velocities,
+)
+from dynamics.rattling.layout import (
+    DASHPOT,
+    ELASTIC,
+    FILM,
+    RECORD,
+    RIM_BLOCK_POINTS,
+    Contacts,
+)
+from dynamics.rattling.ledger import (
+    add_half_sample,
+    is_carried_by_film,
+    record_mode_losses,
+)
+from dynamics.rattling.resistance import add_resistance
+from dynamics.rattling.rim_contacts import press_rim, stays_clear
+from dynamics.rattling.vibration import (
+    fly_table,
+    table_deflection_bound,
+    table_energy,
+    work_lost_to_damping,
+    write_propagator,
+)
+
+CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF, IS_AIRBORNE = range(5)
+"""Reasons for ending the time steps."""
+
+
+@outermost
+def step_rattling_disk(
+    disk,
+    edge,
+    table,
+    gravity,
+    final_tilt,
+    step,
+    per_sample,
+    motion,
+    begin,
+    samples,
+    flights,
+):
+    """Advance a rattling disk and write a sample after every `per_sample` steps.
+
+    Parameters
+    ----------
+    disk : RattlingDisk
+        Disk and contact.
+    edge : Edge
+        Lower edge of the disk, with the unevenness.
+    table : MovingTable or None
+        Modes of the table; None compiles a separate version without them.
+    gravity : float
+        Acceleration of gravity [m/s^2].
+    final_tilt : float
+        `RimGeometry.tilt` [m] below which the disk lies flat.
+    step : float
+        Time step [s].
+    per_sample : int
+        Steps between two samples.
+    motion : MotionState
+        State of the disk and of its modes, and the sums since the start, updated in
+        place.
+    begin : float
+        Time [s] of the first step.
+    samples : ndarray, shape (n, 16 + RECORD_SIZE + 2 d)
+        Receives state, record, modes of the disk and energy of those of the table.
+    flights : ndarray, shape (f, 3)
+        Output: start [s], duration [s] and height [m] of each loss of contact that
+        ended; f is at least half the number of steps.
+
+    Returns
+    -------
+    tuple of int
+        Number of samples and of flights written, and the reason for the end.
+    """
+    upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
+    mode_count = motion.modes.shape[1]
+    disk_modes = motion.mode_loss.size
+    propagators = np.empty((per_sample, 4, disk_modes))
+    for i in range(per_sample):
+        write_propagator(edge, (i + 1) * step / 2, propagators[i])
+    stored = 0.0
+    if table is not None:
+        table_propagators = np.empty((2 * per_sample, 4, mode_count - disk_modes))
+        for i in range(2 * per_sample):
+            write_propagator(table, (i + 1) * step / 2, table_propagators[i])
+        stored = table_energy(table, motion)
+    count = edge.heights.size
+    load = np.zeros((5, 6))
+    contacts = Contacts(
+        load,
+        load[:, :3],
+        load[:, 3:],
+        np.zeros((2, mode_count)),
+        np.zeros(count),
+        np.zeros(count),
+        np.zeros(count),
+        np.zeros(RIM_BLOCK_POINTS),
+        np.zeros(RIM_BLOCK_POINTS),
+        np.zeros(RIM_BLOCK_POINTS),
+    )
+    quarter_turn_vector = np.empty(3)
+    before = zero_velocities(motion)
+    mean = zero_velocities(motion)
+    change = zero_velocities(motion)
+    record = motion.record
+    highest = edge.highest[0]
+    weight = disk.mass * gravity
+    has_film = disk.film.turning > 0
+    received = 0.0
+    max_deflection = -1.0
+    waiting = 0
+    losses = 0
+    for sample in range(samples.shape[0]):
+        done = 0
+        while done < per_sample:
+            merged = 1
+            left = per_sample - 1 - done
+            if record[RECORD.flight_start] >= 0 and left > 1:
+                rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
+                if max_deflection < 0:
+                    max_deflection = 0.0
+                    if table is not None:
+                        max_deflection = table_deflection_bound(table, motion)
+                if stays_clear(
+                    disk,
+                    edge,
+                    max_deflection,
+                    gravity,
+                    motion,
+                    rim,
+                    contacts,
+                    left * step,
+                ):
+                    merged = left
+            done += merged
+            duration = merged * step
+            propagator = propagators[merged - 1]
+            fly(disk, gravity, edge, motion, propagator, duration / 2)
+            waiting += merged
+            if table is not None and merged == 1:
+                fly_table(table, motion, table_propagators[waiting - 1])
+                waiting = 0
+            now = begin + (sample * per_sample + done) * step
+            rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
+            write_velocity(disk, motion, before)
+            change.all[:] = 0.0
+            mean.all[:] = before.all
+            clear(contacts)
+            record[RECORD.spring_energy] = 0.0
+            if merged == 1:
+                for is_changed in (False, True):
+                    if is_changed:
+                        # Forces at the mean velocity and mean depth of the step
+                        # conserve energy.
+                        write_velocity_change(disk, motion, contacts, step, change)
+                        for i in range(before.all.size):
+                            mean.all[i] = before.all[i] + change.all[i] / 2
+                        clear(contacts)
+                    energy = press_rim(
+                        disk,
+                        edge,
+                        table,
+                        motion,
+                        rim,
+                        mean,
+                        change,
+                        is_changed,
+                        now,
+                        step,
+                        contacts,
+                    )
+                    if is_changed:
+                        add_resistance(
+                            disk,
+                            weight,
+                            rim,
+                            mean,
+                            record[RECORD.spring_energy],
+                            step,
+                            contacts,
+                        )
+                    record[RECORD.spring_energy] = energy
+                    if contacts.force[ELASTIC, 2] <= 0:
+                        break
+            touches = contacts.force[ELASTIC, 2] > 0
+            if has_film:
+                work = add_film(disk, motion, rim, before, duration, contacts)
+                left = max(record[RECORD.compressed_air_energy] - work, 0.0)
+                rate = np.hypot(before.angular[0], before.angular[1]) / rim.sine
+                kept = min(left, film_capacity(disk.film, rim.sine, rate))
+                record[RECORD.film_loss] += record[RECORD.compressed_air_energy] - kept
+                record[RECORD.compressed_air_energy] = kept
+            if (
+                touches
+                and contacts.force[ELASTIC, 2] + contacts.force[DASHPOT, 2]
+                > 1e-6 * weight
+            ):
+                if record[RECORD.flight_start] >= 0:
+                    flights[losses, 0] = record[RECORD.flight_start]
+                    flights[losses, 1] = now - record[RECORD.flight_start]
+                    flights[losses, 2] = record[RECORD.max_flight_height]
+                    losses += 1
+                    record[RECORD.flight_start] = -1.0
+            else:
+                if record[RECORD.flight_start] < 0:
+                    record[RECORD.flight_start] = now
+                    record[RECORD.max_flight_height] = 0.0
+                    record[RECORD.flight_film_impulse] = 0.0
+                record[RECORD.open_time] += duration
+                record[RECORD.flight_film_impulse] += duration * contacts.force[FILM, 2]
+                record[RECORD.max_flight_height] = max(
+                    record[RECORD.max_flight_height], rim.height - rim.tilt
+                )
+            if done == per_sample:
+                record_mode_losses(motion)
+                samples[sample] = 0.0
+                if table is not None:
+                    energy = table_energy(table, motion)
+                    record[RECORD.table_mode_loss] += stored + received - energy
+                    samples[sample, -1] = energy
+                    stored = energy
+                    received = 0.0
+                add_half_sample(motion, samples[sample])
+            if touches or has_film:
+                write_velocity_change(disk, motion, contacts, duration, change)
+                if done == per_sample:
+                    gain = energy_of_change(contacts, change, disk_modes, duration)
+                    samples[sample, motion.disk.size + RECORD.spring_energy] += gain / 4
+                kick(disk, motion, contacts, before, change, duration)
+            if table is not None and touches:
+                max_deflection = -1.0
+                gain = change.table_modes
+                by_old = scalar_product(before.table_modes, gain)
+                by_gain = scalar_product(gain, gain)
+                received += by_old + by_gain / 2
+                received -= work_lost_to_damping(table, motion, gain, step)
+                if done == per_sample:  # the mean energy before and after the impulse
+                    samples[sample, -1] += by_old / 2 + by_gain / 4
+            if done == per_sample:
+                add_half_sample(motion, samples[sample])
+            fly(disk, gravity, edge, motion, propagator, duration / 2)
+            waiting += merged
+            if rim.tilt < final_tilt:
+                return sample, losses, LIES_FLAT
+            if rim.upright < upright_cosine_limit:
+                return sample, losses, STANDS_UPRIGHT
+            if record[RECORD.flight_start] >= 0 and record[
+                RECORD.max_flight_height
+            ] > max(rim.tilt, 10 * highest):
+                return sample, losses, LIFTS_OFF
+            if is_carried_by_film(record, now, weight):
+                return sample, losses, IS_AIRBORNE
+    if table is not None:
+        fly_table(table, motion, table_propagators[waiting - 1])
+        energy = table_energy(table, motion)
+        record[RECORD.table_mode_loss] += stored + received - energy
+    return samples.shape[0], losses, CONTINUES
