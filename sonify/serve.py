@@ -21,6 +21,7 @@ from starlette.routing import Route
 
 from sonify.claims.checks import Check
 from sonify.report.page import page_assets, templates
+from sonify.runtime.files import readable_text
 from sonify.scene_errors import InputError
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
@@ -116,7 +117,7 @@ def routes_of_runs(root: Path, list_path: str) -> list[Route]:
         return _page(
             "index.html",
             runs=finished_runs(root),
-            root=root.name,
+            root=readable_text(root.name),
             style=page_assets()["style"],
         )
 
@@ -177,17 +178,22 @@ def finished_runs(root: Path) -> list[dict]:
 
 def _run_entry(root, path):
     """Return the list entry of a run.json, or None if the file is not a readable record
-    of a run."""
+    of a run.
+
+    A folder whose name is not UTF-8 has no address, so that its page is not offered.
+    """
+    folder = path.parent.relative_to(root).as_posix()
+    place = readable_text(folder)
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
         return {
-            "place": path.parent.relative_to(root).as_posix(),
+            "place": place,
             "name": record["scene"]["name"],
             "outcome": record["outcome"]["sentence"],
             "headline": record.get("headline", ""),
             "failed": _failed_check_lines(record["checks"]),
             "checks": len(record["checks"]),
-            "page": (path.parent / "report.html").is_file(),
+            "page": place == folder and (path.parent / "report.html").is_file(),
         }
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return None

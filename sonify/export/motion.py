@@ -109,7 +109,9 @@ def write_parquet(motion: Motion, times: np.ndarray, path: Path):
     import pyarrow.parquet as pq
 
     names, rows = motion_rows(motion, times)
-    pq.write_table(pa.table(dict(zip(names, rows.T.copy(), strict=True))), path)
+    table = pa.table(dict(zip(names, rows.T.copy(), strict=True)))
+    with open(path, "wb") as file:  # pyarrow accepts only paths in UTF-8
+        pq.write_table(table, file)
 
 
 def write_csv(motion: Motion, times: np.ndarray, path: Path):

@@ -2,6 +2,7 @@
 
 import errno
 import os
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import chain, count
@@ -32,6 +33,12 @@ def create_folder(folder: str | Path) -> Path:
         raise
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
+
+
+def path_for_libsndfile(path: str | Path) -> str | bytes:
+    """Return a path as soundfile requires it: on Unix the bytes of the name, which may
+    not be UTF-8."""
+    return str(path) if sys.platform == "win32" else os.fsencode(path)
 
 
 def readable_text(text: str) -> str:

@@ -11,7 +11,7 @@ import soundfile
 
 from dynamics import Outcome
 from sonify import __version__
-from sonify.runtime.files import atomic_write
+from sonify.runtime.files import atomic_write, path_for_libsndfile
 from sonify.sound.pressure import Sound
 
 MISSING_END_TEXT = "; the motion did not come to rest, and its end is missing: {}"
@@ -92,8 +92,9 @@ def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
     `chunk` is appended as the last chunk of the file, which must not be RF64."""
     with atomic_write(path) as temporary:
         try:
+            name = path_for_libsndfile(temporary)
             with soundfile.SoundFile(
-                temporary, "w", rate, channels, subtype, format=form
+                name, "w", rate, channels, subtype, format=form
             ) as file:
                 yield file
         except (

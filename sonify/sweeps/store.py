@@ -69,11 +69,11 @@ class RunStore:
                 ) from None
             if not self.path.exists():
                 self._write(pa.table({"run": pa.array([], pa.int64())}))
-            metadata = pq.read_schema(self.path).metadata
+            metadata = _read_parquet(pq.read_schema, self.path).metadata
             self._require_identity(self.path, metadata.get(IDENTITY_KEY, b"null"))
             self._database = stack.enter_context(closing(self._open_database()))
             self.export()
-            found = pq.read_table(self.path)
+            found = _read_parquet(pq.read_table, self.path)
             if self._retry and "error" in found.column_names:
                 found = found.filter(pc.is_null(found["error"]))
             self.done[found["run"].to_numpy()] = True
@@ -115,8 +115,9 @@ class RunStore:
             ).fetchall()
         if records:
             rows = [json.loads(content) for (content,) in records]
-            new = _as_table(rows, pq.read_schema(self.path), self.axes)
-            old = pq.read_table(self.path)
+            known = _read_parquet(pq.read_schema, self.path)
+            new = _as_table(rows, known, self.axes)
+            old = _read_parquet(pq.read_table, self.path)
             old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
             self._write(
                 pa.concat_tables([old, new], promote_options="default").sort_by("run")
@@ -191,10 +192,10 @@ class RunStore:
         present = [name for name in leading if name in table.column_names]
         table = table.select(present + rest)
         table = table.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
-        with atomic_write(self.path) as temporary:
-            pq.write_table(table, temporary, compression="zstd")
-            with open(temporary, "rb+") as written:
-                os.fsync(written.fileno())
+        with atomic_write(self.path) as temporary, open(temporary, "wb") as written:
+            pq.write_table(table, written, compression="zstd")
+            written.flush()
+            os.fsync(written.fileno())
         _sync_folder(self.folder)
 
 
@@ -206,7 +207,7 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
     if not Path(path).is_file():
         raise InputError(f"{path}: no such file")
     try:
-        table = pq.read_table(path)
+        table = _read_parquet(pq.read_table, path)
         return table, json.loads(table.schema.metadata[IDENTITY_KEY])
     except (OSError, pa.ArrowInvalid) as error:
         raise InputError(
@@ -214,6 +215,13 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
         ) from None
     except (KeyError, TypeError):
         raise InputError(f"{path}: not the table of a sweep") from None
+
+
+def _read_parquet(read, path):
+    """Return what a reader of pyarrow finds in a file; pyarrow accepts only paths in
+    UTF-8."""
+    with open(path, "rb") as file:
+        return read(file)
 
 
 def _as_table(rows, known, axes):

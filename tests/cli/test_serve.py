@@ -6,6 +6,7 @@ disk.
 """
 
 import json
+import os
 import queue
 import threading
 from contextlib import closing
@@ -65,6 +66,10 @@ def root(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def get(root):
+    return client(root)
+
+
+def client(root):
     """Return get(path, **headers) -> status, headers and body from a running server."""
     told = queue.Queue()
     threading.Thread(
@@ -89,6 +94,20 @@ def test_the_list_names_every_finished_run(get):
     assert 'href="runs/deep/two/"' in page
     assert page.count("The disk never leaves the table.") == 3
     assert "broken" not in page
+
+
+def test_a_run_in_a_folder_whose_name_is_not_utf8_is_listed(tmp_path):
+    folder = tmp_path / os.fsdecode(b"caf\xe9")
+    try:
+        folder.mkdir()
+    except (OSError, UnicodeError):
+        pytest.skip("the file system requires names in Unicode")
+    (folder / "run.json").write_text(json.dumps(RECORD))
+    (folder / "report.html").touch()
+    listed = client(tmp_path)("/")
+    assert listed.status == 200
+    assert "<td>caf\\xe9</td>" in listed.body.decode()
+    assert 'href="runs/' not in listed.body.decode(), "it has no address"
 
 
 def test_the_list_says_which_check_failed(get):
