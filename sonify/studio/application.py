@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import re
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, closing
 from functools import cache
@@ -50,6 +51,8 @@ from sonify.studio.worker import PREVIEW_FILE, STREAM_FILE, analyse_recording, r
 
 MAX_UPLOAD_BYTES = 100_000_000
 """Largest accepted recording [bytes]; about 17 minutes of mono sound."""
+UPLOAD_FOLDER = "upload"
+"""Folder of a recording in the folder of its job."""
 STUDIO_POLICY = CONTENT_SECURITY_POLICY | {
     "connect-src": "'self' data:",
     "media-src": "'self' data: blob:",
@@ -166,8 +169,8 @@ class Session:
         return self._stream(request, job, places)
 
     async def recording(self, request: Request) -> Response:
-        """Analyse the WAV file in the body and compare it with the scene of the
-        query."""
+        """Analyse the recording in the body, which the query names, and compare it with
+        the scene of the query."""
         query = request.query_params
         try:
             values = dict(json.loads(query.get("values", "{}")))
@@ -179,7 +182,8 @@ class Session:
         scene = changed_scene(query.get("scene", ""), values)
         content = await _body(request, MAX_UPLOAD_BYTES)
         number, folder = self._new_folder()
-        path = folder / "recording.wav"
+        path = folder / UPLOAD_FOLDER / file_name(query.get("name", ""))
+        path.parent.mkdir()
         path.write_bytes(content)
         job = Job(folder, analyse_recording, path, scene.document, folder, span)
         return self._stream(request, job, {"folder": f"session/{number}/"})
@@ -221,9 +225,19 @@ class Session:
             yield json.dumps(places | _final_record(job)) + "\n"
         finally:
             self._queue.cancel(job)
-            (job.folder / "recording.wav").unlink(missing_ok=True)
+            rmtree(job.folder / UPLOAD_FOLDER, ignore_errors=True)
             if job.result is None and "page" in places:
                 rmtree(self.root / Path(places["page"]).name, ignore_errors=True)
+
+
+def file_name(given: str) -> str:
+    """Return a file name for a recording whose name in the browser is given.
+
+    Letters that a file system may refuse are replaced by `_`."""
+    max_length = 200  # bytes
+    name = re.sub(r'[\x00-\x1f\x7f<>:"/\\|?*]', "_", given).strip(". ")
+    short = name.encode("utf-8", "replace")[-max_length:].decode("utf-8", "ignore")
+    return short or "recording"
 
 
 async def _growing_file(job) -> AsyncIterator[bytes]:

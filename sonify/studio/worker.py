@@ -176,7 +176,8 @@ def analyse_recording(
     """Return sentences on the analysis of a recording within a span [s] and its
     comparison with a scene.
 
-    Pictures are written to `folder`, and the recording is deleted.
+    Pictures are written to `folder`, and the recording is deleted. The sentences contain
+    its name without its folder.
     """
     from sonify.fitting.comparison import simulated_numbers
     from sonify.fitting.report import comparison_sentences, sentences, write_fits
@@ -206,9 +207,10 @@ def analyse_recording(
         heard = [str(error)]
     finally:
         path.unlink(missing_ok=True)
+    place = f"{path.parent}{os.sep}"
     return {
-        "heard": [line.replace(str(path), "the recording") for line in heard],
-        "fit": [line.replace(str(path), "the recording") for line in fitted],
+        "heard": [line.replace(place, "") for line in heard],
+        "fit": [line.replace(place, "") for line in fitted],
         "pictures": sorted(picture.name for picture in folder.glob("*.png")),
     }
 

@@ -6,11 +6,13 @@ Source: the studio's how-to in docs/how_to.md. Oracle: the scene's own sentences
 
 import json
 import queue
+import shlex
 import shutil
 import threading
 import time
 from contextlib import closing
 from http.client import HTTPConnection
+from urllib.parse import quote
 
 import numpy as np
 import pytest
@@ -394,6 +396,53 @@ def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers, tmp_pa
     assert document["name"] == "toy"
     assert folder.is_dir()
     assert not path.exists()
+    assert path.name == "recording"
+    workers[0].release.release()
+    name = quote("../New Recording 5's.m4a")
+    client.post(f"{place}&name={name}", bytes(1000))
+    path, _, folder, _ = workers[0].began.get()
+    assert path == folder / "upload" / "_New Recording 5's.m4a"
+
+
+@pytest.mark.parametrize(
+    ("given", "name"),
+    [
+        ("take.wav", "take.wav"),
+        ("a/b\\c\0\n:.wav", "a_b_c___.wav"),
+        ("..", "recording"),
+        (" .hidden ", "hidden"),
+    ],
+)
+def test_the_name_of_a_recording_is_a_file_name(given, name):
+    assert studio_pages.file_name(given) == name
+
+
+def test_a_long_name_keeps_its_end():
+    given = "録音" * 100 + ".m4a"
+    found = studio_pages.file_name(given)
+    assert given.endswith(found)
+    assert 190 < len(found.encode()) <= 200
+
+
+def test_a_file_that_cannot_be_read_has_the_advice_of_the_command_line(tmp_path):
+    """The path in the command is the name that the user knows."""
+    from sonify.studio.worker import analyse_recording
+
+    path = tmp_path / "upload" / "New Recording 5's.m4a"
+    path.parent.mkdir()
+    path.write_bytes(b"\0\0\0\x1cftypM4A " + bytes(100))
+    told = analyse_recording(path, load_scene("toy").document, tmp_path)
+    (line,) = told["heard"]
+    assert told["fit"] == []
+    name, _, command = line.partition(": not a readable sound file: ")
+    assert name == "New Recording 5's.m4a"
+    assert shlex.split(command.partition("e.g. ")[2]) == [
+        "ffmpeg",
+        "-i",
+        "New Recording 5's.m4a",
+        "New Recording 5's.wav",
+    ]
+    assert not path.exists()
 
 
 def test_the_sound_streams_while_it_is_rendered(tmp_path):
@@ -429,7 +478,9 @@ def test_a_recording_without_a_disk_has_a_plain_sentence(tmp_path):
     path.write_bytes(noisy)
     told = analyse_recording(path, toy, tmp_path)
     assert "no disk or coin that comes to rest was detected" in told["heard"]
-    assert len(told["fit"]) == 1
+    assert told["fit"] == [
+        "recording.wav: no disk or coin that comes to rest was detected"
+    ]
     assert str(tmp_path) not in " ".join(told["fit"] + told["heard"])
     assert "spectrogram.png" in told["pictures"]
     assert not path.exists()
@@ -459,6 +510,48 @@ def test_a_run_has_the_pressure_of_the_command_line(tmp_path):
     heard, _ = soundfile.read(tmp_path / "session" / "preview.wav")
     copy, _ = soundfile.read(tmp_path / "studio" / "sound.wav")
     assert np.max(np.abs(heard - copy)) < 2.0 / 2**15
+
+
+@pytest.fixture
+def browser():
+    """Return a browser; skip where none is installed."""
+    playwright = pytest.importorskip("playwright.sync_api")
+    names = ("chromium", "chromium-browser", "google-chrome")
+    path = next(filter(None, map(shutil.which, names)), None)
+    with playwright.sync_playwright() as started:
+        try:
+            opened = started.chromium.launch(
+                executable_path=path, args=["--no-sandbox"]
+            )
+        except playwright.Error:
+            pytest.skip("no browser is installed")
+        yield opened
+        opened.close()
+
+
+@pytest.mark.slow
+def test_a_file_that_the_browser_cannot_decode_is_sent_as_it_is(
+    monkeypatch, tmp_path, browser
+):
+    """The studio reads a table of phyphox, and says how to convert a video of a phone."""
+    jobs = JobQueue(warm=False)
+    port, token = served(monkeypatch, tmp_path / "runs", jobs)
+    rows = "".join(f"{k / 8000};{k * 37 % 251}\n" for k in range(24_000))
+    (tmp_path / "take 1.csv").write_text("Time (s);Recording (a.u.)\n" + rows)
+    (tmp_path / "New Recording 5.amr").write_bytes(b"#!AMR\n" + bytes(100))
+    page = browser.new_page()
+    page.set_default_timeout(300_000)
+    page.goto(f"http://127.0.0.1:{port}/{token}/")
+    for name, sentence in (
+        ("take 1.csv", "3.000 s at 8000 Hz"),
+        (
+            "New Recording 5.amr",
+            "ffmpeg -i 'New Recording 5.amr' 'New Recording 5.wav'",
+        ),
+    ):
+        page.set_input_files("#file", tmp_path / name)
+        page.wait_for_selector(f'#recording p:has-text("{sentence}")')
+    jobs.close()
 
 
 @pytest.mark.slow

@@ -260,18 +260,21 @@ async function analyse(file) {
   state.textContent = "reading the recording";
   try {
     const context = new AudioContext({ sampleRate: 48000 });
-    let sound;
+    let body = file; // the studio reads what the browser cannot decode, or says why not
     try {
-      sound = await context.decodeAudioData(await file.arrayBuffer());
+      body = wavOf(await context.decodeAudioData(await file.arrayBuffer()));
     } catch {
-      state.textContent = `${file.name || "The recording"} is not a sound file that this browser can decode.`;
-      return;
+      // the file itself is sent
     } finally {
       context.close();
     }
-    const query = new URLSearchParams({ scene: $("scene").value, values: JSON.stringify(changed) });
+    const query = new URLSearchParams({
+      scene: $("scene").value,
+      values: JSON.stringify(changed),
+      name: file.name ?? "",
+    });
     for (const end of ["from", "to"]) if ($(end).value !== "") query.set(end, $(end).value);
-    const response = await fetch(`recordings?${query}`, { method: "POST", body: wavOf(sound) });
+    const response = await fetch(`recordings?${query}`, { method: "POST", body });
     if (response.status === 413) {
       state.textContent = await response.text();
       return;
@@ -282,10 +285,13 @@ async function analyse(file) {
       showFault(status.error, status.key);
       return;
     }
-    if (chosen?.name !== nameOfRun()) $("scene-form").requestSubmit(); // run the simulation for comparison
+    const compare = () => chosen?.name === nameOfRun() || $("scene-form").requestSubmit(); // run the simulation
+    if (body !== file) compare();
     for await (const status of linesOf(response)) {
       state.textContent = status.error ?? (status.done ? "" : progressText(status));
-      if (status.done) showRecording(status);
+      if (!status.done) continue;
+      showRecording(status);
+      if (body === file && status.result.fit.length) compare();
     }
   } catch {
     state.textContent = "The studio does not respond; is it still running?";
