@@ -74,9 +74,9 @@ def advice_on_file(path: Path) -> str | None:
             return None
     except soundfile.LibsndfileError as error:
         is_recognised = error.code != UNRECOGNISED_FORMAT
-    if is_container(sound.head) or (is_recognised and sound.head):
-        return conversion_advice(path)
     if may_contain_table(sound.head):
         with sound.stream() as file:
             return advice_on_table(file)
+    if is_container(sound.head) or (is_recognised and sound.head):
+        return conversion_advice(path)
     return ""

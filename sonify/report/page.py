@@ -25,6 +25,7 @@ from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
 from sonify.report.plain_explanation import plain_explanation
 from sonify.runtime.files import atomic_write
+from sonify.runtime.json_values import plain_value
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -71,7 +72,8 @@ def template_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
     """Return the `page_data` of a result as JSON, and the time [s] at which the played
     part starts."""
     data = page_data(result, parts)
-    return {"data": htmlsafe_json_dumps(data), "start": data["start"]}
+    text = htmlsafe_json_dumps(data, default=plain_value)
+    return {"data": text, "start": data["start"]}
 
 
 def page_assets() -> dict[str, str]:

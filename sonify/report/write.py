@@ -7,7 +7,6 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
-from math import isfinite
 from pathlib import Path
 from platform import platform, python_version
 from typing import TYPE_CHECKING, Any
@@ -28,6 +27,7 @@ from sonify.plan.unused import unused_keys
 from sonify.report.headline import headline
 from sonify.report.pictures import Pictures
 from sonify.runtime.files import atomic_write
+from sonify.runtime.json_values import json_safe, plain_value
 from sonify.runtime.progress import Stages
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import mastering_record, true_peak_dbtp
@@ -298,46 +298,6 @@ def roughness_record(sound: Sound) -> dict | str:
         return {"time": time.tolist(), "asper": asper.tolist()}
     except (ValueError, MissingExtraError) as error:
         return str(error)
-
-
-def json_safe(value):
-    """Return nested values as values that JSON can represent.
-
-    NumPy scalars and arrays become plain values (`plain_value`), and non-finite floats
-    strings."""
-    if isinstance(value, dict):
-        return {json_safe(key): json_safe(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [json_safe(item) for item in value]
-    if isinstance(value, (np.generic, np.ndarray, complex, bytes)):
-        return json_safe(plain_value(value))
-    return str(value) if isinstance(value, float) and not isfinite(value) else value
-
-
-def plain_value(value):
-    """Return a NumPy scalar as a plain Python value, and an array as a list of scalars.
-
-    A complex number becomes a list [real, imaginary]; dates, durations and bytes become
-    strings, and so does a number that no Python float can represent. Raises TypeError
-    for other types."""
-    if isinstance(value, np.ndarray):
-        return list(value) if value.ndim else value[()]
-    if isinstance(value, (np.datetime64, np.timedelta64, np.str_)):
-        return str(value)
-    if isinstance(value, np.bool_):
-        return bool(value)
-    if isinstance(value, np.integer):
-        return int(value)
-    if isinstance(value, np.floating):
-        number = float(value)
-        return str(value) if np.isfinite(value) and not isfinite(number) else number
-    if isinstance(value, (complex, np.complexfloating)):
-        return [value.real, value.imag]
-    if isinstance(value, bytes):
-        return value.decode("utf-8", "backslashreplace")
-    if isinstance(value, np.void):
-        return [value[name] for name in value.dtype.names or ()] or value.item()
-    raise TypeError(f"{type(value).__name__} has no representation in JSON")
 
 
 def write_json(value, path: Path):

@@ -12,9 +12,9 @@ from sonify.sweeps.version import version
 def solve_task(task: dict) -> dict[str, Any]:
     """Return the row of a task as plain values, with the run time [s] and the
     version."""
-    from sonify.sweeps.run_row import (
-        row_of,
-    )  # slow to import and not needed by the parent
+    # slow to import and not needed by the parent
+    from sonify.runtime.json_values import plain_value
+    from sonify.sweeps.run_row import row_of
 
     began = perf_counter()
     try:
@@ -23,9 +23,8 @@ def solve_task(task: dict) -> dict[str, Any]:
         row = {
             "stop": [error.errno, error.strerror, str(error.filename or task["folder"])]
         }
-    return json.loads(
-        json.dumps(row | {"seconds": perf_counter() - began, "version": version()})
-    )
+    complete = row | {"seconds": perf_counter() - began, "version": version()}
+    return json.loads(json.dumps(complete, default=plain_value))
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ from sonify.hearing.mp3 import frame_header, read_mp3
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.recording_errors import conversion_advice
 from sonify.hearing.recording_files import recording_files
-from sonify.hearing.true_lengths import PatchedFile, flac_stream
+from sonify.hearing.true_lengths import PatchedFile, _flac_frame, flac_stream
 
 RATE = 24_000
 FLAC_LENGTHS = (4096, 3 * 4096, 3 * 4096 + 1, 72_000, 100)
@@ -257,6 +257,39 @@ def test_a_pipe_is_read_once_and_used_many_times(tmp_path, kind):
     assert source.truncation is None
 
 
+@pytest.mark.parametrize("has_variable_size", [False, True])
+def test_the_header_of_a_flac_frame_is_read(has_variable_size):
+    """Python's UTF-8 encodes numbers as FLAC does. Any changed bit fails the checksum."""
+    block_size = 4608
+    for number in (0, 1, 127, 128, 2047, 2048, 65_535, 65_536, 1_114_111):
+        coded = chr(number).encode()
+        for size, (code, extra) in {
+            192: (1, b""),
+            4608: (5, b""),
+            32_768: (15, b""),
+            100: (6, b"\x63"),
+            65_536: (7, b"\xff\xff"),
+        }.items():
+            head = bytes([0xFF, 0xF8 | has_variable_size, code << 4 | 12, 0x08])
+            head += coded + extra + b"\x30"  # a rate of 48 kHz
+            check = next(c for c in range(256) if not remainder(head + bytes([c])))
+            whole = head + bytes([check])
+            data = b"12" + whole + bytes(9)
+            first = number if has_variable_size else number * block_size
+            assert _flac_frame(data, 2, block_size) == (first, size)
+            flipped = bytearray(data)
+            flipped[2 + len(whole) // 2] ^= 4
+            assert _flac_frame(flipped, 2, block_size) is None
+
+
+def remainder(data):
+    """Return the remainder of a polynomial over two elements, by long division."""
+    value = int.from_bytes(data, "big")
+    while (shift := value.bit_length() - 9) >= 0:
+        value ^= 0b100000111 << shift
+    return value
+
+
 def test_patched_bytes_replace_those_of_the_file(tmp_path):
     """Reads of any length at any position show the replaced bytes."""
     path = tmp_path / "bytes"
@@ -366,7 +399,7 @@ def takes_and_others(folder):
     (folder / "voice.wav").write_bytes(CONTAINERS["amr"] + bytes(50))
     with zipfile.ZipFile(folder / "take.xlsx", "w") as archive:
         archive.writestr("xl/workbook.xml", "<workbook/>")
-    (folder / "notes.txt").write_text("not a take")
+    (folder / "notes.txt").write_text("the free disk")  # `free` as in a container
     (folder / "other.csv").write_text("a,b\n1,2\n")
     (folder / "empty.wav").touch()
     (folder / "inner").mkdir()

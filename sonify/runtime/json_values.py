@@ -1,0 +1,45 @@
+"""Plain values for JSON, which knows neither NumPy scalars nor non-finite numbers."""
+
+from math import isfinite
+
+import numpy as np
+
+
+def json_safe(value):
+    """Return nested values as values that JSON can represent.
+
+    NumPy scalars and arrays become plain values (`plain_value`), and non-finite floats
+    strings."""
+    if isinstance(value, dict):
+        return {json_safe(key): json_safe(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [json_safe(item) for item in value]
+    if isinstance(value, (np.generic, np.ndarray, complex, bytes)):
+        return json_safe(plain_value(value))
+    return str(value) if isinstance(value, float) and not isfinite(value) else value
+
+
+def plain_value(value):
+    """Return a NumPy scalar as a plain Python value, and an array as a list of scalars.
+
+    A complex number becomes a list [real, imaginary]; dates, durations and bytes become
+    strings, and so does a number that no Python float can represent. Raises TypeError
+    for other types."""
+    if isinstance(value, np.ndarray):
+        return list(value) if value.ndim else value[()]
+    if isinstance(value, (np.datetime64, np.timedelta64, np.str_)):
+        return str(value)
+    if isinstance(value, np.bool_):
+        return bool(value)
+    if isinstance(value, np.integer):
+        return int(value)
+    if isinstance(value, np.floating):
+        number = float(value)
+        return str(value) if np.isfinite(value) and not isfinite(number) else number
+    if isinstance(value, (complex, np.complexfloating)):
+        return [value.real, value.imag]
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "backslashreplace")
+    if isinstance(value, np.void):
+        return [value[name] for name in value.dtype.names or ()] or value.item()
+    raise TypeError(f"{type(value).__name__} has no representation in JSON")
