@@ -217,11 +217,8 @@ class SoundFile:
         rate, announced, kind, notes = self._header
         held = self.frames / rate
         if self._mp3 is not None:
-            counted = self._mp3.announced
-            if counted is None or not self._mp3.is_truncated:
-                return None
-            missing = (counted - self._mp3.frames) * self._mp3.samples / rate
-            return Truncation(held, held + missing)
+            missing = self._mp3.missing_frames * self._mp3.samples / rate
+            return Truncation(held, held + missing) if missing else None
         if kind == "OGG":
             with self.stream() as file:
                 return None if ends_with_last_page(file) else Truncation(held, None)

@@ -57,9 +57,10 @@ class Mp3:
     content: bytes | None
 
     @property
-    def is_truncated(self) -> bool:
-        """True if frames are missing; some encoders count the header as a frame."""
-        return self.announced is not None and self.frames < self.announced - 1
+    def missing_frames(self) -> int:
+        """Number of missing frames; some encoders count the header as a frame."""
+        announced = self.announced or 0
+        return announced - self.frames if self.frames < announced - 1 else 0
 
 
 def read_mp3(path: str | Path) -> Mp3 | None:
