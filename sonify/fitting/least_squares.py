@@ -365,7 +365,9 @@ def pool_fits(fits: list[Fit]) -> Fit:
     )
     shares = fits[0].shares.copy()
     shares[free] = np.maximum(mean * unit, 0.0)
-    ends = np.array([one.draws[: FIT.bootstrap_draws, 0] for one in fits]).T
+    ends = np.array(
+        [one.draws[:: len(one.draws) // FIT.bootstrap_draws, 0] for one in fits]
+    ).T  # of all motions of a sound
     draws = np.hstack([ends, np.tile(shares, (len(ends), 1))])
     draws[:, len(fits) + np.array(free)] = drawn * unit
     return Fit(

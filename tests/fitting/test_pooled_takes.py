@@ -20,8 +20,9 @@ from sonify.fitting.least_squares import (
     _with_intervals,
     pool_fits,
 )
-from sonify.fitting.line_selection import verdict_of
+from sonify.fitting.line_selection import Judged, verdict_of
 from sonify.fitting.phase_demodulation import Rates
+from sonify.fitting.result import pool_judged
 from sonify.fitting.settings import FIT
 
 TRUTH = np.array([9.9e-5, 1.0, 0.0])
@@ -104,15 +105,15 @@ def made_fit(decay, shares, covariance, seed):
     normal -= normal.mean(axis=0)
     normal @= np.linalg.inv(np.linalg.cholesky(np.cov(normal.T, bias=True)).T)
     drawn = shares + normal @ np.linalg.cholesky(covariance).T
-    rates = Rates(*np.ones((5, 3)))
+    rates = rates_of_take(decay, 7.0, 0.05, 1e-3, random)
     return Fit(
         free=(0, 1),
         ends=np.array([END]),
         shares=np.append(shares, 0.0),
         draws=np.column_stack([END + normal[:, 0], drawn, np.zeros(len(drawn))]),
         heard=(LineRates(decay, rates, rates.frequency),),
-        residual=np.zeros(3),
-        sigma=np.ones(3),
+        residual=np.zeros(len(rates.time)),
+        sigma=np.ones(len(rates.time)),
     )
 
 
@@ -144,18 +145,66 @@ def test_a_take_that_determines_a_combination_contributes_only_this(decay):
     assert together.draws[:, 3:5].std(axis=0) == pytest.approx(error, rel=0.1)
 
 
-def test_a_take_with_two_possible_motions_does_not_pull_the_others(decay):
-    """Its value is that of one motion, far from most of its draws; this once moved the mean to the
-    edge of its own interval."""
-    unit = np.diag([1e-6, 0.02]) ** 2
-    clear = [made_fit(decay, np.array([9.9e-5, 1.0]), unit, seed) for seed in (1, 2)]
-    other = made_fit(decay, np.array([1.64e-4, 0.0]), unit, 3)
-    draws = other.draws.copy()
-    draws[::2, 1:3] = [5e-5, 1.9]
-    unsure = replace(other, draws=draws)
-    for value in pool_fits([*clear, unsure]).values().values():
+def test_a_take_with_three_possible_motions_does_not_pull_the_others(decay):
+    """Its value is the mean of the motions, far from all draws, and most motions alone have small
+    errors. The first of them alone was once the error of the take, and the interval of all takes
+    ended at their mean."""
+    clear = [
+        made_fit(decay, np.array(shares), np.diag([1e-6, 0.1]) ** 2, seed)
+        for seed, shares in enumerate(([1.009e-4, 0.84], [9.93e-5, 0.96]))
+    ]
+    motions = [
+        made_fit(decay, np.array(shares), np.diag(errors) ** 2, seed)
+        for seed, (shares, errors) in enumerate(
+            (
+                ([-5.8e-4, 0.5], [2e-6, 0.2]),
+                ([2.8e-3, -0.5], [3e-4, 60.0]),
+                ([-6.1e-4, -1.0], [4e-6, 0.2]),
+            ),
+            start=3,
+        )
+    ]
+    draws = np.concatenate([one.draws for one in motions])
+    unsure = replace(motions[0], shares=np.array([5.5e-4, 0.7, 0.0]), draws=draws)
+    alone = pool_fits(clear).values()
+    together = pool_fits([*clear, unsure])
+    assert verdict_of(decay, together) == "both"
+    for name, value in together.values().items():
         assert value.low < value.value < value.high
-    together = pool_fits([*clear, unsure]).values()
-    assert together["rolling"].low <= 9.9e-5 <= together["rolling"].high
-    assert together["air"].low <= 1.0 <= together["air"].high
-    assert together["rolling"].value == pytest.approx(9.9e-5, rel=0.02)
+        assert value.value == pytest.approx(alone[name].value, rel=0.02)
+        assert value.high - value.low < 1.1 * (alone[name].high - alone[name].low)
+
+
+def judged(verdict, explained, one, decay):
+    """Return the result for a take; only what the takes together need is meaningful."""
+    return Judged(
+        run=None,
+        signal="tone",
+        line="precession",
+        model="solved",
+        decay=decay,
+        stream=None,
+        fit=one,
+        explained=explained,
+        verdict=verdict,
+    )
+
+
+def test_a_take_that_no_motion_explains_is_left_out(decay):
+    """Without an explained take, all remain; the error of the film law is not averaged."""
+    error = np.diag([1e-6, 0.02]) ** 2
+    good = [made_fit(decay, TRUTH[:2], error, seed) for seed in (1, 2)]
+    far = made_fit(decay, np.array([3e-4, 0.0]), error, 3)
+    takes = [judged("both", True, one, decay) for one in good]
+    for wrong in (
+        judged("cannot tell", False, far, decay),
+        judged("not this scene", True, far, decay),
+    ):
+        found, pool = pool_judged([wrong, *takes])
+        assert found is decay
+        assert pool.shares == pytest.approx(TRUTH)
+        assert len(pool.ends) == 2
+        alone = pool_judged([wrong])[1]
+        assert alone is far
+    width = [np.ptp(pool_judged(group)[1].draws[:, -2]) for group in (takes, takes * 8)]
+    assert width[1] > 0.9 * width[0]
