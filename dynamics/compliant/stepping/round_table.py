@@ -173,7 +173,7 @@ def round_deflection(table, amplitude, change, x, y, out):
         slope = 0.0
         bend = 0.0
         for k in range(table.groups[b, 2], table.groups[b, 3]):
-            q = amplitude[table.mode_index[k]] + change[table.index[k]]
+            q = amplitude[table.mode_index[k]] + change[table.mode_index[k]]
             cubic = offset * row[0, k]
             square = row[1, k] + cubic
             value += q * (row[3, k] + offset * (row[2, k] + offset * square))
