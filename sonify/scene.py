@@ -209,13 +209,11 @@ class Scene(MotionScene):
             or grain
             or self.numerics.contact == "many"
         ):
-            from dynamics.compliant.model_inputs import check_rattling
+            from dynamics.scene_checks import check_rattling
 
             check_rattling(self)
         if self.contact.law == "elastic":
-            from dynamics.compliant.model_inputs import (
-                check_contact,  # imports SciPy, which a rigid contact does not need
-            )
+            from dynamics.scene_checks import check_contact  # imports SciPy
 
             check_contact(self)
         elif self.roughness is not None:

@@ -1,16 +1,12 @@
-"""Contact law and step rate of a scene, and validation of its contact."""
+"""Contact law and step rate of a scene."""
 
-from math import radians
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw
 from dynamics.compliant.law.linearised import required_step_rate
-from dynamics.compliant.law.sections import require_resolved_waves
 from dynamics.compliant.law.tabulated import LawTable
-from dynamics.film.activation import decide_film, final_inclination
-from dynamics.scene_constants import scene_constants
 
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
@@ -77,21 +73,6 @@ def min_step_rate(scene: "MotionScene", final_inclination: float) -> float:
     return float(required_step_rate(contact_law(scene), np.array([min_inclination]))[0])
 
 
-def check_rattling(scene: "MotionScene") -> None:
-    """Raise ValueError if a scene requests a rattling disk that cannot be solved."""
-    many = scene.numerics.contact == "many"
-    if scene.contact.restitution is not None and not many:
-        raise ValueError(
-            f"contact.restitution = {scene.contact.restitution:g}: requires numerics.contact = 'many'"
-        )
-    grain = scene.roughness is not None and scene.roughness.grain
-    if grain and scene.numerics.contact not in ("many", "auto"):
-        raise ValueError("roughness.grain = true: requires numerics.contact = 'many'")
-    obstacle = reason_against_rattling(scene)
-    if obstacle and (many or grain):
-        raise ValueError(f"numerics.contact = 'many': {obstacle}")
-
-
 def reason_against_rattling(scene: "MotionScene") -> str:
     """Return the reason why the disk of a scene cannot be solved as rattling, or ""."""
     if scene.contact.law == "rigid":
@@ -110,30 +91,3 @@ def reason_against_rattling(scene: "MotionScene") -> str:
             f"roughness.rms must be at most a tenth of disk.thickness, {greatest:g} m"
         )
     return ""
-
-
-def check_contact(scene: "MotionScene") -> None:
-    """Raise ValueError if the elastic contact of a scene cannot be solved."""
-    law = contact_law(scene)
-    beta = radians(scene.release.inclination_deg)
-    if scene.roughness is not None:
-        from dynamics.compliant.law.roughness import (
-            check_roughness,  # loads Numba
-        )
-
-        require_resolved_waves(
-            scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0])
-        )
-        check_roughness(scene.roughness, scene.disk.radius)
-    film = decide_film(scene, scene_constants(scene)).film
-    final = final_inclination(scene, film)
-    if beta <= final_contact_inclination(final):
-        raise ValueError(
-            f"release.inclination_deg = {scene.release.inclination_deg:g}: must exceed the final inclination"
-        )
-    rate = scene.numerics.contact_rate
-    if rate is not None and rate < (required_rate := min_step_rate(scene, final)):
-        raise ValueError(
-            f"numerics.contact_rate = {rate:g}: too low for the stiffness of the contact, must be at least "
-            f"{required_rate:.4g} 1/s"
-        )

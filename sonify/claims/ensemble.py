@@ -1,7 +1,6 @@
 """Ensembles of the chaotic final part of a motion, repeated from slightly perturbed
 states."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -13,6 +12,7 @@ from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from sonify.claims.air import final_loss_shares
 from sonify.claims.shares import Share, share_of
 from sonify.claims.two_way import losses_above_flat, two_way_part, two_way_start
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene import Scene
 
 
@@ -82,7 +82,7 @@ def repeat_final_part(
     scene: Scene,
     motion: Motion,
     count: int,
-    watch: Callable[[float], None] = lambda share: None,
+    watch: Watch = ignore_progress,
 ) -> Ensemble:
     """Repeat the chaotic final part of a motion from perturbed states.
 
@@ -95,8 +95,8 @@ def repeat_final_part(
         A scene and its motion.
     count : int
         Number of repetitions.
-    watch : callable
-        Called with the completed share.
+    watch : Watch
+        Receives the progress.
     """
     # Relative standard deviation of the perturbed angular velocities
     relative_perturbation = 1e-5

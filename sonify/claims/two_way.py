@@ -23,7 +23,7 @@ from dynamics.observables import precession_rate
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.limits import ALMOST_FLAT_INCLINATION, FINAL_ENERGY_SHARE
-from sonify.runtime.progress import Watch
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene import Scene
 
 HALF_STEP = "half_step"
@@ -88,7 +88,7 @@ def energy_budget(motion: Motion, t, heard=None) -> EnergyBudget:
 def motion_findings(
     scene: Scene,
     motion: Motion,
-    watch: Watch = lambda share, note="": None,
+    watch: Watch = ignore_progress,
 ) -> list[Finding]:
     """Return the findings on two-way coupling.
 
@@ -128,7 +128,7 @@ def motion_findings(
 def variation_runs(
     scene: Scene,
     part: CompliantMotion,
-    watch: Watch = lambda share, note="": None,
+    watch: Watch = ignore_progress,
 ) -> dict[str, CompliantMotion]:
     """Return reruns with half the time step and with twice the contact stiffness, by
     name.

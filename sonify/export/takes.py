@@ -142,7 +142,7 @@ def sound_of_take(
         watch(share / 2, note)
 
     def watch_sound(share: float, note: str = "") -> None:
-        watch(0.5 + share / 2, "sound")
+        watch(0.5 + share / 2, note or "sound")
 
     return render_sound(
         scene,

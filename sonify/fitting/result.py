@@ -24,6 +24,7 @@ from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import Truncation, excerpt, truncation_of
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.runtime.workers import core_count
 from sonify.scene import Scene, from_document, load_scene
 from sonify.scene_errors import InputError
@@ -118,7 +119,7 @@ def fit(
     files: str | Path | Iterable[str | Path],
     scene: Scene | str | Path = "toy",
     like: str | None = None,
-    watch: Callable[[float, str], None] = lambda share, doing: None,
+    watch: Watch = ignore_progress,
     span: tuple[float, float] = (0.0, inf),
     notice: Callable[[str], None] = lambda line: None,
 ) -> Fits:

@@ -1,6 +1,5 @@
 """Analysis of a recording: rising tone, spectral lines and noise bands."""
 
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -27,6 +26,7 @@ from sonify.hearing.settling.detector import (
     strongest_tone,
 )
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
+from sonify.runtime.progress import Watch, ignore_progress
 
 MAX_ANALYSED_LENGTH_S = 120.0
 """Maximum length of the part of a recording in which spectral lines are sought."""
@@ -113,7 +113,7 @@ def listen(
     end: float | None = None,
     tones: bool = True,
     begin: float = 0.0,
-    watch: Callable[[float], None] = lambda share: None,
+    watch: Watch = ignore_progress,
 ) -> Heard:
     """Analyse a sound in which a disk may come to rest; the memory use does not depend
     on its length.

@@ -19,7 +19,7 @@ from sonify.plan.motion import planned_scene
 from sonify.plan.plan import Plan, highest_mode_of, plan_of, with_sounding_modes
 from sonify.plan.supports import support_comparison
 from sonify.plan.table import solve_table, table_exit_time, with_table
-from sonify.runtime.progress import Watch
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene import Scene, SceneError
 from sonify.sound.audible_modes import response_to_unit_jump
 
@@ -133,9 +133,7 @@ def motion_plan_with_table(scene: Scene, motion: MotionPlan) -> MotionPlan:
     return motion.with_surface_modes(solve_table(scene, motion))
 
 
-def solve_motion(
-    motion: MotionPlan, watch: Watch = lambda share, note="": None
-) -> Motion:
+def solve_motion(motion: MotionPlan, watch: Watch = ignore_progress) -> Motion:
     """Return the motion of a plan.
 
     It ends at the latest when the contact leaves the table. Raises SceneError if no

@@ -27,6 +27,7 @@ from sonify.report.perspective import (
 )
 from sonify.report.sound import draw_level_image, loudest_db, set_log_frequency_axis
 from sonify.runtime.files import atomic_write
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene_errors import InputError
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def require_encoder():
         ) from None
 
 
-def animate(result: "Result", watch=lambda done: None) -> Path:
+def animate(result: "Result", watch: Watch = ignore_progress) -> Path:
     """Write an animation of the last seconds of a result to animation.mp4 (H.264, AAC);
     return its path.
 

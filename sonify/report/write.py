@@ -3,7 +3,6 @@
 import json
 import shutil
 import subprocess
-from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
@@ -28,7 +27,7 @@ from sonify.report.headline import headline
 from sonify.report.pictures import Pictures
 from sonify.runtime.files import atomic_write
 from sonify.runtime.json_values import json_safe, plain_value
-from sonify.runtime.progress import Stages
+from sonify.runtime.progress import Stages, Watch
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import mastering_record, true_peak_dbtp
 from sonify.sound.pressure import Sound
@@ -204,9 +203,7 @@ def run_record(result: "Result") -> dict:
     }
 
 
-def write_ensemble(
-    result: "Result", count: int, watch: Callable[[float], None]
-) -> Ensemble:
+def write_ensemble(result: "Result", count: int, watch: Watch) -> Ensemble:
     """Repeat the final part of the motion of a result and write ensemble.json to its
     folder."""
     repeated = repeat_final_part(result.scene, result.motion, count, watch=watch)

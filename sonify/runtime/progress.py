@@ -23,6 +23,10 @@ class Watch(Protocol):
         """Receive the completed share, from 0 to 1, and a short note."""
 
 
+def ignore_progress(share: float, note: str = "") -> None:
+    """Receive the progress of a task that nobody watches."""
+
+
 class Stages:
     """Timer for the stages of a run, which may overlap; `seconds` maps names to
     durations [s].

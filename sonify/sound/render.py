@@ -13,6 +13,7 @@ import numpy as np
 from dynamics import Motion
 from modal import Modes, SurfaceModes
 from sonify.hearing.audio_source import BLOCK_SIZE
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene import Scene
 from sonify.sound.absorption import propagation_filter, propagation_latency
 from sonify.sound.audible_modes import modes_below_nyquist
@@ -165,12 +166,11 @@ class Renderer:
 
     def sound(
         self,
-        watch=lambda share: None,
+        watch: Watch = ignore_progress,
         listen=lambda block, sample_rate, samples: None,
         samples: int | None = None,
     ) -> Sound:
-        """Render and return the whole sound; `watch(fraction)` is called with the
-        completed fraction.
+        """Render and return the whole sound.
 
         `listen(block, sample_rate, samples)` receives each block (k,) of the pressure
         [Pa]. The sound ends with silence if `samples` exceeds its own length."""
@@ -240,15 +240,14 @@ def render_sound(
     wanted: Sequence[int] | None,
     max_contact_turn: float,
     table: SurfaceModes | None,
-    watch: Callable[[float], None] = lambda share: None,
+    watch: Watch = ignore_progress,
     listen: Callable = lambda block, sample_rate, samples: None,
 ) -> Sound:
     """Render the sound at every listener of the scene with the arguments of Renderer.
 
     All listeners have the same time axis: the sound of a nearer listener ends with
-    silence. `watch(fraction)` is called with the completed fraction, and `listen(block,
-    sample_rate, samples)` with each block of the pressure at the first listener. A
-    single listener has a second ear for audible.wav."""
+    silence. `listen(block, sample_rate, samples)` is called with each block of the
+    pressure at the first listener. A single listener has a second ear for audible.wav."""
     listeners = listeners_of(scene)
     turn = np.pi / 2 if len(listeners) == 1 else None
     renderers: list[Renderer] = []
@@ -273,8 +272,8 @@ def render_sound(
     sounds = []
     for i, renderer in enumerate(renderers):
 
-        def share_done(share, i=i):
-            watch((i + share) / len(renderers))
+        def share_done(share, note="", i=i):
+            watch((i + share) / len(renderers), note)
 
         sounds.append(renderer.sound(share_done, ignore if i else listen, samples))
     return replace(sounds[0], others=tuple(sounds[1:]))

@@ -2,7 +2,6 @@
 listening."""
 
 import errno
-from collections.abc import Callable
 from contextlib import ExitStack, contextmanager
 from io import SEEK_END
 from pathlib import Path
@@ -12,6 +11,7 @@ import soundfile
 from dynamics import Outcome
 from sonify import __version__
 from sonify.runtime.files import atomic_write, path_for_libsndfile
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.sound.pressure import Sound
 
 MISSING_END_TEXT = "; the motion did not come to rest, and its end is missing: {}"
@@ -33,7 +33,7 @@ BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3}
 def write_sound(
     sound: Sound,
     folder: str | Path,
-    watch: Callable[[float], None] = lambda share: None,
+    watch: Watch = ignore_progress,
 ) -> None:
     """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`.
 

@@ -120,9 +120,7 @@ STAGE_FUNCTIONS: dict[str, Callable] = {
 """Functions that solve each stage without sound."""
 FILE_WRITERS: dict[str, Callable] = {
     "arrays": write_arrays,
-    "wav": lambda result, folder, watch: write_sound(
-        result.sound, folder, lambda share: None
-    ),
+    "wav": lambda result, folder, watch: write_sound(result.sound, folder),
     "page": write,
 }
 """Functions that write each kind of output file."""

@@ -130,16 +130,10 @@ def test_no_code_asks_whether_loads_have_laws():
     assert found == []
 
 
-DECISIONS = {"decide_film": 2, "choose_contact_model": 1}
-"""Functions that decide on the models of a motion, with the number of places that may call them:
-the plan, and the validation of a scene, which needs the final inclination."""
-
-
-@pytest.mark.parametrize("name", DECISIONS)
-def test_models_are_decided_in_the_plan(name):
+@pytest.mark.parametrize("name", ["decide_film", "choose_contact_model"])
+def test_models_are_decided_at_one_place(name):
     places = [str(file) for file, *_ in calls_of(name, FILES)]
-    assert "dynamics/motion_plan.py" in places
-    assert len(places) == DECISIONS[name]
+    assert places == ["dynamics/motion_plan.py"]
 
 
 def test_every_import_keeps_the_contracts():

@@ -1,7 +1,7 @@
 """Detect disks and coins that come to rest in a recording, and their rate laws."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
@@ -36,6 +36,7 @@ from sonify.hearing.settling.prediction_score import (
 )
 from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.tone_ridge import ToneRidge, tone_ridge
+from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene_errors import InputError
 
 MIN_LENGTH_S = 0.4
@@ -149,9 +150,7 @@ def strongest_tone(sound: Source) -> SettlingRun | None:
     return max(events, key=explained_octaves, default=None)
 
 
-def settling_runs(
-    sound: Source, watch: Callable[[float], None] = lambda share: None
-) -> list[SettlingRun]:
+def settling_runs(sound: Source, watch: Watch = ignore_progress) -> list[SettlingRun]:
     """Return the disks and coins that come to rest in a sound of any length.
 
     They are the `settling_events` that do not overlap an event of higher score, in
@@ -161,9 +160,7 @@ def settling_runs(
     return sorted(non_overlapping_runs(events), key=lambda run: run.start)
 
 
-def settling_events(
-    sound: Source, watch: Callable[[float], None] = lambda share: None
-) -> list[SettlingRun]:
+def settling_events(sound: Source, watch: Watch = ignore_progress) -> list[SettlingRun]:
     """Return the events of disks and coins that come to rest in a sound of any length.
 
     The tone and the repetition of one disk are two events. No event is found in a sound
