@@ -91,8 +91,11 @@ class Console(Stages, AbstractContextManager):
         """Print the checks, findings and notes of a result."""
         from sonify.claims.details import unit_and_details  # deferred: slow to import
         from sonify.plan.plan import omissions_after_end  # deferred: slow to import
+        from sonify.report.headline import violated_balance  # deferred: slow to import
 
         self._bars.stop()
+        if violated := violated_balance(result.findings):
+            click.echo(f"WRONG   {violated}")
         for c in result.checks:
             verdict = "ok    " if c.passed else "FAILED"
             click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")

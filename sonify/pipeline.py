@@ -241,6 +241,7 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
             listener_of(scene),
             tone,
             plan.error("sound"),
+            solved.table,
         )
         findings += rattling_findings(scene, motion, modes, sound)
         findings += air_findings(scene, motion, sound)

@@ -662,10 +662,12 @@ _OMITTED: dict[str, FindingText] = {
         source="energies of a motion on a rigid table and of the table modes driven by its force",
         omitted_effect="The table affects the motion",
     ),
-    "radiation_takes_little": FindingText(
-        claim="The disk has enough energy to supply the sound of the table",
-        unit="s before the end when the table would first radiate more energy than the disk has",
-        source="energy balance: a table that radiates more must affect the motion",
+    "disk_supplies_table": FindingText(
+        claim="The disk loses enough power to supply the table",
+        unit="of the power that the disk loses is taken by the table, as heat and sound, where this "
+        "share is greatest",
+        source="balance of power: with one-way coupling the disk does not lose what the table takes",
+        details="heat {heat:.0%}, sound {radiated:.0%}, around {time:.4g} s after the release",
     ),
     "waves_become_heat": FindingText(
         claim="The table converts most of the energy of its waves to heat and little to sound",

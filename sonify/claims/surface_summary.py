@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
 from sonify.claims.finding_texts import (
+    END_QUESTION,
     LOSS_QUESTION,
     NO_ANSWER_REASONS,
     SOUND_QUESTION,
@@ -50,7 +51,8 @@ def short_answers(findings: Iterable[Finding]) -> dict[str, str]:
 
     Answers about the sound state whether it is audible. A disk carried by the air film
     finally loses contact, whether or not it vibrates. Answers about a motion without a
-    film are marked as answers in a vacuum."""
+    film are marked as answers in a vacuum. The end is not answered if the table would
+    take more power than the disk loses."""
     by_key = {finding.key: finding for finding in findings}
     answers = {
         question: first_answer(by_key, words) for question, words in ANSWERS.items()
@@ -66,6 +68,11 @@ def short_answers(findings: Iterable[Finding]) -> dict[str, str]:
     if carried and not carried.cause:
         for question in found.keys() - {SOUND_QUESTION}:
             found[question] += ", in a vacuum"
+    supply = by_key.get("disk_supplies_table")
+    if supply and supply.verdict == "no":
+        found[END_QUESTION] = (
+            f"not valid: the table would take {supply.value:.0%} of the power"
+        )
     if LOSS_QUESTION in found and carried and carried.holds and carried.cause == "film":
         found[LOSS_QUESTION] += (
             ", to the air" if found[LOSS_QUESTION] == "yes" else "; finally to the air"

@@ -4,8 +4,10 @@ import numpy as np
 
 from dynamics import Motion
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
+from modal import SurfaceModes
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import FINAL_INTERVAL_DURATION, rise_of, time_of_energy_share
+from sonify.claims.table_power import disk_supplies_table, one_way_end
 from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import (
     HANN_NOISE_BANDWIDTH_BINS,
@@ -27,12 +29,14 @@ def table_findings(
     listener: Listener,
     tone: SettlingRun | None,
     error: float = 0.0,
+    table: SurfaceModes | None = None,
 ) -> list[Finding]:
     """Return the findings on a wavy table and on the sound of an elastic table.
 
     Claims about the energy of the table require one-way coupling, and claims about the
     end a disk that finally lies flat. `tone` is the rising tone of the whole sound, or
-    None; `error` is the relative rms error of the sound."""
+    None; `error` is the relative rms error of the sound; `table` has all modes of a table
+    that is not infinite."""
     found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
@@ -40,7 +44,8 @@ def table_findings(
     has_pure_table_stem = scene.roughness is None or scene.contact.law == "rigid"
     if has_pure_table_stem:
         found.append(table_is_louder(motion, sound, error))
-    found.append(radiation_takes_little(motion, sound, listener, error))
+    if one_way_end(motion) > 0:
+        found.append(disk_supplies_table(scene, motion, table, listener))
     if two_way_part(motion):
         found.append(waves_become_heat(motion, sound, listener))
     elif sound.table_energy is not None:  # an infinite plate stores no energy
@@ -177,14 +182,3 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
     lost = budget.lost["table"][-1]
     share = budget.sound[-1] / lost if lost > 0 else 0.0
     return Measured(share, share)
-
-
-@finding(needs=("motion", "sound"), at_most=0.0)
-def radiation_takes_little(
-    motion: Motion, sound: Sound, listener: Listener, error: float
-) -> Measured:
-    """The time before the end [s] at which the energy still to be radiated by the table
-    first exceeds that of the disk."""
-    t, power = radiated_power(sound, listener)
-    still = np.cumsum(power[::-1])[::-1] / sound.sample_rate
-    return time_of_energy_share(motion, t, still, error)

@@ -10,13 +10,36 @@ HEADLINE_CLAUSES: dict[str, dict[str, HeadlineClauses]] = texts_by_question("hea
 first available finding is used."""
 
 
+VIOLATED_BALANCE = (
+    "The balance of power is violated: with one-way coupling the table would take {value:.0%} of "
+    "the power that the disk loses ({heat:.0%} as heat, {radiated:.0%} as sound), but the motion "
+    "does not lose it."
+)
+"""Sentence on a run in which a table with one-way coupling takes too much power."""
+
+
+def violated_balance(findings: Iterable[Finding]) -> str:
+    """Return a sentence on the balance that a run violates, or "" if it violates none."""
+    for found in findings:
+        if found.key == "disk_supplies_table" and found.verdict == "no":
+            return VIOLATED_BALANCE.format(value=found.value, **found.details)
+    return ""
+
+
 def headline(findings: Iterable[Finding]) -> str:
     """Return one sentence on the sound, its pitch and the contact from the findings of
     a run.
 
     Undecided findings and subjects without a finding are omitted; the sentence is empty
-    if none remains.
+    if none remains. It follows a sentence on a violated balance, if there is one.
     """
+    findings = list(findings)
+    sentences = violated_balance(findings), answered_in_one_sentence(findings)
+    return " ".join(filter(None, sentences))
+
+
+def answered_in_one_sentence(findings: Iterable[Finding]) -> str:
+    """Return the sentence of `headline` without that on a violated balance."""
     by_key = {finding.key: finding for finding in findings}
     clauses = []
     carried = by_key.get("carried_by_air")
