@@ -11,15 +11,15 @@ from typing import NamedTuple
 import numpy as np
 from scipy.signal import lfilter
 
-from dynamics import Motion
+from dynamics import InfiniteSurface, Motion
 from dynamics.compliant.law.roughness import profiles
+from dynamics.compliant.law.table_receptance import infinite_plate_mobility
 from modal import SurfaceModes
 from sonify.claims.finding import Measured, finding
 from sonify.claims.two_way import two_way_part
 from sonify.scene import Scene
 from sonify.sound.radiation import Listener
 from sonify.sound.sources.contact import ContactFilter
-from sonify.sound.sources.infinite_plate import bending_stiffness
 from sonify.sound.sources.tabletop import shapes_at_contact, table_radiation
 
 SAMPLE_RATE = 192_000
@@ -131,8 +131,9 @@ def _powers_of_plate(scene: Scene, listener: Listener):
     Reference: Cremer, Heckl & Petersson, Structure-Borne Sound, 6.5, as in the sound of
     this plate."""
     surface = scene.surface
+    assert isinstance(surface, InfiniteSurface)  # other tables have modes
     mass = surface.density * surface.thickness
-    mobility = 1 / (8 * np.sqrt(bending_stiffness(surface) * mass))
+    mobility = infinite_plate_mobility(surface)
     air = listener.air
     radiation = 0.0  # in a vacuum
     if air.density:

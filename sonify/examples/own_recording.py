@@ -42,7 +42,7 @@ def main(path: Path | None = None) -> Heard:
         print("no tone rises")
     else:
         print(
-            f"a tone rises until {heard.tone.t_end.value:.3f} s "
+            f"a tone rises until {heard.tone.heard_until:.3f} s "
             f"as (t_end - t)^-{heard.tone.exponent.value:.3f}"
         )
     for line in heard.carriers:

@@ -33,7 +33,7 @@ def simulated_numbers(scene: Scene, seconds: float) -> dict:
     span = min(1.0, seconds)
     turns = _exact_value(np.interp(end - span, time, rate))
     if heard:
-        near = min(heard, key=lambda run: abs(run.t_end.value - sound.source_end))
+        near = min(heard, key=lambda run: abs(run.heard_until - sound.source_end))
         head = _numbers_of_bursts(near, span)
     else:
         head = {
@@ -69,7 +69,7 @@ def _events(count):
 def _numbers_of_bursts(run, span):
     """Return the rate `span` [s] before the end of a run, its exponent and its bursts
     per turn."""
-    own = float(run.rate(run.t_end.value - span)) / run.rate_at_1s.value
+    own = float(run.rate(run.heard_until - span)) / run.rate_at_1s.value
     rate = {name: own * value for name, value in asdict(run.rate_at_1s).items()}
     return {
         "rate_at_1s": rate,

@@ -121,15 +121,20 @@ def detect_run(
     if len(runs) > 1 and runs[1].score > min_score_ratio * runs[0].score:
         raise RecordingError(
             f"{name}: the recording contains a second run, ending at "
-            f"{begin + runs[1].t_end.value:.2f} s; choose one with --from and --to"
+            f"{begin + runs[1].heard_until:.2f} s; choose one with --from and --to"
         )
-    end = runs[0].t_end.value
+    end = runs[0].region.best_end
+    if runs[0].t_end.value is None and runs[0].ridge is None:
+        raise RecordingError(
+            f"{name}: the rate rises until the sound stops, "
+            f"{begin + runs[0].heard_until:.2f} s; the end of the motion is missing"
+        )
     if start:
         samples, rate, start, _ = read(source, end)
     same_disk = [
         event.later(begin)
         for event in heard
-        if abs(event.t_end.value - end) < max_end_difference
+        if abs(event.heard_until - end) < max_end_difference
     ]
     _check_not_clipped(samples, name)
     run = runs[0].later(begin)
@@ -138,7 +143,7 @@ def detect_run(
         samples=samples,
         rate=rate,
         start=start + begin,
-        end=run.t_end.value,
+        end=run.region.best_end,
         ridges=tuple(_ridge_of(event) for event in same_disk),
         recorded=recorded,
         run=run,
@@ -383,7 +388,7 @@ def _ridge_of(event):
         time = event.ridge.time
         frequency = event.ridge.frequency
     else:
-        end = event.t_end.value
+        end = event.region.best_end
         time = end - np.geomspace(end - event.start, FIT.unused_end_duration, 200)
         frequency = event.rate(time)
     return Rates(time, frequency, relative_error * frequency, 1 + 0 * time, 0 * time)

@@ -155,7 +155,7 @@ def listen(
     events = settling_events(source, watch) if tones else []
     runs = sorted(non_overlapping_runs(events), key=lambda run: run.start)
     if end is None and runs:
-        part = read(source, runs[-1].t_end.value)
+        part = read(source, runs[-1].heard_until)
     rising = [event for event in events if event.kind == "tone"]
     tone = max(rising, key=lambda event: event.score, default=None)
     heard = _with_spectral_lines(source, part, begin, tone)

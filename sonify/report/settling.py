@@ -62,24 +62,31 @@ def region_sentence(run: SettlingRun) -> str:
         for row in joint_region_rows(run)
     )
     return (
-        f"joint region of the run to {run.t_end.value:.3f} s: {ridge}; {rate:.1f} turns per second "
+        f"joint region of the run to {run.heard_until:.3f} s: {ridge}; {rate:.1f} turns per second "
         f"with one burst per turn, {rate / 2:.1f} with two"
     )
 
 
 def run_sentences(run: SettlingRun) -> list[str]:
     """Return two lines on the time, the power law and the certainty of a run."""
-    end = f"{run.t_end.value:.3f} s ({run.t_end.low:.3f} to {run.t_end.high:.3f})"
+    is_missing = run.t_end.value is None
     rate = f"{run.rate_at_1s.value:.1f} Hz ({run.rate_at_1s.low:.1f} to {run.rate_at_1s.high:.1f})"
     exponent = run.exponent
     value = "not determined" if exponent.value is None else f"{exponent.value:.2f}"
     bands = ", ".join(f"{below:.0f} to {above:.0f} Hz" for below, above in run.bands)
-    when = (
-        "at first" if run.t_end.value - run.start < 1 else "one second before the end"
-    )
+    stop = "the sound stops" if is_missing else "the end"
+    is_short = run.heard_until - run.start < 1
+    when = "at first" if is_short else f"one second before {stop}"
     certainty = "certain" if run.certain else "probable"
+    end = f"{run.t_end.low:.3f} to {run.t_end.high:.3f}"
+    event = (
+        "the rate of a disk or coin rises until the sound stops: the end is missing, and "
+        f"not before {run.t_end.low:.3f} s"
+        if is_missing
+        else f"a disk or coin comes to rest at {run.t_end.value:.3f} s ({end})"
+    )
     return [
-        f"a disk or coin comes to rest at {end}: {run.kind} in {bands} from {run.start:.2f} s on",
+        f"{event}: {run.kind} in {bands} from {run.start:.2f} s on",
         f"  {certainty}; rate {rate} {when}, rising as (t_end - t)^-n with n {value} "
         f"({exponent.low:.2f} to {exponent.high:.2f}); "
         f"{run.false_alarm:.1g} such events expected in a file of this length without a disk",

@@ -125,8 +125,10 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
             label = "level of a sine [dB re full scale, RMS]"
             figure.colorbar(image, ax=panel, pad=0.02, fraction=0.05, label=label)
         for run in runs:
-            left = np.geomspace(0.01, run.t_end.value - run.start, 400)
-            time = run.t_end.value - left
+            end = run.region.best_end
+            before_stop = end - run.heard_until
+            left = before_stop + np.geomspace(0.01, run.heard_until - run.start, 400)
+            time = end - left
             axes[0].plot(
                 time,
                 run.rate(time),
@@ -152,12 +154,12 @@ def draw_settling(path, source, begin, runs):
         for (above, below), run in zip(axes.T, shown, strict=True):
             burst_window = 0.004  # s, separates the bursts
             low, high = run.bands[0]
-            span = (run.start - begin - 1.0, run.t_end.value - begin + 0.1)
+            span = (run.start - begin - 1.0, run.heard_until - begin + 0.1)
             seen = spectrogram(
                 source, burst_window, 1 << 20, (max(span[0], 0.0), span[1])
             )
             level = 10 * np.log10(seen.band(low, high).power.sum(axis=0) + 1e-14)
-            first, last = run.turns_left(np.array([run.start, run.t_end.value - 0.02]))
+            first, last = run.turns_left(np.array([run.start, run.heard_until - 0.02]))
             turns = np.arange(int(first), max(int(last), 0), -1)
             fractions = np.linspace(0, 2, 129)
             wanted = turns[:, None] - fractions

@@ -68,9 +68,10 @@ def heard(samples, rate=settling_sounds.RATE) -> list[SettlingRun]:
 
 
 def recording(name, start=0.0, stop=None):
-    """Return samples (n,) and rate [Hz] of a part of a real recording."""
-    samples, rate = soundfile.read(RECORDINGS / name, dtype="float32")
-    return samples[int(start * rate) : None if stop is None else int(stop * rate)], rate
+    """Return samples (n,) of the first channel, and rate [Hz], of a part of a real recording."""
+    samples, rate = soundfile.read(RECORDINGS / name, dtype="float32", always_2d=True)
+    last = None if stop is None else int(stop * rate)
+    return samples[int(start * rate) : last, 0], rate
 
 
 def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time():
@@ -137,6 +138,61 @@ def test_a_simulated_take_is_heard_with_its_law(seed):
     assert run.rate_at_1s.value == pytest.approx(
         take.rate_at_1s * left**-take.exponent, rel=0.05
     )
+
+
+def cut_take(take, before_end):
+    """Return the samples of a take up to a time [s] before its end, and that time of the take."""
+    stop = take.t_end - before_end
+    return take.samples[: int(stop * settling_sounds.RATE)], stop
+
+
+@pytest.mark.parametrize(
+    ("made", "seed", "before_end"),
+    [
+        (settling_sounds.settling_take, 8, 0.02),
+        (settling_sounds.settling_take, 12, 0.1),
+        (settling_sounds.settling_take, 16, 0.3),
+        (settling_sounds.tonal_take, 1, 0.1),
+    ],
+)
+def test_a_take_that_is_cut_has_a_lower_bound_of_its_end(made, seed, before_end):
+    take = made(seed)
+    samples, stop = cut_take(take, before_end)
+    (run,) = heard(samples)
+    assert run.t_end.value is None
+    assert run.t_end.low == pytest.approx(stop, abs=0.002)
+    assert take.t_end <= run.t_end.high
+    assert run.exponent.low <= take.exponent <= run.exponent.high
+    reference = max(stop - 1, run.start)
+    rate = take.rate_at_1s * (take.t_end - reference) ** -take.exponent
+    assert run.rate_at_1s.value == pytest.approx(rate, rel=0.02)
+    assert run.rate(reference) == pytest.approx(rate, rel=0.02)
+    assert run.heard_until == pytest.approx(stop, abs=0.002)
+
+
+def test_a_cut_take_is_reported_with_its_missing_end(tmp_path):
+    samples, stop = cut_take(settling_sounds.settling_take(8), 0.1)
+    path = tmp_path / "cut.wav"
+    soundfile.write(path, samples, settling_sounds.RATE)
+    lines = write_recording_report(path, tmp_path / "out")
+    (line,) = (line for line in lines if "the end is missing" in line)
+    assert "rises until the sound stops" in line
+    (run,) = json.loads((tmp_path / "out" / "heard.json").read_text())["runs"]
+    assert run["t_end"]["value"] is None
+    assert run["t_end"]["low"] == pytest.approx(stop, abs=0.002)
+    assert run["t_end"]["low"] < run["t_end"]["high"]
+    with pytest.raises(RecordingError, match="the end of the motion is missing"):
+        sound_to_fit(SoundFile(path), "cut")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(settling_sounds.IMITATIONS))
+def test_an_imitation_that_is_cut_is_not_heard(name):
+    """The sounds are cut 50 ms before their last loud sample."""
+    for seed in (1, 2, 3):
+        sound = settling_sounds.IMITATIONS[name](seed)
+        loud = np.flatnonzero(np.abs(sound) > 0.3 * np.abs(sound).max())
+        assert heard(sound[: loud[-1] - settling_sounds.RATE // 20]) == []
 
 
 @pytest.mark.slow
@@ -332,6 +388,27 @@ def test_both_spins_of_one_recording_are_heard_and_nothing_else():
     )
     assert 25 <= second.rate(19.82) <= 34  # its exponent is not determined
     assert first.events_per_turn == second.events_per_turn == 1
+
+
+REAL_RUNS = {
+    "clink": ("coins/coin-clink.flac", 0.0, 1.64),
+    "first spin": ("coins/coinspin.flac", 4.8, 9.17),
+    "second spin": ("coins/coinspin.flac", 11.5, 20.04),
+    "platters": ("disks/platters.flac", 0.0, 18.66),
+}
+"""Recording, beginning of the part, and end of its run [s], by name."""
+
+
+@needs_recordings
+@pytest.mark.slow
+@pytest.mark.parametrize("before_end", [0.1, 0.3])
+@pytest.mark.parametrize("name", REAL_RUNS)
+def test_a_real_run_that_is_cut_has_a_lower_bound_of_its_end(name, before_end):
+    file, begin, end = REAL_RUNS[name]
+    (run,) = heard(*recording(file, begin, end - before_end))
+    assert run.t_end.value is None
+    assert run.t_end.low == pytest.approx(end - begin - before_end, abs=0.002)
+    assert run.t_end.high > run.t_end.low
 
 
 @needs_recordings

@@ -26,12 +26,24 @@ RISING_RIVALS = ("linear", "exponential")
 @dataclass(frozen=True)
 class Window:
     """Frames from `first` up to `stop`, before a `drop` [dB] of the power at frame
-    `end`."""
+    `end`; without a drop, the sound stops there."""
 
     first: int
     stop: int
     end: int
-    drop: float
+    drop: float | None
+
+    @property
+    def shows_end(self):
+        """True if the power drops after the window."""
+        return self.drop is not None
+
+    @property
+    def min_ratio(self):
+        """Minimum ratio of the last to the first rate of a disk."""
+        if self.shows_end:
+            return SETTLING.rate_ratios[0]
+        return SETTLING.min_rate_ratio_without_end
 
     def overlaps(self, other: "Window", margin: float = 0.0) -> bool:
         """Return True if two windows, each extended to its fitted end, are less than a
@@ -86,7 +98,8 @@ def settling_candidates(
 ) -> list[Candidate]:
     """Return the refined candidates that end within a time span [s], the best first.
 
-    In each block of the sound, the ends with the largest drops are tried.
+    In each block of the sound, the ends with the largest drops are tried, and in the
+    last block the end of the sound.
     """
     min_drop = 8.0  # dB
     block_length = 5.0  # s
@@ -96,22 +109,29 @@ def settling_candidates(
     peaks = drop_peaks(drops, min_drop)
     peaks = peaks[(peaks >= span[0] * FRAME_RATE) & (peaks < span[1] * FRAME_RATE)]
     block = np.floor(peaks / (block_length * FRAME_RATE)).astype(int)
-    ends = [peaks[block == number][:ends_per_block] for number in np.unique(block)]
-    search = partial(_best_candidates, onsets, broadband, drops)
+    ends: list[list[tuple[int, float | None]]] = [
+        [(int(end), float(drops[end])) for end in peaks[block == number]]
+        for number in np.unique(block)
+    ]
+    ends = [places[:ends_per_block] for places in ends]
+    if np.isinf(span[1]):
+        ends.append([(len(broadband), None)])
+    search = partial(_best_candidates, onsets, broadband)
     # the compiled loops and transforms release the lock of Python
     with ThreadPoolExecutor() as pool:
         found = chain(*pool.map(search, ends))
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
-def windows_before_end(end: int, drop: float) -> list[Window]:
+def windows_before_end(end: int, drop: float | None) -> list[Window]:
     """Return the windows that stop at an end."""
     frames = [round(length * FRAME_RATE) for length in SETTLING.window_lengths]
     return [Window(end - count, end, end, drop) for count in frames if end >= count]
 
 
-def _best_candidates(onsets: OnsetStrength, broadband, drops, ends):
-    """Return the refined candidates of the best windows of a block.
+def _best_candidates(onsets: OnsetStrength, broadband, ends):
+    """Return the refined candidates of the best windows of a block, before `ends`, each
+    with its drop [dB].
 
     The best windows of a coarse search are searched again in their best channels, and
     those with a sufficient score also with an earlier stop."""
@@ -121,8 +141,8 @@ def _best_candidates(onsets: OnsetStrength, broadband, drops, ends):
     min_score = 6.0
     every = np.arange(len(onsets.values))
     rough = []
-    for end in ends:
-        for window in windows_before_end(int(end), float(drops[end])):
+    for end, drop in ends:
+        for window in windows_before_end(end, drop):
             distance = SETTLING.coarse_distance
             channels, likelihood = _loudest_channels(onsets, window, distance, every)
             if likelihood[0] >= SETTLING.min_likelihood_for_rivals:
@@ -155,7 +175,7 @@ def _earlier(window):
 def _loudest_channels(onsets, window, distance, channels):
     """Return channels (c,) in order of decreasing log likelihood of a disk, and these
     likelihoods (c,)."""
-    disk = families(distance, "disk")
+    disk = families(distance, "disk", window.min_ratio)
     values = onsets.values[channels, window.frames]
     best = likelihoods(values, onsets.scales_ms[channels], disk)[:, 0]
     order = np.argsort(-best, kind="stable")
@@ -164,7 +184,7 @@ def _loudest_channels(onsets, window, distance, channels):
 
 def _rough_score(onsets, window, channel):
     """Return a coarse estimate of the score of a window in a channel."""
-    shapes = families(SETTLING.coarse_distance)
+    shapes = families(SETTLING.coarse_distance, None, window.min_ratio)
     values = onsets.values[[channel], window.frames]
     best = likelihoods(values, onsets.scales_ms[[channel]], shapes)[0]
     return score_of(dict(zip(shapes.names, best.tolist(), strict=True)))
@@ -174,7 +194,7 @@ def _estimate(onsets, window, channel):
     """Return a first estimate of the score of a window, with the window, the channel
     and the best laws."""
     values = onsets.values[channel, window.frames]
-    shapes = families(SETTLING.shape_distance)
+    shapes = families(SETTLING.shape_distance, None, window.min_ratio)
     starts = strongest_laws(values, onsets.scales_ms[channel], shapes)
     best = {name: laws[0].likelihood for name, laws in starts.items()}
     return score_of(best), window, channel, starts
@@ -202,13 +222,18 @@ def _refined(onsets, power, window, channel, starts):
     The pulse levels are those of a power (frames,)."""
     values = onsets.values[channel, window.frames]
     scale = onsets.scales_ms[channel]
-    laws = {family: refine(values, scale, laws) for family, laws in starts.items()}
+    laws = {
+        family: refine(values, scale, laws, window.min_ratio)
+        for family, laws in starts.items()
+    }
     independent = independent_samples(values, scale, laws["disk"])
     scores = {
         family: independent * predicted_gain(values, law)
         for family, law in laws.items()
     }
-    after = power[window.end + 30 : window.end + 130].mean() if window.drop else 0.0
+    after = 0.0
+    if window.drop:
+        after = power[window.end + 30 : window.end + 130].mean()
     pulses = power[window.frames]
     slope = pulse_slope(pulses, laws["disk"], window, 4 * after)
     return Candidate(window, channel, laws["disk"], scores, slope)

@@ -57,7 +57,9 @@ class SettlingRun:
         bands.
     start, t_end, exponent, rate_at_1s : float, Estimate, Estimate, Estimate
         Start of the best window, and the law rate ~ (t_end - t)^-exponent; the rate is
-        that one second before the end, or at the start if that is later.
+        that one second before the end, or at the start if that is later. If the sound
+        stops before the end, `t_end` has no value, only limits, and the rate is that one
+        second before the sound stops.
     events_per_turn : int
         2 if successive bursts alternate in strength, otherwise 1. The number of turns
         may be wrong by a factor of two.
@@ -97,20 +99,27 @@ class SettlingRun:
     def __repr__(self) -> str:
         exponent = self.exponent
         return (
-            f"SettlingRun({self.kind} from {self.start:.2f} to {self.t_end.value:.3f} s, "
+            f"SettlingRun({self.kind} from {self.start:.2f} to {self.heard_until:.3f} s, "
             f"n {exponent.low:.2f} to {exponent.high:.2f}, "
             f"{self.rate_at_1s.value:.1f} Hz, score {self.score:.1f})"
         )
 
     @property
+    def heard_until(self) -> float:
+        """The end [s], or the time at which the sound stops if the end is missing."""
+        if self.region.missing_from is None:
+            return self.region.best_end
+        return self.region.missing_from
+
+    @property
     def reference_time(self) -> float:
         """Remaining time [s] at which the rate is `rate_at_1s`."""
-        return min(1.0, self.t_end.value - self.start)
+        return self.region.reference_time
 
     def turns_left(self, time: np.ndarray) -> np.ndarray:
         """Return the number of turns (or bursts) between times [s] and the end."""
         reference = self.reference_time
-        left = np.maximum(self.t_end.value - np.asarray(time), 1e-6) / reference
+        left = np.maximum(self.region.best_end - np.asarray(time), 1e-6) / reference
         turns = self.rate_at_1s.value * reference
         exponent = self.region.best_exponent
         if abs(exponent - 1) < 1e-3:
@@ -119,7 +128,7 @@ class SettlingRun:
 
     def rate(self, time: np.ndarray) -> np.ndarray:
         """Return the rate [Hz] of the law at times before the end [s]."""
-        left = (self.t_end.value - np.asarray(time)) / self.reference_time
+        left = (self.region.best_end - np.asarray(time)) / self.reference_time
         return self.rate_at_1s.value * left**-self.region.best_exponent
 
     def later(self, seconds: float) -> "SettlingRun":
@@ -256,7 +265,8 @@ def tones(
     disk.
     """
     ridge = tone_ridge(samples, rate)
-    run = _tone_run(samples, rate, ridge, known_disk) if ridge else None
+    can_be_cut = math.isinf(span[1]) and not known_disk
+    run = _tone_run(samples, rate, ridge, known_disk, can_be_cut) if ridge else None
     if run is None:
         return []
     end = ridge.law[0]
@@ -266,7 +276,7 @@ def tones(
     if known_disk:
         return found
     if len(before) > MIN_LENGTH_S * rate:
-        found += tones(before, rate, span)
+        found += tones(before, rate, (span[0], min(span[1], end)))
     if len(samples) - after > MIN_LENGTH_S * rate:
         later = (span[0] - after / rate, span[1] - after / rate)
         found += [
@@ -275,8 +285,10 @@ def tones(
     return found
 
 
-def _tone_run(samples, rate, ridge, known_disk):
-    """Return the run of a ridge, or None if it is not sufficient evidence of a disk."""
+def _tone_run(samples, rate, ridge, known_disk, can_be_cut):
+    """Return the run of a ridge, or None if it is not sufficient evidence of a disk.
+
+    If it `can_be_cut`, the end of the law may be missing in the samples."""
     min_octaves = 2.0  # of the remaining time; sounds without a disk reach 1.7
     min_rise = 0.5  # octaves
     min_stop_time = 0.02  # s, between the windows of a tone and its end
@@ -297,7 +309,9 @@ def _tone_run(samples, rate, ridge, known_disk):
     if not heard:
         return None
     start = heard[0].window.first / FRAME_RATE
-    region = region_of_law(ridge.law, ridge.errors, start)
+    length = len(samples) / rate
+    stop_of_sound = length if can_be_cut and end > length else None
+    region = region_of_law(ridge.law, ridge.errors, start, stop_of_sound)
     return _run_of_candidates(heard, onsets, region, ridge)
 
 
@@ -384,9 +398,13 @@ def _run_of_group(group: list[Candidate], frames: Frames, onsets: OnsetStrength)
         for candidate in group
         if abs(candidate.window.end - best.window.end) <= 0.3 * FRAME_RATE
     ]
-    end = max(near, key=lambda candidate: candidate.window.drop).window.end
+    max_score_loss = 3.0  # of a window with a drop, to the best window
+    if not best.window.shows_end:
+        near = [one for one in near if one.score >= best.score - max_score_loss]
+    last = max(near, key=lambda candidate: candidate.window.drop or 0.0).window
     power = frames.power.sum(axis=1)
-    region = joint_region(onsets, best.channel, knee(power, end))
+    stop = knee(power, last.end) if last.shows_end else last.end
+    region = joint_region(onsets, best.channel, stop, not last.shows_end)
     if region is None:
         return None
     run = _run_of_candidates(near, onsets, region)

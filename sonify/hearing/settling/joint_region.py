@@ -49,8 +49,10 @@ class JointRegion:
     """Exponents, ends [s] and rates [Hz], each (cells,), that the windows of one end
     admit.
 
-    The rates are those one second before the end, or at the `start` [s] of the best
-    window if that is later."""
+    The rates are those `reference_time` [s] before the end: one second, or less if the
+    best window starts at `start` [s] later than that. If the sound stops before the end
+    of the run, at `missing_from` [s], the rates are those one second before that time,
+    and `reference_time` is the time from there to the best end."""
 
     exponents: np.ndarray = field(repr=False)
     ends: np.ndarray = field(repr=False)
@@ -59,6 +61,8 @@ class JointRegion:
     best_end: float
     best_rate: float
     start: float
+    reference_time: float
+    missing_from: float | None = None
 
     def later(self, seconds: float) -> "JointRegion":
         """Return the region shifted to later times by `seconds`."""
@@ -67,27 +71,39 @@ class JointRegion:
             ends=self.ends + seconds,
             best_end=self.best_end + seconds,
             start=self.start + seconds,
+            missing_from=None
+            if self.missing_from is None
+            else self.missing_from + seconds,
         )
 
     def limits(self) -> tuple[Estimate, ...]:
         """Return exponent, end and rate with their ranges over the region, for a region
         with three laws: the lowest, best and highest."""
-        return tuple(
+        exponent, end, rate = (
             Estimate(float(value), float(low), float(high))
             for low, value, high in (self.exponents, self.ends, self.rates)
         )
+        return exponent, self._observed_end(end), rate
+
+    def _observed_end(self, end: Estimate) -> Estimate:
+        """Return an end; if the sound stops before it, without a value and not before
+        that time, because a disk may come to rest before its law diverges."""
+        if self.missing_from is None:
+            return end
+        return Estimate(None, self.missing_from, end.high)
 
     def estimates(self) -> tuple[Estimate, Estimate, Estimate]:
         """Return exponent, end and rate; their intervals are their ranges over the
         region, widened by the resolution and the calibrated factor.
 
         The resolution of the end includes the interval between two bursts, 20 ms before
-        the end.
+        the end. A missing end has no value, only limits; the lower one is the time at
+        which the sound stops.
         """
         end_resolution = 0.006  # s
         rate_resolution = 0.006  # relative
-        span = min(1.0, self.best_end - self.start)
-        last_interval = (0.02 / span) ** self.best_exponent / self.best_rate
+        last_time = 0.02 / self.reference_time
+        last_interval = last_time**self.best_exponent / self.best_rate
         exponent = _widened(
             self.best_exponent, self.exponents, SETTLING.exponent_resolution
         )
@@ -95,12 +111,14 @@ class JointRegion:
         rate = _widened(self.best_rate, self.rates, rate_resolution * self.best_rate)
         if exponent.high - exponent.low > SETTLING.max_exponent_interval:
             exponent = replace(exponent, value=None)
-        return exponent, end, rate
+        return exponent, self._observed_end(end), rate
 
 
-def region_of_law(law, errors, start) -> JointRegion:
+def region_of_law(law, errors, start, stop=None) -> JointRegion:
     """Return the laws within two standard errors, and the resolution, of a law (3,) of
-    end [s], exponent and log2 of the rate one second before the end [Hz]."""
+    end [s], exponent and log2 of the rate one second before the end [Hz].
+
+    If the sound stops before the end, `stop` is that time [s]."""
     end_resolution = 0.002  # s
     exponent_resolution = 0.001
     rate_resolution = 0.002  # relative
@@ -108,6 +126,8 @@ def region_of_law(law, errors, start) -> JointRegion:
     half = 2 * errors + resolution
     ends, exponents, heights = (law + half * np.array([[-1], [0], [1]])).T
     span = min(1.0, law[0] - start)
+    if stop is not None:
+        span = law[0] - stop + min(1.0, stop - start)
     rates = 2**heights * span ** -law[1]
     return JointRegion(
         exponents=exponents,
@@ -117,6 +137,8 @@ def region_of_law(law, errors, start) -> JointRegion:
         best_end=float(law[0]),
         best_rate=float(rates[1]),
         start=start,
+        reference_time=span,
+        missing_from=stop,
     )
 
 
@@ -140,14 +162,18 @@ class _LawGrid:
 
 
 @lru_cache(maxsize=256)
-def _law_grid(frames: int, before_knee: int) -> _LawGrid:
+def _law_grid(frames: int, before_knee: int, is_missing: bool) -> _LawGrid:
     """Return the tested laws of a window that stops `before_knee` frames before the
-    knee."""
+    knee, or before the sound stops if the end of the run is missing.
+
+    A missing end is at most the length of the window away from the end of the sound."""
     end_count = 12
     exponent_step = 0.05
     earliest = before_knee - 2  # frames after the end of the window
     latest = before_knee + 80
     ends = np.linspace(max(earliest, 3), latest, end_count)
+    if is_missing:
+        ends = before_knee + np.geomspace(3, frames, 2 * end_count)
     low, high = SETTLING.exponents
     powers = np.arange(low, high + 1e-9, exponent_step)
     left, exponents = (
@@ -158,34 +184,40 @@ def _law_grid(frames: int, before_knee: int) -> _LawGrid:
     return _LawGrid(left, exponents, ShapeSet(tuple(shapes), ("disk",), np.zeros(1)))
 
 
-def joint_region(onsets: OnsetStrength, channel: int, knee: int) -> JointRegion | None:
+def joint_region(
+    onsets: OnsetStrength, channel: int, knee: int, is_missing: bool = False
+) -> JointRegion | None:
     """Return the joint region of a run that stops at the frame `knee`, or None if no
     window fits.
 
     The best law is that of a window of `channel` that extends to the knee; earlier
-    windows and other channels extend the region."""
+    windows and other channels extend the region. The sound of a run whose end
+    `is_missing` stops at the knee."""
     first_stop = 5  # frames before the knee
     middle_stop = 50
     last_stop = 100
     min_length = 0.7  # relative to the best window; shorter ones have less information
-    surfaces = _likelihood_surfaces(onsets, channel, knee, first_stop)
+    surfaces = _likelihood_surfaces(onsets, channel, knee, first_stop, is_missing)
     if not surfaces:
         return None
     whole = max(surfaces, key=lambda surface: surface.max_likelihood)
     for before_knee in (middle_stop, last_stop):
-        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee)
+        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing)
     for other in range(len(onsets.values)):
         if other != channel:
-            surfaces += _likelihood_surfaces(onsets, other, knee, middle_stop)
+            surfaces += _likelihood_surfaces(
+                onsets, other, knee, middle_stop, is_missing
+            )
     surfaces, reference = _without_standing(surfaces, whole)
     max_likelihood = (
         whole.max_likelihood
         if reference is whole
         else max(surface.max_likelihood for surface in surfaces)
     )
-    span = min(1.0, float(reference.ends.max() - reference.start))
+    missing_from = knee / FRAME_RATE if is_missing else None
+    span = min(1.0, float((missing_from or reference.ends.max()) - reference.start))
     weights = np.exp(reference.likelihood - reference.max_likelihood)
-    reference_rates = reference.rates(span)
+    reference_rates = reference.rates(reference.remaining(span, missing_from))
     weights *= (
         np.abs(np.log(reference_rates / reference_rates[np.argmax(weights)]))
         < EQUAL_RATE_TOLERANCE
@@ -200,16 +232,23 @@ def joint_region(onsets: OnsetStrength, channel: int, knee: int) -> JointRegion 
     ]
     exponents = np.concatenate([surface.exponents for surface in kept])
     ends = np.concatenate([surface.ends for surface in kept])
-    rates = np.concatenate([surface.rates(span) for surface in kept])
+    rates = np.concatenate(
+        [surface.rates(surface.remaining(span, missing_from)) for surface in kept]
+    )
     has_equal_rate = np.abs(np.log(rates / best_rate)) < EQUAL_RATE_TOLERANCE
+    best_end = float(weights @ reference.ends)
     return JointRegion(
         exponents=exponents[has_equal_rate],
         ends=ends[has_equal_rate],
         rates=rates[has_equal_rate],
         best_exponent=float(weights @ reference.exponents),
-        best_end=float(weights @ reference.ends),
+        best_end=best_end,
         best_rate=best_rate,
         start=reference.start,
+        reference_time=best_end - missing_from + span
+        if is_missing
+        else min(1.0, best_end - reference.start),
+        missing_from=missing_from,
     )
 
 
@@ -288,6 +327,13 @@ class _LikelihoodSurface:
         """Return the rates (admitted,) at a time [s] before the end."""
         return self.first_rates * (left / (self.ends - self.start)) ** -self.exponents
 
+    def remaining(self, span, missing_from):
+        """Return the times (admitted,) to the ends [s] at which rates are compared: a span
+        [s] before the ends, or before the time at which the sound stops [s]."""
+        if missing_from is None:
+            return np.full(len(self.ends), span)
+        return self.ends - missing_from + span
+
     def best_rate(self, time):
         """Return the rate of the most likely law at a time [s]."""
         best = np.argmax(self.likelihood)
@@ -295,7 +341,7 @@ class _LikelihoodSurface:
         return self.rates(left)[best]
 
 
-def _likelihood_surfaces(onsets, channel, knee, before_knee):
+def _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing):
     """Return the likelihood surfaces of all windows of a channel that stop
     `before_knee` frames before the knee."""
     found = []
@@ -303,18 +349,16 @@ def _likelihood_surfaces(onsets, channel, knee, before_knee):
         frames = round(length * FRAME_RATE)
         first = knee - before_knee - frames
         if first >= 0:
-            found.append(
-                _likelihood_surface(onsets, channel, first, frames, before_knee)
-            )
+            grid = _law_grid(frames, before_knee, is_missing)
+            found.append(_likelihood_surface(onsets, channel, first, frames, grid))
     return found
 
 
-def _likelihood_surface(onsets, channel, first, frames, before_knee):
+def _likelihood_surface(onsets, channel, first, frames, grid):
     """Return the likelihood surface of the laws that one window admits."""
     max_likelihood_loss = 2.0  # of admitted laws
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
-    grid = _law_grid(frames, before_knee)
     table = warp_table(grid.shapes, frames, phase_step_count(frames, scale))
     found = search(values, scale, table)
     best = int(np.argmax(found.likelihood))

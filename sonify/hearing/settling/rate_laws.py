@@ -145,14 +145,19 @@ class ShapeSet:
 
 
 @lru_cache
-def families(distance: float, only: str | None = None) -> ShapeSet:
+def families(
+    distance: float,
+    only: str | None = None,
+    min_ratio: float = SETTLING.rate_ratios[0],
+) -> ShapeSet:
     """Return the searched shapes of the disk and its four rivals, or of `only` one
     family.
 
-    `distance` is their spacing, as in `covering_shapes`.
+    `distance` is their spacing, as in `covering_shapes`, and `min_ratio` the minimum
+    ratio of the rates of a disk.
     """
-    low, high = SETTLING.rate_ratios
-    disk_ratios = np.geomspace(low, high, 40)
+    high = SETTLING.rate_ratios[1]
+    disk_ratios = np.geomspace(min_ratio, high, 40)
     exponents = np.linspace(*SETTLING.exponents, 18)
     rising = np.geomspace(SETTLING.max_steady_ratio, high, 60)
     steady = np.geomspace(1 / SETTLING.max_steady_ratio, SETTLING.max_steady_ratio, 31)

@@ -120,19 +120,21 @@ RANDOM_SEARCH_STEPS = shrinking_random_steps(90) * [0.25, 0.12, 0.4]
 RANDOM_WALK_STEPS = shrinking_random_steps(160) * [40.0, 0.04, 0.3]
 
 
-def ratio_range(shape: Shape) -> tuple[float, float]:
+def ratio_range(shape: Shape, min_ratio: float) -> tuple[float, float]:
     """Return the limits of the ratio of the last rate to the first in a search that
-    starts from a shape."""
+    starts from a shape; `min_ratio` is that of a disk."""
     if shape.family.endswith("disk"):
-        return SETTLING.rate_ratios
+        return min_ratio, SETTLING.rate_ratios[1]
     if shape.family == "linear" and shape.ratio < SETTLING.max_steady_ratio - 1e-9:
         return 1 / SETTLING.max_steady_ratio, SETTLING.max_steady_ratio
     return SETTLING.max_steady_ratio, SETTLING.rate_ratios[1]
 
 
-def refine(values: np.ndarray, scale_ms: float, starts: list[Law]) -> Law:
+def refine(
+    values: np.ndarray, scale_ms: float, starts: list[Law], min_ratio: float
+) -> Law:
     """Return the most likely law of a family in a window (frames,), refined from laws
-    `starts`."""
+    `starts`; `min_ratio` is the minimum ratio of the rates of a disk."""
     window = _centred_window(values, scale_ms)
     found = []
     for law in starts:
@@ -142,7 +144,7 @@ def refine(values: np.ndarray, scale_ms: float, starts: list[Law]) -> Law:
             window,
             FAMILY_CODES[shape.family],
             start,
-            np.array([np.log(ratio_range(shape)), SETTLING.exponents]),
+            np.array([np.log(ratio_range(shape, min_ratio)), SETTLING.exponents]),
             RANDOM_SEARCH_STEPS,
             SETTLING.min_turns,
             SETTLING.min_initial_rate,
@@ -197,12 +199,14 @@ def laws_near(values: np.ndarray, scale_ms: float, start, left_range):
 
     The results are frames to the end, exponents, initial rates [per frame] and log
     likelihoods, each (laws,)."""
+    near_end = 200  # frames; the steps grow in proportion to a longer remaining time
+    growth = max(start[0] / near_end, 1.0)
     tried, first_rates, likelihood = _walk(
         _centred_window(values, scale_ms),
         np.array(start, dtype=float),
         np.array(left_range, dtype=float),
         np.array(SETTLING.exponents),
-        RANDOM_WALK_STEPS,
+        RANDOM_WALK_STEPS * [growth, 1.0, 1.0],
         SETTLING.max_harmonics,
     )
     return tried[:, 0], tried[:, 1], first_rates, likelihood

@@ -18,6 +18,8 @@ class SettlingSettings:
     """Range of the exponent n of a disk, rate ~ (t_end - t)^-n."""
     rate_ratios: tuple[float, float] = (1.8, 40.0)
     """Range of the ratio of the last to the first rate within a window."""
+    min_rate_ratio_without_end: float = 1.5
+    """Minimum ratio if the sound stops before the end of the disk."""
     max_steady_ratio: float = 1.35
     """Largest factor by which a steady rate may change within a window."""
     min_turns: float = 8.0
