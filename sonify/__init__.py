@@ -3,5 +3,5 @@ scene."""
 
 from lazy_loader import attach_stub
 
-__version__ = "0.2.0.dev0"
+__version__ = "0.3.0.dev0"
 __getattr__, __dir__, __all__ = attach_stub(__name__, __file__)  # imported on first use
