@@ -112,7 +112,7 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
     sag = weight / (2 * np.pi * model.stop.stiffness)
 
     def rests(t: float, y: np.ndarray) -> float:
-        at = model.geometry(y.tolist())
+        at = model.geometry(np.asarray(y).tolist())
         on_stop = _excess(y, at) / (REST_ENERGY_SHARE * released) - 1
         if model.film is None:
             return on_stop
