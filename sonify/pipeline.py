@@ -123,8 +123,7 @@ def solve(
     >>> from sonify import solve
     >>> solve("published", accuracy="draft").sound.peak  # Pa  # doctest: +SKIP
     """
-    if dynamics not in get_args(Dynamics):
-        raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
+    check_dynamics(dynamics)
     scene, motion_plan = solvable_scene(scene, accuracy)
     with background_threads(executor) as threads:
         tools = Tools(
@@ -136,6 +135,12 @@ def solve(
             dynamics=dynamics,
         )
         return solve_stages(scene, motion_plan, tools)
+
+
+def check_dynamics(dynamics: str) -> None:
+    """Raise InputError unless the dynamics of audible.wav are known."""
+    if dynamics not in get_args(Dynamics):
+        raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
 
 
 def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
@@ -337,6 +342,7 @@ def run(
     Write access to the folder is checked before any computation. `sonify.run` describes
     the parameters.
     """
+    check_dynamics(dynamics)
     check_solvable_disk(scene)
     with (
         claimed_folder(out or Path("outputs") / scene.name) as folder,

@@ -129,7 +129,8 @@ def disk_that_never_slips():
         "numerics.time_limit=1.0", "friction.mu_static=10.0"
     )
     motion = simulate(scene)
-    return (replace(motion, law=motion.law._replace(mu_static=0.5)),)
+    constants = motion.plan.constants._replace(mu_static=0.5)
+    return (replace(motion, plan=replace(motion.plan, constants=constants)),)
 
 
 def wave_with_a_gap():

@@ -75,7 +75,7 @@ def test_a_steady_force_loses_the_wave_drag():
     rigid = "contact.law=rigid", "support.kind=patch"
     scene, motion, table = on_table("light-plate", "numerics.accuracy=draft", *rigid)
     powers = [*table_powers(scene, motion, table, listener_of(scene))]
-    inclination, _, drag = table_shares_by_inclination(scene, table)
+    inclination, _, drag = table_shares_by_inclination(motion.plan, table)
     steady = [power for power in powers if power.end < 1.5]
     assert len(steady) == 2
     for power in steady:

@@ -216,7 +216,7 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(
     tmp_path, monkeypatch
 ):
     monkeypatch.setattr(
-        "sonify.plan.preflight.simulate",
+        "sonify.plan.preflight.solve_planned_motion",
         lambda *_: pytest.fail("the motion was solved"),
     )
     (tmp_path / "file").write_text("")
@@ -249,7 +249,7 @@ def test_a_folder_in_the_place_of_a_file_ends_with_2_and_one_line(
     def written(*_, **__):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", name)
 
-    monkeypatch.setattr("sonify.plan.preflight.simulate", written)
+    monkeypatch.setattr("sonify.plan.preflight.solve_planned_motion", written)
     assert (
         ask("run", "--out", str(tmp_path)).stderr.splitlines()[-1]
         == f"sonify: {name}: Is a directory"
@@ -288,7 +288,7 @@ def test_an_interrupt_ends_with_130(tmp_path, monkeypatch):
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("sonify.plan.preflight.simulate", interrupted)
+    monkeypatch.setattr("sonify.plan.preflight.solve_planned_motion", interrupted)
     result = ask("run", "--out", str(tmp_path))
     assert result.exit_code == 130
     assert result.stderr.splitlines()[-1] == "sonify: interrupted"
@@ -356,7 +356,7 @@ def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
     def full(*_, **__):
         raise OSError(errno.ENOSPC, "No space left on device", "sound.wav")
 
-    monkeypatch.setattr("sonify.plan.preflight.simulate", full)
+    monkeypatch.setattr("sonify.plan.preflight.solve_planned_motion", full)
     result = ask("run", "--out", str(tmp_path))
     assert result.exit_code == 1
     assert (

@@ -339,10 +339,12 @@ def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(
         broken = tmp_path / name
         broken.write_text(content)
         text = f"surface={{kind='mesh', file='{broken.as_posix()}', young=1e9, poisson=0.3, density=600.0}}"
+        on_mesh = scene.replace(text, "audio.sample_rate=8000")
+        planned = plan_motion(on_mesh)
         with pytest.raises(
             SceneError, match=rf"^surface: [^\n]*{name}: not a readable mesh[^\n]*$"
         ):
-            solve_table(scene.replace(text, "audio.sample_rate=8000"))
+            solve_table(on_mesh, planned)
     assert capfd.readouterr() == ("", "")  # nor a line of the reader
     thin = scene.replace("surface.thickness=0.0003")
     assert deflection_limits(modes_of(scene.surface, 5000.0), scene) == []
@@ -350,6 +352,12 @@ def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(
         "linear theory does not apply"
         in deflection_limits(modes_of(thin.surface, 500.0), thin)[0]
     )
+
+
+def moving_on(scene, t, at):
+    """Return a motion with these states on the table of a scene."""
+    plan = SimpleNamespace(scene=scene)
+    return SimpleNamespace(t=t, at=at, plan=plan, disk=scene.disk, rolling_fillet=0.0)
 
 
 def test_a_disk_that_goes_over_the_edge_is_said_to():
@@ -363,11 +371,10 @@ def test_a_disk_that_goes_over_the_edge_is_said_to():
         state[:, 3] = 0.01 * t
         return state
 
-    motion = SimpleNamespace(t=t, at=at)
-    assert table_exit_time(scene, motion) == pytest.approx(
+    assert table_exit_time(moving_on(scene, t, at)) == pytest.approx(
         1.245, abs=0.13
     )  # one turn: 0.126 s
-    assert table_exit_time(load_scene("glass-plate"), motion) is None
+    assert table_exit_time(moving_on(load_scene("glass-plate"), t, at)) is None
 
 
 def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
@@ -384,11 +391,10 @@ def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
         state[:, 4] = 0.01 * t
         return state
 
-    motion = SimpleNamespace(t=t, at=at)
-    assert table_exit_time(scene, motion) == pytest.approx(
+    assert table_exit_time(moving_on(scene, t, at)) == pytest.approx(
         (0.06 - scene.disk.radius) / 0.01, abs=0.13
     )
-    assert table_exit_time(load_scene("wood-table"), motion) is None
+    assert table_exit_time(moving_on(load_scene("wood-table"), t, at)) is None
 
 
 def test_the_edge_of_a_plate_ends_the_motion():

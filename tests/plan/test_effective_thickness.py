@@ -11,7 +11,7 @@ import re
 import numpy as np
 import pytest
 
-from dynamics import Disk
+from dynamics import Disk, plan_motion
 from modal import eigenmodes
 from modal.materials import MATERIALS
 from sonify import SceneError, load_scene
@@ -59,7 +59,7 @@ def test_a_named_material_gives_the_density(name):
     heavier = scene.replace("disk.mass=0.06786")
     assert heavier.disk.thickness == pytest.approx(2 * scene.disk.thickness, rel=1e-14)
     assert scene.replace("disk.thickness=0.002").disk.thickness == 0.002
-    assert unused_keys(scene) == ()
+    assert unused_keys(scene, plan_motion(scene)) == ()
 
 
 def test_the_record_of_a_run_is_the_same_scene(tmp_path):

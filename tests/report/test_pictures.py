@@ -200,7 +200,7 @@ def test_energies_are_drawn_beside_their_legend(drawn):
     )
     assert_readable(one)
     shown = [text.get_text() for text in one.axes[1].get_legend().get_texts()]
-    assert "rolling and pivoting friction" in shown
+    assert "friction of rolling and pivoting" in shown
     assert len(shown) == len(causes)
 
 

@@ -265,11 +265,11 @@ def test_keys_without_effect_are_named_as_on_the_command_line(tmp_path, monkeypa
     """Both name them before they solve anything."""
     seen = []
 
-    def stopped(scene, **arguments):
-        seen.append(arguments["stages"])
+    def stopped(scene, motion_plan, tools):
+        seen.append(tools.stages)
         raise InputError("stopped")
 
-    monkeypatch.setattr("sonify.pipeline.solve", stopped)
+    monkeypatch.setattr("sonify.pipeline.solve_stages", stopped)
     given = ["--set", "roughness.rms=1e-7", "--out", str(tmp_path / "command")]
     told = CliRunner().invoke(main, ["run", "published", *given])
     values = {"roughness.rms": 1e-7}

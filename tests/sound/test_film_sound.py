@@ -296,13 +296,18 @@ def test_without_a_film_the_sources_are_those_of_a_disk_in_a_baffle(scene, flexu
     """Without a film the plain source classes are used; with the film, their subclasses."""
     listener = Listener(distance=0.5, elevation=np.radians(45))
     face = RigidFace(scene.disk, listener, 1 / RATE)
-    motion = SimpleNamespace(
-        state=steady(1e-3, 300.0, 2), film=None, outcome=Outcome.SETTLED
-    )
 
     def classes(air_film):
+        in_air = scene.replace(f"air.film={air_film}")
+        motion = SimpleNamespace(
+            state=steady(1e-3, 300.0, 2),
+            film=None,
+            outcome=Outcome.SETTLED,
+            rim_modes=None,
+            plan=plan_motion(in_air),
+        )
         pair = disk_sources(
-            scene.replace(f"air.film={air_film}"),
+            in_air,
             motion,
             flexural,
             np.arange(1),

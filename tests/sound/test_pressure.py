@@ -8,7 +8,6 @@ the files read back by libsndfile.
 
 import hashlib
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,10 +22,8 @@ from sonify.sound.modal_forcing import (
     modal_forcing_function,
     rigid_acceleration,
 )
-from sonify.sound.oscillators import free_response
 from sonify.sound.pressure import STEMS
 from sonify.sound.radiation import listener_of, listeners_of, piston_strength
-from sonify.sound.radiators import ElasticFace
 from sonify.sound.render import FADE_IN, FADE_OUT, Renderer, render_sound
 from sonify.sound.sources.protocol import Source
 from sonify.sound.wav import write_sound
@@ -302,43 +299,6 @@ def test_the_modes_ring_out_however_the_motion_ends(name):
     basis = np.hstack([waves.real, waves.imag])
     left = ringing - basis @ np.linalg.lstsq(basis, ringing, rcond=None)[0]
     assert rms(left) < 1e-6 * rms(ringing)
-
-
-def test_a_motion_may_carry_its_own_modes(scene, short, modes):
-    """The modes radiate the same sound when oscillators or the motion itself move them, during the
-    motion and afterwards."""
-
-    def swinging(t):
-        """Each mode rings from t = 0 with unit initial velocity."""
-        omega = 2 * np.pi * modes.frequency
-        decay = modes.decay_rate
-        c, s = free_response(omega, decay, np.asarray(t)[:, None])
-        return np.stack(
-            [s, c - decay * s, -(omega**2) * s - 2 * decay * (c - decay * s)], axis=1
-        )
-
-    names = ("disk", "t", "outcome", "at", "at_and_force", "bandwidth", "jumps")
-    carried = SimpleNamespace(
-        **{name: getattr(short, name) for name in names}, vibration=swinging
-    )
-    slow = scene.replace("audio.sample_rate=8000")
-    rate = 8000
-    driven, own = (Renderer(slow, one, modes, range(3)) for one in (short, carried))
-    one, other = (np.vstack(list(renderer.blocks())) for renderer in (driven, own))
-    assert np.array_equal(one[:, [HEAVE, TILT]], other[:, [HEAVE, TILT]])
-    assert not other[:, JUMPS].any()
-    force = own.sampler.block(0, own.samples)
-    moved = np.where(
-        force.t[:-1, None] >= 0, swinging(np.maximum(force.t[:-1], 0))[:, 2], 0
-    )[:, :3]
-    radiated = ElasticFace(
-        own.modes, own.listener, rate, own.sources[0].latency
-    ).make_block_radiator(force.samples[0, 2:4])
-    expected = radiated(moved[None], force.samples[:-1, 2:4])[:, 0]
-    inside = slice(int(FADE_IN * rate) + 1, -int(FADE_OUT * rate) - 1)
-    assert other[inside, SMOOTH] == pytest.approx(
-        expected[inside], abs=1e-9 * np.abs(expected).max()
-    )
 
 
 def test_a_scene_may_have_any_causes_of_sound(scene, short, modes, tmp_path):
