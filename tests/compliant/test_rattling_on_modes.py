@@ -164,7 +164,8 @@ def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass
 
 
 def test_an_impact_on_a_light_table_loses_energy_to_its_waves():
-    scene = on_modes((0, 3000.0, 0.05, 0.002), changes=["friction.mu_dynamic=0"])
+    # a mode with little damping returns its energy before the contact ends
+    scene = on_modes((0, 3000.0, 0.3, 0.002), changes=["friction.mu_dynamic=0"])
     model = rattling_model(plan_motion(scene))
     alone = effective_restitution(model._replace(modes=None), 0.09, 0.01)
     assert effective_restitution(model, 0.09, 0.01) < alone - 0.05
