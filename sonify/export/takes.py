@@ -158,9 +158,9 @@ def sound_of_take(
 def write_take(sound: Sound, path: Path, note: str) -> None:
     """Write a sound without the silence at both ends, as 24-bit PCM with loop points.
 
-    Its true peak is below -1 dBTP. The text fields contain the scene, the program with its version, the pressure
-    represented by 1.0, and `note`. Raises InputError if the sound is silent or too long
-    for a WAV file.
+    The true peak is below -1 dBTP. The text fields contain the scene, the program with
+    its version, the pressure represented by 1.0, and `note`. Raises InputError if the
+    sound is silent or too long for a WAV file.
     """
     first, last = audible_range(sound.playback_copy)
     copy = copy_below_limit(sound.playback_copy)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager
 from math import floor
-from statistics import median
+from statistics import median_low
 from time import perf_counter
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
@@ -111,7 +111,7 @@ class StageProgress:
         """Return the estimated remaining time [s], or None while it is unknown."""
         if not self._intervals:
             return None
-        interruption = 10 * median(one.duration for one in self._intervals)
+        interruption = 10 * median_low(one.duration for one in self._intervals)
         steady = [one for one in self._intervals if one.duration <= interruption]
         gained = sum(one.gained for one in steady)
         spent = sum(one.duration for one in steady)
