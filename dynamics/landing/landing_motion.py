@@ -40,15 +40,15 @@ class LandingMotion(MotionBase):
         The solution.
     start : ndarray, (11,)
         The COLUMNS at the start.
-    fillet : float
-        Radius of the edge [m] on which the disk rolled.
+    rolling_fillet : float
+        Radius of the edge [m] on which the disk rolled; 0 for a sharp edge.
     cause : str
         What ended the rolling contact, as the kind of an event.
     """
 
     landing: Landing
     start: np.ndarray
-    fillet: float
+    rolling_fillet: float
     cause: str
 
     def __repr__(self) -> str:
@@ -74,11 +74,6 @@ class LandingMotion(MotionBase):
     def integrator(self) -> str:
         """Name of the integrator."""
         return "LSODA (landing)"
-
-    @property
-    def rolling_fillet(self) -> float:
-        """Radius [m] of the edge on which the disk rolled; 0 for a sharp edge."""
-        return self.fillet
 
     @property
     def film(self) -> None:
@@ -154,14 +149,12 @@ class LandingMotion(MotionBase):
         spin = self.start[2] + y[10] - (precession - self.start[0])
         c, s = np.cos(precession), np.sin(precession)
         centre = y[8] * c + y[9] * s, y[9] * c - y[8] * s
-        slip = centre_to_slip(centre, omega, self._contact_place(at.slope))
+        slip = centre_to_slip(
+            centre, omega, low_point(self.disk, self.rolling_fillet, at.slope)
+        )
         lost = self.start[10] + sum(y[12:])
         inclination = np.arcsin(at.slope)
         return [precession, inclination, spin, y[6], y[7], *omega, *slip, lost]
-
-    def _contact_place(self, slope: float) -> ContactPlace:
-        """Return the place of the low point on the disk [m]."""
-        return low_point(self.disk, self.fillet, slope)
 
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return the force (k, 3) [N] of the asperities, without friction."""
@@ -352,4 +345,6 @@ def solve_landing_motion(
         axial_rate=omega[1],
     )
     landing = solve_landing(model, LandingState(*map(float, start)), time_limit)
-    return LandingMotion(landing=landing, start=columns, fillet=fillet, cause=cause)
+    return LandingMotion(
+        landing=landing, start=columns, rolling_fillet=fillet, cause=cause
+    )

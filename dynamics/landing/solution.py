@@ -113,7 +113,7 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
 
     def rests(t: float, y: np.ndarray) -> float:
         at = model.geometry(np.asarray(y).tolist())
-        on_stop = _excess(y, at) / (REST_ENERGY_SHARE * released) - 1
+        on_stop = excess_energy(y) / (REST_ENERGY_SHARE * released) - 1
         if model.film is None:
             return on_stop
         gap = model.film_gap(at)
@@ -125,8 +125,8 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
         fast = kinetic / (MAX_KINETIC_SHARE * weight * gap) - 1
         return min(on_stop, max(tilt, unsteady, fast))
 
-    def _excess(y: np.ndarray, at: Any) -> float:
-        """Energy above that of a disk which lies still on the asperities, without its glide."""
+    def excess_energy(y: np.ndarray) -> float:
+        """Return the energy above that of a disk which lies still on the asperities, without its glide."""
         still = [*y[:8], 0.0, 0.0, y[10], 0.0]
         return model.energy(still) + weight * sag / 2
 

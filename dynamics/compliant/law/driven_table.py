@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.law.table_receptance import shapes_on_circle
 from dynamics.numba_kernels import kernel
 
-AZIMUTHS = 512
+INTERPOLATION_AZIMUTHS = 512
 """Number of azimuths of the contact circle between which shapes are interpolated."""
 
 
@@ -25,7 +26,7 @@ class DrivenTable(NamedTuple):
     ----------
     from_last, from_before, from_force : ndarray, (m,)
         Coefficients A1, A2 [-] and B1 [s^2] of the recursion.
-    shapes : ndarray, (AZIMUTHS + 1, m)
+    shapes : ndarray, (INTERPOLATION_AZIMUTHS + 1, m)
         Shapes round the contact circle [kg^-1/2].
     at_contact : ndarray, (m,)
         Shapes at the last place of the contact.
@@ -77,7 +78,7 @@ def driven_table(modes: Any, step: float, plate_mobility: float = 0.0) -> Driven
         from_last=first,
         from_before=second,
         from_force=(1 - first - second) / omega**2,
-        shapes=np.zeros((AZIMUTHS + 1, count)),
+        shapes=np.zeros((INTERPOLATION_AZIMUTHS + 1, count)),
         at_contact=np.zeros(count),
         amplitude=np.zeros(count),
         earlier_amplitude=np.zeros(count),
@@ -91,32 +92,8 @@ def set_contact_circle(
     table: DrivenTable, modes: Any, centre: Any, radius: float
 ) -> None:
     """Evaluate the shapes round a circle with this centre (2,) and radius [m]."""
-    angle = 2 * np.pi * np.arange(AZIMUTHS + 1) / AZIMUTHS
-    circle = radius * np.array([np.cos(angle), np.sin(angle)])
-    table.shapes[:] = modes.at(*(np.reshape(centre, (2, 1)) + circle))
-
-
-def stable_step(modes: Any, radius: float, stiffness: float, mobility: float) -> float:
-    """Return the largest step [s] with k h^2 (W + sum of squared shapes) = 1.
-
-    Parameters
-    ----------
-    modes : modal.SurfaceModes
-        Modes of the table.
-    radius : float
-        Radius of the contact circle [m].
-    stiffness, mobility : float
-        Stiffness of the contact [N/m] and mobility W of the disk [1/kg].
-
-    Returns
-    -------
-    float
-        The step; the recursion is stable up to twice this value.
-    """
-    angle = 2 * np.pi * np.arange(64) / 64
-    circle = radius * np.array([np.cos(angle), np.sin(angle)])
-    squares = (modes.at(*(modes.place[:, None] + circle)) ** 2).sum(axis=1)
-    return float((stiffness * (mobility + squares.max())) ** -0.5)
+    table.shapes[:-1] = shapes_on_circle(modes, centre, radius, INTERPOLATION_AZIMUTHS)
+    table.shapes[-1] = table.shapes[0]
 
 
 @kernel
@@ -130,8 +107,8 @@ def advance_table(table, azimuth):
     if count == 0:
         return 0.0
     turn = azimuth / (2 * np.pi)
-    place = (turn - np.floor(turn)) * AZIMUTHS
-    node = min(int(place), AZIMUTHS - 1)
+    place = (turn - np.floor(turn)) * INTERPOLATION_AZIMUTHS
+    node = min(int(place), INTERPOLATION_AZIMUTHS - 1)
     part = place - node
     force = table.force[0]
     deflection = 0.0

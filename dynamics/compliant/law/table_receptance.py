@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-CIRCLE_POINTS = 256
+RECEPTANCE_AZIMUTHS = 256
 """Number of azimuths at which the shapes of a table are sampled round the contact circle."""
 MAX_ROUND_VARIATION = 0.02
 """Relative variation of the receptance round the circle below which the table counts as round."""
@@ -91,14 +91,10 @@ class ModalReceptance:
 
     @cached_property
     def is_round(self) -> bool:
-        """True if the static deflection is the same all round the circle."""
-        stiff = (2 * np.pi * self.frequency) ** 2
-        square = self.shapes**2
-        means = square.mean(axis=0)
-        pairs = _sums_of_equal_frequencies(square, self.frequency)
-        spread = pairs.std(axis=0) / stiff.max()
-        scale = _sums_of_equal_frequencies(means[None], self.frequency)[0] / stiff.max()
-        return bool(np.all(spread <= MAX_ROUND_VARIATION * scale.max(initial=0.0)))
+        """True if modes of equal frequency together deflect the same all round the circle."""
+        square = _sums_of_equal_frequencies(self.shapes**2, self.frequency)
+        largest = square.mean(axis=0).max(initial=0.0)
+        return bool(np.all(square.std(axis=0) <= MAX_ROUND_VARIATION * largest))
 
     def __call__(self, omega: np.ndarray, rate: float) -> np.ndarray:
         """Return the receptance (a, f) [m/N]; see `TableReceptance`."""
@@ -140,13 +136,45 @@ class InfinitePlateReceptance:
         return 0.0
 
 
+def bending_stiffness(surface: Any) -> float:
+    """Return the bending stiffness E h^3/(12 (1 - nu^2)) of a plate [N m].
+
+    `surface` has thickness [m], young [Pa] and poisson.
+    """
+    return surface.young * surface.thickness**3 / (12 * (1 - surface.poisson**2))
+
+
 def infinite_plate_mobility(surface: Any) -> float:
     """Return the point mobility 1/(8 sqrt(D rho h)) [s/kg] of an infinite plate.
 
     `surface` has thickness [m], young [Pa], poisson and density [kg/m^3].
     """
-    stiffness = surface.young * surface.thickness**3 / (12 * (1 - surface.poisson**2))
-    return 1 / (8 * np.sqrt(stiffness * surface.density * surface.thickness))
+    mass_per_area = surface.density * surface.thickness
+    return 1 / (8 * np.sqrt(bending_stiffness(surface) * mass_per_area))
+
+
+def shapes_on_circle(modes: Any, centre: Any, radius: float, count: int) -> np.ndarray:
+    """Return the shapes (count, m) [kg^-1/2] of a table at equidistant azimuths.
+
+    Parameters
+    ----------
+    modes : modal.SurfaceModes
+        Modes of the table.
+    centre : array_like, (2,)
+        Centre of the circle, in the frame of the modes [m].
+    radius : float
+        Radius of the circle [m].
+    count : int
+        Number of azimuths.
+
+    Returns
+    -------
+    ndarray, (count, m)
+        The shapes; the first azimuth is along x.
+    """
+    angle = 2 * np.pi * np.arange(count) / count
+    circle = radius * np.array([np.cos(angle), np.sin(angle)])
+    return modes.at(*(np.reshape(centre, (2, 1)) + circle))
 
 
 def modal_receptance(modes: Any, radius: float) -> ModalReceptance:
@@ -164,9 +192,7 @@ def modal_receptance(modes: Any, radius: float) -> ModalReceptance:
     ModalReceptance
         The receptance.
     """
-    angle = 2 * np.pi * np.arange(CIRCLE_POINTS) / CIRCLE_POINTS
-    circle = radius * np.array([np.cos(angle), np.sin(angle)])
-    shapes = modes.at(*(modes.place[:, None] + circle))
+    shapes = shapes_on_circle(modes, modes.place, radius, RECEPTANCE_AZIMUTHS)
     return ModalReceptance(shapes, modes.frequency, modes.decay_rate)
 
 

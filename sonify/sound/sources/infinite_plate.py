@@ -8,6 +8,7 @@ coincidence the radiated power is rho F^2/(2 pi c m''^2)."""
 
 import numpy as np
 
+from dynamics.compliant.law.table_receptance import bending_stiffness
 from dynamics.contact_geometry import contact_position
 from sonify.sound.force import lagrange_weights
 from sonify.sound.oscillators import OscillatorBank
@@ -18,11 +19,6 @@ from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable
 LAGRANGE_NODES = np.arange(-2, 4)  # samples
 """Offsets from an arrival time over which Lagrange interpolation distributes the
 arriving force."""
-
-
-def bending_stiffness(surface) -> float:
-    """Return the bending stiffness B = E h^3/(12 (1 - nu^2)) of a plate [N m]."""
-    return surface.young * surface.thickness**3 / (12 * (1 - surface.poisson**2))
 
 
 def coincidence_frequency(surface, listener: Listener) -> float:
