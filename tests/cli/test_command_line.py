@@ -28,7 +28,7 @@ from sonify.runtime.files import atomic_write
 from sonify.scene import load_scene
 from sonify.scene_keys import SceneKey, keys, schema
 
-PROGRESS = re.compile(r"\w+ for \d+ s; ")
+PROGRESS = re.compile(r"\w+ for \d+ s; |[\w ]+  +\d+\.\d+ s$")
 HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
 
 
@@ -37,7 +37,7 @@ def ask(*arguments):
 
 
 def one_line(result, status):
-    """Return the only line of a failed command, besides the progress of work beyond 10 s."""
+    """Return the only line of a failed command, besides progress and times of stages."""
     assert result.exit_code == status, result.output
     assert result.stdout == ""
     lines = [line for line in result.stderr.splitlines() if not PROGRESS.match(line)]
