@@ -33,7 +33,7 @@ def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
             raise
         return judge_bursts(decay, sound)
     own_law = judged.values().get("law")
-    explained = own_law is not None and own_law.low <= 1.0 <= own_law.high
+    explained = own_law is not None and own_law.inner[0] <= 1.0 <= own_law.inner[1]
     if has_bursts and not explained:
         bursts = judge_bursts(decay, sound)
         if bursts.verdict != "cannot tell":
