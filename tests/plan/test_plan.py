@@ -32,7 +32,7 @@ from sonify.sound.force import INTERPOLATION_NODES, INTERPOLATION_STRIDE
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.render import Renderer
 
-CHAOTIC = ("coin", "coin-grain", "coin-wood", "glass-plate")
+CHAOTIC = ("coin", "coin-grain", "coin-wood", "glass-plate", "light-plate")
 """Scenes whose end varies by chance with the step: the error predicted is its usual size. On a
 plate of glass, the flutter below 3e-4 rad rings the table with a phase of chance."""
 FACTOR = 3
