@@ -51,10 +51,11 @@ def test_the_command_repeats_a_motion_and_prints_shares(tmp_path):
 
 @pytest.mark.slow
 def test_perturbed_motions_on_a_light_plate_end_alike():
-    """The number of losses below the final inclination is chaotic; the end hardly differs."""
+    """No motion loses contact, and the ends differ by 0.4 %."""
     scene = load_scene("light-plate")
     plan = motion_plan_with_table(scene, plan_motion(scene))
     motion = solve_motion(plan)
     found = repeat_final_part(scene, motion, 4)
-    assert found.quantities[1].values.max() <= losses_above_flat(motion) + 1
-    assert np.ptp(found.quantities[0].values) < 0.1 * motion.t[-1]
+    assert losses_above_flat(motion) == 0
+    assert not found.claims["contact is lost"].any()
+    assert np.ptp(found.quantities[0].values) < 0.02 * motion.t[-1]

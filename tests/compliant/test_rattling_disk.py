@@ -542,7 +542,7 @@ def test_a_polygon_loses_the_energy_of_its_crests():
 def test_contacts_shift_and_damp_the_lines_of_the_free_modes(
     rms, until, shifts, decays
 ):
-    """Means of four seeds at 10,590 and 17,790 Hz: shifts within 10 Hz of those of a prototype if the
+    """Means of eight seeds at 10,590 and 17,790 Hz: shifts within 10 Hz of those of a prototype if the
     disk rattles; decays between the maxima of the first mode [1/s].
 
     If the disk rolls, the first line spreads so far that its shift depends on the band: 10, 170 and
@@ -552,7 +552,7 @@ def test_contacts_shift_and_damp_the_lines_of_the_free_modes(
     frequency = np.array([10561.0, 10614.0, 17790.0])
     moved = []
     damped = []
-    for seed in range(1, 5):
+    for seed in range(1, 9):
         scene = coin(rms, 1.0, 0.8, seed, 0.12, "contact.body=elastic")
         model = model_of(scene)
         rim = model.rim._replace(
@@ -576,7 +576,7 @@ def test_contacts_shift_and_damp_the_lines_of_the_free_modes(
         assert 0.6 * shifts[1] < np.mean(moved, axis=0)[1] < 1.8 * shifts[1]
         assert np.mean(moved, axis=0)[0] > 0.3 * shifts[0]
     else:
-        assert np.mean(moved, axis=0) == pytest.approx(shifts, abs=12.0)
+        assert np.mean(moved, axis=0) == pytest.approx(shifts, abs=10.0)
         assert decays[0] < np.mean(damped) < decays[1]
 
 
@@ -713,7 +713,14 @@ def test_the_shipped_coin_turns_and_sounds_like_a_recorded_one():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize(
+    "seed",
+    [
+        0,
+        1,
+        pytest.param(2, marks=pytest.mark.xfail(strict=True, reason="not detected")),
+    ],
+)
 def test_the_detector_hears_the_shipped_coin_come_to_rest(seed):
     """An isotropic table with a restitution of 0.88, as loud in the bands, has no bursts that repeat."""
     found = solved_coin(seed)
@@ -765,10 +772,12 @@ def test_a_larger_coin_turns_as_fast_at_equal_time_left():
                 f"roughness.seed={seed}",
             )
             verdict = rate_is_that_of_the_table(scene, simulate(scene))
-            assert verdict.verdict != "no"
+            assert verdict.verdict == "yes" or (
+                scale == size and verdict.verdict != "no"
+            )
             values.append(verdict.value)
         means.append(np.mean(values))
-    assert means == pytest.approx([0.87, 0.87], abs=0.07)
+    assert means == pytest.approx([0.86, 0.83], abs=0.06)
     assert means[1] / means[0] > 0.9
 
 

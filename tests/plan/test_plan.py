@@ -32,13 +32,15 @@ from sonify.sound.force import INTERPOLATION_NODES, INTERPOLATION_STRIDE
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.render import Renderer
 
-CHAOTIC = ("coin", "coin-grain", "coin-wood", "glass-plate", "light-plate")
-"""Scenes whose end varies by chance with the step: the error predicted is its usual size. On a
-plate of glass, the flutter below 3e-4 rad rings the table with a phase of chance."""
+CHAOTIC_SCENES = ("coin", "coin-grain", "coin-wood")
+"""Scenes whose end varies by chance with the step: the error predicted is its usual size."""
+UNPREDICTED_QUANTITIES = dict.fromkeys(("glass-plate", "light-plate"), ("end", "sound"))
+"""Quantities by scene that flutter on the plate, below 3e-4 rad, changes by chance with the step."""
 FACTOR = 3
 """Largest ratio between predicted and measured errors."""
-FACTOR_WITH_TABLE = 5
-"""The same on the mirror, whose modes the prediction neglects, although they are the louder ones."""
+FACTOR_BY_SCENE = {"mirror-base": 5}
+"""The same where the prediction neglects modes of the table that sound; without the table, FACTOR
+holds."""
 
 
 def measured(run, reference) -> dict[str, float]:
@@ -76,7 +78,8 @@ def rendered(scene, accuracy):
 def disagreements(scene):
     """Return the predictions of draft and standard that the measured errors contradict."""
     reference = rendered(scene, "reference")
-    factor = FACTOR_WITH_TABLE if scene.name == "mirror-base" else FACTOR
+    factor = FACTOR_BY_SCENE.get(scene.name, FACTOR)
+    skipped = UNPREDICTED_QUANTITIES.get(scene.name, ())
     wrong = []
     for accuracy in ("draft", "standard"):
         found = rendered(scene, accuracy)
@@ -87,6 +90,7 @@ def disagreements(scene):
             f"{errors[p.key]:.2g}"
             for p in found.plan.predictions
             if (settles or p.key != "end")
+            and p.key not in skipped
             and not errors[p.key] / factor < p.error < errors[p.key] * factor
         ]
     return wrong
@@ -100,7 +104,7 @@ def test_the_published_run_is_as_wrong_as_predicted(scene, support):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "name", sorted(set(shipped_scenes()) - {"published", *CHAOTIC})
+    "name", sorted(set(shipped_scenes()) - {"published", *CHAOTIC_SCENES})
 )
 def test_every_shipped_scene_is_as_wrong_as_predicted(name):
     assert disagreements(load_scene(name)) == []

@@ -159,5 +159,5 @@ def test_every_scene_ends_with_a_name_and_passes_its_checks():
         Outcome.LEFT_TABLE,
         Outcome.AT_REST,
         Outcome.SANK,
-    }  # the scene has neither air nor a table edge, nor a law with which a face sinks
+    }  # the scene has neither air nor a table edge, only a landing ends at rest, and no face sinks
     assert {*Outcome} - {Outcome.STALLED, Outcome.CASCADE} - elsewhere <= {*ends}

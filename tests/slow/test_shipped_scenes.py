@@ -22,7 +22,8 @@ from scipy.signal import stft, welch
 from dynamics import plan_motion
 from sonify.claims.two_way import halt_comes_earlier
 from sonify.hearing.loudness import a_weighting_db
-from sonify.plan.preflight import motion_plan_with_table, solve_motion
+from sonify.plan.preflight import solve_motion
+from sonify.plan.table import audible_table_modes, solve_table
 from sonify.scene import FORMER_SCENES, load_scene, shipped_scenes
 
 KNOWN = json.loads((REFERENCES / "finding_values.json").read_text("utf-8"))
@@ -126,15 +127,19 @@ def test_the_page_of_a_shipped_scene_has_the_size_that_the_how_to_states(name, r
 def test_a_table_brings_equal_inclinations_forward(name, flat, above):
     """By the times [s] of an independent evaluation of a sharp edge, at 1e-5 and 1e-4 rad.
 
-    That evaluation moves fewer modes of the table, which changes the times by 5 %.
+    They hold for the modes that the listener hears. With all modes, the plates bring 1e-5 rad
+    forward by 0.452 and 1.404 s, and 1e-4 rad by 0.165 and 1.109 s.
     """
     scene = load_scene(name)
     if scene.contact.law == "elastic":
         scene = scene.replace("contact.fillet=1e-5")  # as good as sharp
-    plan = motion_plan_with_table(scene, plan_motion(scene))
-    earlier = halt_comes_earlier(scene, solve_motion(plan))
-    assert earlier.value == pytest.approx(flat, rel=0.06)
-    assert earlier.details["advance_at_100_urad"] == pytest.approx(above, rel=0.06)
+    plan = plan_motion(scene)
+    table = solve_table(scene, plan)
+    heard = table.select(audible_table_modes(table, scene))
+    motion = solve_motion(plan.with_surface_modes(heard))
+    earlier = halt_comes_earlier(scene, motion)
+    assert earlier.value == pytest.approx(flat, rel=0.03)
+    assert earlier.details["advance_at_100_urad"] == pytest.approx(above, rel=0.03)
 
 
 @pytest.mark.slow
