@@ -24,6 +24,8 @@ from dynamics.integrators.gauss_collocation import (
 from dynamics.regime import V1, V2, FlowFormulas, R, describe_state
 
 NUTATION_REVERSAL = guard_named("nutation reverses")
+MAX_SLIDE_STEPS = 40
+"""Largest number of steps in one arc of a slow slide."""
 
 
 class PolarSlipFormulas(FlowFormulas):
@@ -86,9 +88,8 @@ def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
     """
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
-    arc = _integrate_slide(
-        y, speed, direction, regime, law, loads, r_end, span, single_step=False
-    )
+    slip = speed, direction
+    arc = _integrate_slide(y, slip, regime, law, loads, r_end, span)
     return arc if len(arc.times) else None
 
 
@@ -101,7 +102,9 @@ def advance_grazing_slide(
     since the contact does not slide then. Raises StalledError if no step length
     converges.
     """
-    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, single_step)
+    max_steps = 1 if single_step else MAX_SLIDE_STEPS
+    slip = 0.0, nu
+    arc = _integrate_slide(y, slip, regime, law, loads, r_end, math.inf, max_steps)
     if not len(arc.times) and arc.guard is None:
         raise StalledError(
             f"{describe_state(y)}: the slide that starts here cannot be integrated"
@@ -109,13 +112,14 @@ def advance_grazing_slide(
     return arc if len(arc.times) else None
 
 
-def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, single_step):
-    """Integrate a slide with a given slip speed and direction for a few steps, or one."""
-    max_steps = 1 if single_step else 40
+def _integrate_slide(
+    y, slip, regime, law, loads, r_end, span, max_steps=MAX_SLIDE_STEPS
+):
+    """Integrate a slide with a slip speed and direction [rad] for a few steps."""
     (flow, names, *of), parameters = compiled_flow_and_constants(
         compile_polar_slip, regime, law, loads, r_end
     )
-    start = np.array([*y[:V1], speed, direction, *y[V2 + 1 :]])
+    start = np.array([*y[:V1], *slip, *y[V2 + 1 :]])
     times, powers, end, fired, turns = compiled_function(
         integrate_slow_slide, INTEGRATE_SIGNATURE
     )(flow, start, parameters, len(names), *of, law.mu_dynamic, span, max_steps)

@@ -151,17 +151,17 @@ def linear_contact_force_blocks(
     z = np.nan
     yielding = driven_table(modes, 1 / rate, plate_mobility)
     radius = table.law.disk.radius - table.law.rolling_fillet
-    heights, rim = profiles
     for block in blocks:
-        knots, A, B, drive = _coefficients(table, block, rate)
+        system = _coefficients(table, block, rate)
         if np.isnan(z):
-            half_length, path, edge = knots[0, :3]
+            half_length, path, edge = system[0][0, :3]
+            heights, rim = profiles
             z = mean_height(heights, path, half_length)
             z += mean_height(rim, edge, half_length)
         if modes is not None:
             set_contact_circle(yielding, modes, modes.place + block.centre, radius)
         out, x, z = _filter_steps(
-            x, z, knots, A, B, drive, 1 / rate, heights, rim, yielding, block.azimuth
+            x, z, system, 1 / rate, profiles, yielding, block.azimuth
         )
         yield out
 
@@ -322,12 +322,14 @@ def _propagator(A, B, h):
 
 
 @outermost
-def _filter_steps(x, z, knots, A, B, drive, h, table, rim, yielding, azimuth):
+def _filter_steps(x, z, system, h, profiles, yielding, azimuth):
     """Return the force (n, 2) in a block, the last state and the last height.
 
-    NaN in `drive` along a_2 marks a sliding contact without a tangential spring. The
-    table `yielding` is advanced in place.
+    The `system` contains the `_coefficients`. NaN in `drive` along a_2 marks a sliding
+    contact without a tangential spring. The table `yielding` is advanced in place.
     """
+    knots, A, B, drive = system
+    table, rim = profiles
     out = np.empty((SAMPLES_PER_KNOT * len(A), 2))
     next_x = np.empty(4)
     coefficients = np.empty(13)

@@ -270,7 +270,6 @@ class CompliantModel:
             )
             flights[0] = flying
             slips[0] = slipping
-            report = rows, forces, (flights, slips)
             end_reason, n, flight_count, slip_count = step_motion(
                 y,
                 steps,
@@ -282,7 +281,9 @@ class CompliantModel:
                 1 / self.rate,
                 steps_per_row,
                 sine,
-                *report,
+                rows,
+                forces,
+                (flights, slips),
             )
             t = (steps + steps_per_row * np.arange(1, n + 1)) / self.rate
             flying = flights[flight_count]

@@ -201,12 +201,26 @@ def rolling_moment(frame, N, table_slope, edge_slope):
     return N * (table_slope * frame.lever + edge_slope * frame.rim_lever)
 
 
+class ContactLoad(NamedTuple):
+    """Load of the contact at mid-step."""
+
+    N: float
+    """Normal force [N]."""
+    turn: float
+    """Moment about the horizontal diameter, divided by the sum of the axes [N m]."""
+    roll: float
+    """Moment about the direction to the contact [N m]."""
+    height_slope: float
+    """Mean slope of the table."""
+
+
 @kernel
-def midpoint_velocities(y, constants, frame, N, turn, roll, height_slope, A, h):
-    """Return velocity and angular momentum at mid-step under the force N.
+def midpoint_velocities(y, constants, frame, load, A, h):
+    """Return velocity and angular momentum at mid-step under a `ContactLoad`.
 
     A is the sum of the axes at both ends of the step.
     """
+    N, turn, roll, height_slope = load
     step_over_2m = h / (2 * constants.mass)
     V = (
         y[3] + step_over_2m * N * height_slope * frame.d1,
@@ -307,7 +321,9 @@ def step_normal(y, constants, law, table, rim, h):
                 g = (start.energy + 0.4 * r1**5) / 2 * start.stiffness_slope
         turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
         roll = rolling_moment(frame, N, mt, mr)
-        V, M = midpoint_velocities(y, constants, frame, N, turn, roll, mt, A, h)
+        V, M = midpoint_velocities(
+            y, constants, frame, ContactLoad(N, turn, roll, mt), A, h
+        )
         mid_momentum = M
         q = rotation_change(n, times(step_over_2J, M))
         a = plus(n, q)
@@ -364,7 +380,9 @@ def step_normal(y, constants, law, table, rim, h):
     turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
     roll = rolling_moment(frame, N, mt, mr)
     previous_V2 = V[2]
-    V, M = midpoint_velocities(y, constants, frame, N, turn, roll, mt, A, h)
+    V, M = midpoint_velocities(
+        y, constants, frame, ContactLoad(N, turn, roll, mt), A, h
+    )
     change = (
         M[0] - mid_momentum[0],
         M[1] - mid_momentum[1],

@@ -330,13 +330,15 @@ def angle_between(before, after):
 
 
 @kernel
-def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
-    """Evaluate table and rim at an angle of a disk with axis n and centre (x, y).
+def evaluate_gap(waves, constants, centre, axis, angle, scratch):
+    """Evaluate table and rim at an angle of a disk with an axis n and a centre (x, y).
 
     The deflection of the table and its derivatives are written to scratch[6], those of
     the rim to scratch[7]. Returns cosine and sine of the angle, the reach from the
     centre [m], and n.e.
     """
+    x, y = centre
+    n0, n1, n2 = axis
     c = np.cos(angle)
     s = np.sin(angle)
     down = n0 * c + n1 * s
@@ -360,7 +362,7 @@ def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
 
 
 @kernel
-def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
+def find_gap_minima(waves, constants, centre, axis, scratch):
     """Scan the whole rim for minima of the gap; store as many as there is space for.
 
     The scan begins at the contact, so that it is the same in all directions. A minimum
@@ -384,11 +386,8 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
         _, _, _, down = evaluate_gap(
             waves,
             constants,
-            x,
-            y,
-            n0,
-            n1,
-            n2,
+            centre,
+            axis,
             contact + 2 * np.pi * n / RIM_SCAN_POINTS,
             scratch,
         )
@@ -406,7 +405,9 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
         previous = current
         current = value
     waves.contact[CONTACT.minimum_count] = count
-    bends = highest - lowest > bent_table_ratio * R * np.sqrt(n0 * n0 + n1 * n1)
+    bends = highest - lowest > bent_table_ratio * R * np.sqrt(
+        axis[0] * axis[0] + axis[1] * axis[1]
+    )
     waves.contact[CONTACT.steps_to_scan] = (
         bent_scan_interval if bends else level_scan_interval
     )
@@ -435,19 +436,19 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
     y = waves.table_is_fixed * y
     waves.contact[CONTACT.steps_to_scan] -= 1
     if waves.contact[CONTACT.steps_to_scan] < 0:
-        find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch)
+        find_gap_minima(waves, constants, (x, y), (n0, n1, n2), scratch)
     last = waves.contact[CONTACT.angle]
     lowest_gap = -np.inf
     contact_angle = last
     for n in range(int(waves.contact[CONTACT.minimum_count])):
         angle = waves.contact[CONTACT.minimum_angles + n]
         c, s, reach, down = evaluate_gap(
-            waves, constants, x, y, n0, n1, n2, angle, scratch
+            waves, constants, (x, y), (n0, n1, n2), angle, scratch
         )
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
         add_rim_heights(
-            *rough, reach, constants.radius, angle_between(last, angle), rim_field
+            rough, reach, constants.radius, angle_between(last, angle), rim_field
         )
         slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
@@ -481,7 +482,7 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
         waves.shape_after,
     )
     rim_field[:] = 0.0
-    add_rim_heights(*rough, reach, R, angle_between(last, contact_angle), rim_field)
+    add_rim_heights(rough, reach, R, angle_between(last, contact_angle), rim_field)
     return contact_angle, rim_field[0], reach * angle_between(last, contact_angle)
 
 
