@@ -354,6 +354,15 @@ def _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing):
     return found
 
 
+def _certainty(values, scale, warps, found, best):
+    """Return the share of the likelihood of a law that its correlated residuals leave."""
+    cuts = warps.index[best] + warps.fraction[best]
+    turns = found.turns(best) * np.linspace(0, 1, len(cuts))
+    phases = np.interp(np.arange(len(values)) + 0.5, cuts, turns)
+    length = correlation_length(values, phases, int(found.harmonics[best]))
+    return min(1.0, scale / length)
+
+
 def _likelihood_surface(onsets, channel, first, frames, grid):
     """Return the likelihood surface of the laws that one window admits."""
     max_likelihood_loss = 2.0  # of admitted laws
@@ -363,12 +372,7 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
     found = search(values, scale, table)
     best = int(np.argmax(found.likelihood))
     turns = found.turns(best)
-    cuts = table.index[best] + table.fraction[best]
-    phases = np.interp(
-        np.arange(frames) + 0.5, cuts, turns * np.linspace(0, 1, len(cuts))
-    )
-    length = correlation_length(values, phases, int(found.harmonics[best]))
-    certainty = min(1.0, scale / length)
+    certainty = _certainty(values, scale, table, found, best)
     start = (grid.left[best], grid.exponents[best], turns)
     left, exponents, rates, likelihood = laws_near(
         values, scale, start, (grid.left[0], grid.left[-1])
