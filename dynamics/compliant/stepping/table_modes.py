@@ -414,8 +414,8 @@ def find_gap_minima(waves, constants, centre, axis, scratch):
 
 
 @kernel
-def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
-    """Find the contact of a disk with axis (n0, n1, n2) and centre (x, y) on the table.
+def track_contact(waves, constants, centre, axis, rough, scratch):
+    """Find the contact of a disk with an axis n and a centre (x, y) on the table.
 
     One Newton step updates each minimum of the gap; the lowest one is the contact.
     While the disk is almost parallel to the table below it, the opposite side of the
@@ -431,20 +431,19 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
     field = scratch[6]
     rim_field = scratch[7]
     R = constants.core_radius
+    n0, n1, n2 = axis
     level_curvature = R * np.sqrt(n0 * n0 + n1 * n1)
-    x = waves.table_is_fixed * x
-    y = waves.table_is_fixed * y
+    x = waves.table_is_fixed * centre[0]
+    y = waves.table_is_fixed * centre[1]
     waves.contact[CONTACT.steps_to_scan] -= 1
     if waves.contact[CONTACT.steps_to_scan] < 0:
-        find_gap_minima(waves, constants, (x, y), (n0, n1, n2), scratch)
+        find_gap_minima(waves, constants, (x, y), axis, scratch)
     last = waves.contact[CONTACT.angle]
     lowest_gap = -np.inf
     contact_angle = last
     for n in range(int(waves.contact[CONTACT.minimum_count])):
         angle = waves.contact[CONTACT.minimum_angles + n]
-        c, s, reach, down = evaluate_gap(
-            waves, constants, (x, y), (n0, n1, n2), angle, scratch
-        )
+        c, s, reach, down = evaluate_gap(waves, constants, (x, y), axis, angle, scratch)
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
         add_rim_heights(
