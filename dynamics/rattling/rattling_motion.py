@@ -36,7 +36,7 @@ from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.rattling import layout, time_loop
 from dynamics.rattling.body import motion_state
 from dynamics.rattling.layout import RECORD, Edge, RattlingDisk
-from dynamics.rattling.time_loop import step_rattling_disk
+from dynamics.rattling.time_loop import TimeSteps, step_rattling_disk
 from dynamics.rattling.vibration import MovingTable
 from dynamics.switching import ImpossibleContactError
 
@@ -548,6 +548,7 @@ def simulate_rattling(
     record[RECORD.flight_start] = -1.0
     motion = motion_state(state, ring, record, disk_modes)
     per_sample = round(model.rate / FORCE_SAMPLE_RATE)
+    steps = TimeSteps(1 / model.rate, per_sample, gravity, final_tilt)
     chunk = round(PROGRESS_INTERVAL * FORCE_SAMPLE_RATE)
     sizes = (state.size, record.size, 2 * disk_modes, 1)
     blocks = []
@@ -561,10 +562,7 @@ def simulate_rattling(
             model.constants,
             edge,
             table,
-            gravity,
-            final_tilt,
-            1 / model.rate,
-            per_sample,
+            steps,
             motion,
             begin,
             samples,

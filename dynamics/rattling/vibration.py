@@ -116,8 +116,28 @@ def write_propagator(body, h, out):
 
 
 @kernel
-def fly_table(table, motion, propagator):
-    """Advance the modes of the table exactly without contact by their propagator (4, t)."""
+def propagators_over_half_steps(body, count, step):
+    """Return the propagators (count, 4, k) of the modes of edge or table over 1 to `count`
+    half steps; a body that is None has no modes."""
+    size = 0
+    if body is not None:
+        size = body.frequency.size
+    out = np.empty((count, 4, size))
+    if body is not None:
+        for i in range(count):
+            write_propagator(body, (i + 1) * step / 2, out[i])
+    return out
+
+
+@kernel
+def fly_table(table, motion, propagators, waiting):
+    """Advance the modes of the table exactly over `waiting` half steps without contact.
+
+    Returns the number of half steps that are left, which is 0 unless the table is rigid.
+    """
+    if table is None:
+        return waiting
+    propagator = propagators[waiting - 1]
     place = motion.table_place
     speed = motion.table_speed
     later = table.work
@@ -127,6 +147,7 @@ def fly_table(table, motion, propagator):
         speed[j] = propagator[2, j] * place[j] + propagator[3, j] * speed[j]
     for j in range(later.size):
         place[j] = later[j]
+    return 0
 
 
 @kernel

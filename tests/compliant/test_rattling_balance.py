@@ -21,7 +21,7 @@ from dynamics.disk import GRAVITY
 from dynamics.rattling import layout
 from dynamics.rattling.body import motion_state
 from dynamics.rattling.rattling_motion import rigid_energy, rolling_state_at_release
-from dynamics.rattling.time_loop import step_rattling_disk
+from dynamics.rattling.time_loop import TimeSteps, step_rattling_disk
 from dynamics.rattling.vibration import write_propagator
 from sonify.scene import from_document
 
@@ -39,10 +39,7 @@ def steps_of(model, state, seconds, per_sample=1):
         model.constants,
         model.edge(),
         model.table(),
-        GRAVITY,
-        0.0,
-        1 / model.rate,
-        per_sample,
+        TimeSteps(1 / model.rate, per_sample, GRAVITY, 0.0),
     )
     written, _, _ = step_rattling_disk(*options, motion, 0.0, samples, flights)
     assert written == count
