@@ -27,7 +27,13 @@ from dynamics.compliant.stepping.table_modes import (
     set_steady_mode_response,
     wavy_table,
 )
-from dynamics.compliant.stepping.time_loop import EndReason, step_motion
+from dynamics.compliant.stepping.time_loop import (
+    CompiledModel,
+    EndReason,
+    MotionRecords,
+    MotionSteps,
+    step_motion,
+)
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.solver_settings import ACCURACY_LEVELS
@@ -251,7 +257,12 @@ class CompliantModel:
             If the step rate is too low for the stiffness of the contact; the message
             states the required rate.
         """
-        powers = np.reshape(np.array(self.powers, dtype=float), (-1, 2))
+        compiled = CompiledModel(
+            self.constants,
+            np.reshape(np.array(self.powers, dtype=float), (-1, 2)),
+            self.cubics,
+            *self.profiles,
+        )
         sine = np.sin(max(final_inclination, MIN_CONTACT_INCLINATION))
         waves = waves or self.supporting_modes(y)
         steps = 0
@@ -272,18 +283,10 @@ class CompliantModel:
             slips[0] = slipping
             end_reason, n, flight_count, slip_count = step_motion(
                 y,
-                steps,
-                self.constants,
-                powers,
-                self.cubics,
-                *self.profiles,
+                MotionSteps(steps, 1 / self.rate, steps_per_row, sine),
+                compiled,
                 waves,
-                1 / self.rate,
-                steps_per_row,
-                sine,
-                rows,
-                forces,
-                (flights, slips),
+                MotionRecords(rows, forces, flights, slips),
             )
             t = (steps + steps_per_row * np.arange(1, n + 1)) / self.rate
             flying = flights[flight_count]

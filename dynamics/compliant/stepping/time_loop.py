@@ -1,17 +1,19 @@
 """Time loop of the compliant motion, with many steps per compiled call."""
 
 from enum import IntEnum, auto
+from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.contact_energy import update_law_interval
+from dynamics.compliant.law.height_profile import Profile
+from dynamics.compliant.stepping.contact_energy import LawCubics, update_law_interval
 from dynamics.compliant.stepping.normal import step_normal
 from dynamics.compliant.stepping.normal_with_modes import (
     step_normal_with_modes,
     step_tangential_with_modes,
     update_gap_stiffness,
 )
-from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.state_layout import STATE, ModelConstants
 from dynamics.compliant.stepping.table_modes import CONTACT, mode_energies
 from dynamics.compliant.stepping.tangential import apply_bowl_force, step_tangential
 from dynamics.numba_kernels import kernel, outermost
@@ -32,53 +34,132 @@ class EndReason(IntEnum):
     IS_AIRBORNE = auto()
 
 
+class CompiledModel(NamedTuple):
+    """Constants and tabulated functions of a model for the compiled time steps."""
+
+    constants: ModelConstants
+    powers: np.ndarray
+    """Power laws (n, 2) of the precession rate: c [W s^b] and b."""
+    law: LawCubics
+    """Tabulated contact law."""
+    table: Profile
+    """Height profiles of table and edge."""
+    rim: Profile
+
+
+class MotionSteps(NamedTuple):
+    """Time steps of one call of `step_motion`."""
+
+    before: int
+    """Number of steps since the start of the motion."""
+    duration: float
+    """Length h of a step [s]."""
+    per_row: int
+    """Number of steps in each row."""
+    final_sine: float
+    """Sine of the inclination at which the motion ends."""
+
+
+class MotionRecords(NamedTuple):
+    """Output of `step_motion`.
+
+    The first flight and the first slip may have started before the call; an event
+    without an end (NaN) continues.
+    """
+
+    rows: np.ndarray
+    """States (n, STATE_SIZE), one after every `MotionSteps.per_row` steps."""
+    forces: np.ndarray
+    """Mean forces (n p, 3) on the disk along t, d and the normal [N], p per row."""
+    flights: np.ndarray
+    """Start [s], end [s] and height [m] (f, 3) of each loss of contact."""
+    slips: np.ndarray
+    """Start and end [s] (g, 2)."""
+
+
+@kernel
+def step_tangential_part(y, model, modes, h):
+    """Advance the state by the tangential part of a step h.
+
+    The force of a bowl acts outside the other parts, which balance the energy without
+    gravity.
+    """
+    apply_bowl_force(y, model.constants, h / 2)
+    if len(modes.amplitude) > 0:
+        step_tangential_with_modes(
+            y, model.constants, model.powers, model.law, modes, h
+        )
+    else:
+        step_tangential(y, model.constants, model.powers, model.law, h)
+    apply_bowl_force(y, model.constants, h / 2)
+
+
+@kernel
+def step_normal_part(y, model, modes, scratch, h):
+    """Advance the state by the normal part of a step h.
+
+    Returns False if the normal force has no solution, and True if the disk is flat at
+    the end of the step.
+    """
+    # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
+    # With several modes the contact is not unique, and the disk would rattle forever.
+    rest_duration = 0.02
+    # Ratio of sin(inclination) after and before a step below which the disk is flat, because
+    # it would pass through the table in the next steps.
+    min_inclination_ratio = 0.6
+    constants, _, law, table, rim = model
+    if len(modes.amplitude) > 0:
+        solved = step_normal_with_modes(
+            y, constants, law, table, rim, modes, scratch, h
+        )
+        modes.contact[CONTACT.flat_steps] = (
+            modes.contact[CONTACT.flat_steps] + 1
+            if y[STATE.sin_inclination] < FLAT_INCLINATION
+            else 0
+        )
+        flat = (
+            modes.contact[CONTACT.flat_steps] * h > rest_duration
+            or y[STATE.energy_deficit] > 0
+        )
+    else:
+        sine_before = y[STATE.sin_inclination]
+        solved = step_normal(y, constants, law, table, rim, h)
+        flat = y[STATE.sin_inclination] < min_inclination_ratio * sine_before
+    return solved, flat
+
+
+@kernel
+def add_tangential_force(y, share, forces, n):
+    """Add a share of the tangential force to row n of the mean forces (n p, 3)."""
+    for k in range(2):
+        forces[n, k] += share * y[STATE.tangential_force + k]
+
+
+@kernel
+def write_row(y, modes, row):
+    """Write the state and the energies of the modes to a row (STATE_SIZE,)."""
+    if len(modes.amplitude) > 0:
+        y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
+    for j in range(len(y)):  # `row[:] = y` would add seconds to the compilation time
+        row[j] = y[j]
+
+
 @outermost
-def step_motion(
-    y,
-    steps_before,
-    constants,
-    powers,
-    law,
-    table,
-    rim,
-    modes,
-    h,
-    steps_per_row,
-    final_sine,
-    rows,
-    forces,
-    events,
-):
-    """Advance the state y and fill `rows`, one after every `steps_per_row` steps.
+def step_motion(y, steps, model, modes, records):
+    """Advance the state y and fill the rows of the records.
 
     Parameters
     ----------
     y : (STATE_SIZE,) array
         State, which is advanced.
-    steps_before : int
-        Number of steps since the start of the motion.
-    constants : ModelConstants
-        Constants of the model.
-    powers : (n, 2) array
-        Power laws (c [W s^b], b) of the precession rate.
-    law : LawCubics
-        Tabulated contact law.
-    table, rim : Profile
-        Height profiles of table and edge.
+    steps : MotionSteps
+        Time steps.
+    model : CompiledModel
+        Constants and tabulated functions of the model.
     modes : ContactModes
         Modes of table and disk, which are advanced.
-    h : float
-        Length of a step [s].
-    final_sine : float
-        Sine of the inclination at which the motion ends.
-    rows : (n, STATE_SIZE) array
-        Output: the states.
-    forces : (n p, 3) array
-        Output: mean forces on the disk along t, d and the normal [N], p per row.
-    events : tuple
-        Output: flights (f, 3), with start, end [s] and height [m] of each loss of
-        contact, and slips (g, 2), with start and end [s]. The first event may have
-        started before the call; an event without an end (NaN) continues.
+    records : MotionRecords
+        Output.
 
     Returns
     -------
@@ -86,13 +167,9 @@ def step_motion(
         Reason for the return, and the numbers of filled rows, ended flights and
         ended slips.
     """
-    # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
-    # With several waves the contact is not unique, and the disk would rattle forever.
-    rest_duration = 0.02
-    # Ratio of sin(inclination) after and before a step below which the disk is flat, because
-    # it would pass through the table in the next steps.
-    min_inclination_ratio = 0.6
-    flights, slips = events
+    rows, forces, flights, slips = records
+    steps_before = steps.before
+    h = steps.duration
     flying = flights[0, 0] == flights[0, 0]
     sliding = slips[0, 0] == slips[0, 0]
     flight = 0
@@ -100,77 +177,36 @@ def step_motion(
     forces[:] = 0.0
     scratch = np.zeros((8, 6))
     has_modes = len(modes.amplitude) > 0
-    steps_per_force = (
-        steps_per_row * len(rows) // len(forces)
-    )  # number of steps in each mean force
-    previous_force = 0
-    current_force = 0
-    steps_left = steps_per_force
+    steps_per_force = steps.per_row * len(rows) // len(forces)
     half_weight = 1 / (2 * steps_per_force)
     for row in range(len(rows)):
         if row == 0 or not has_modes:
-            update_law_interval(y, law)
-        for i in range(steps_per_row + 1):
-            tangential_step = h / 2 if i in (0, steps_per_row) else h
-            # outside the tangential parts, which balance the energy without gravity
-            apply_bowl_force(y, constants, tangential_step / 2)
-            if has_modes:
-                step_tangential_with_modes(
-                    y, constants, powers, law, modes, tangential_step
+            update_law_interval(y, model.law)
+        for i in range(steps.per_row + 1):
+            done = steps_before - steps.before
+            step_tangential_part(
+                y, model, modes, h / 2 if i in (0, steps.per_row) else h
+            )
+            # half of each tangential step counts for the previous force, half for the next
+            if i > 0:
+                add_tangential_force(
+                    y, half_weight, forces, (done - 1) // steps_per_force
                 )
-            else:
-                step_tangential(y, constants, powers, law, tangential_step)
-            apply_bowl_force(y, constants, tangential_step / 2)
-            for k in range(
-                2
-            ):  # half of each tangential step counts for the previous force, half for the next
-                if i > 0:
-                    forces[previous_force, k] += (
-                        half_weight * y[STATE.tangential_force + k]
-                    )
-                if i < steps_per_row:
-                    forces[current_force, k] += (
-                        half_weight * y[STATE.tangential_force + k]
-                    )
+            if i < steps.per_row:
+                add_tangential_force(y, half_weight, forces, done // steps_per_force)
             if (y[STATE.is_sliding] > 0) != sliding:
                 slips[slip, 1 if sliding else 0] = steps_before * h
                 slip += 1 if sliding else 0
                 sliding = not sliding
-            if i == steps_per_row:
+            if i == steps.per_row:
                 break
             gap_before = y[STATE.gap]
-            sine_before = y[STATE.sin_inclination]
-            if has_modes:
-                solved = step_normal_with_modes(
-                    y,
-                    constants,
-                    law,
-                    table,
-                    rim,
-                    modes,
-                    scratch,
-                    h,
-                )
-                modes.contact[CONTACT.flat_steps] = (
-                    modes.contact[CONTACT.flat_steps] + 1
-                    if y[STATE.sin_inclination] < FLAT_INCLINATION
-                    else 0
-                )
-                flat = (
-                    modes.contact[CONTACT.flat_steps] * h > rest_duration
-                    or y[STATE.energy_deficit] > 0
-                )
-            else:
-                solved = step_normal(y, constants, law, table, rim, h)
-                flat = y[STATE.sin_inclination] < min_inclination_ratio * sine_before
+            solved, flat = step_normal_part(y, model, modes, scratch, h)
             if not solved:
                 return EndReason.UNSOLVED, row, flight, slip
-            forces[current_force, 2] += 2 * half_weight * y[STATE.normal_force]
-            previous_force = current_force
-            steps_left -= 1
-            if steps_left == 0:
-                current_force += 1
-                steps_left = steps_per_force
+            forces[done // steps_per_force, 2] += (
+                2 * half_weight * y[STATE.normal_force]
+            )
             flying, flight = record_flight(
                 flights,
                 flight,
@@ -183,22 +219,17 @@ def step_motion(
             steps_before += 1
             if flat:
                 return EndReason.LIES_FLAT, row, flight, slip
-            if constants.film.turning > 0 and update_contact_loss(y, constants, h):
+            if model.constants.film.turning > 0 and update_contact_loss(
+                y, model.constants, h
+            ):
                 return EndReason.IS_AIRBORNE, row, flight, slip
         if has_modes:
-            update_gap_stiffness(y, constants, modes, law)
-            y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
-        for j in range(
-            len(y)
-        ):  # `rows[row] = y` would add seconds to the compilation time
-            rows[row, j] = y[j]
-        if (y[STATE.sin_inclination] < final_sine and not has_modes) or y[8] <= 0:
-            return (
-                (EndReason.STANDS_UPRIGHT if y[8] <= 0 else EndReason.LIES_FLAT),
-                row + 1,
-                flight,
-                slip,
-            )
+            update_gap_stiffness(y, model.constants, modes, model.law)
+        write_row(y, modes, rows[row])
+        if y[8] <= 0:
+            return EndReason.STANDS_UPRIGHT, row + 1, flight, slip
+        if y[STATE.sin_inclination] < steps.final_sine and not has_modes:
+            return EndReason.LIES_FLAT, row + 1, flight, slip
     return EndReason.CONTINUES, len(rows), flight, slip
 
 
