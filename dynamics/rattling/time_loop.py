@@ -38,7 +38,7 @@ from dynamics.rattling.ledger import (
     update_table_account,
 )
 from dynamics.rattling.resistance import add_resistance
-from dynamics.rattling.rim_contacts import press_rim, stays_clear
+from dynamics.rattling.rim_contacts import StepMotion, press_rim, stays_clear
 from dynamics.rattling.vibration import (
     fly_table,
     propagators_over_half_steps,
@@ -167,19 +167,8 @@ def write_contact_forces(disk, edge, table, steps, motion, rim, arrays, now):
             for i in range(arrays.before.all.size):
                 arrays.mean.all[i] = arrays.before.all[i] + arrays.change.all[i] / 2
             clear(contacts)
-        energy = press_rim(
-            disk,
-            edge,
-            table,
-            motion,
-            rim,
-            arrays.mean,
-            arrays.change,
-            is_changed,
-            now,
-            steps.duration,
-            contacts,
-        )
+        moving = StepMotion(arrays.mean, arrays.change, is_changed, now, steps.duration)
+        energy = press_rim(disk, edge, table, motion, rim, moving, contacts)
         if is_changed:
             add_resistance(
                 disk,
@@ -196,20 +185,13 @@ def write_contact_forces(disk, edge, table, steps, motion, rim, arrays, now):
 
 
 @kernel
-def write_forces(disk, edge, table, steps, motion, rim, arrays, now, merged):
-    """Write all forces in a step to the contacts; return True if the rim is in contact."""
+def begin_forces(disk, motion, arrays):
+    """Write the velocities before the forces of a step, and clear the forces."""
     write_velocity(disk, motion, arrays.before)
     arrays.change.all[:] = 0.0
     arrays.mean.all[:] = arrays.before.all
     clear(arrays.contacts)
     motion.record[RECORD.spring_energy] = 0.0
-    if merged == 1:
-        write_contact_forces(disk, edge, table, steps, motion, rim, arrays, now)
-    touches = arrays.contacts.force[ELASTIC, 2] > 0
-    if disk.film.turning > 0:
-        duration = merged * steps.duration
-        add_film(disk, motion, rim, arrays.before, duration, arrays.contacts)
-    return touches
 
 
 @kernel
@@ -291,9 +273,12 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
                 waiting = fly_table(table, motion, arrays.table_propagators, waiting)
             now = begin + (sample * steps.per_sample + done) * steps.duration
             rim = rim_geometry(disk, motion.disk, arrays.quarter_turn)
-            touches = write_forces(
-                disk, edge, table, steps, motion, rim, arrays, now, merged
-            )
+            begin_forces(disk, motion, arrays)
+            if merged == 1:
+                write_contact_forces(disk, edge, table, steps, motion, rim, arrays, now)
+            touches = contacts.force[ELASTIC, 2] > 0
+            if disk.film.turning > 0:
+                add_film(disk, motion, rim, arrays.before, duration, contacts)
             losses = record_flight(
                 motion, rim, contacts, weight, now, duration, flights, losses
             )

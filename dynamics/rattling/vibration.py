@@ -289,24 +289,24 @@ def update_node_deflections(disk, table, motion, rim, now, begin, count):
 
 
 @kernel
-def write_node_speeds(
-    disk, table, rim, velocity, change, is_changed, now, begin, count
-):
+def write_node_speeds(disk, table, rim, moving, begin, count):
     """Evaluate slopes and speed of the table at `count` nodes from `begin` on.
 
-    A speed that was evaluated before the change is corrected by half of it.
+    `moving` is a `StepMotion`. A speed that was evaluated before the change is corrected by half of it.
     """
     for n in range(begin, begin + count):
         node = n % table.known_since.size
         incline = table.incline[node]
-        is_known = is_changed and table.evaluated[1, node] == now
+        is_known = moving.is_changed and table.evaluated[1, node] == moving.now
         if not is_known:
-            table.evaluated[1, node] = now
+            table.evaluated[1, node] = moving.now
             for i in range(2):
                 incline[i] = scalar_product(table.slopes[node, i], table.displacement)
-            table.motion[SPEED, node] = node_speed(disk, table, rim, velocity, node)
-        if is_changed:
-            gain = node_speed(disk, table, rim, change, node)
+            table.motion[SPEED, node] = node_speed(
+                disk, table, rim, moving.velocity, node
+            )
+        if moving.is_changed:
+            gain = node_speed(disk, table, rim, moving.change, node)
             table.motion[CHANGE, node] = gain
             if is_known:
                 table.motion[SPEED, node] += gain / 2
