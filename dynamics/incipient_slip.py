@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.equations import ContactState
 from dynamics.kinematics import contact_arms
 from dynamics.regime import FLOAT_FORMULAS, R, angular_velocity, slip_velocity
 
@@ -122,9 +123,8 @@ def slip_acceleration(y, branch, senses, law) -> SlipAcceleration:
     side = math.copysign(1.0, lever)  # the sign for which the inertia is positive
 
     def pushed(c, s):
-        contact = FLOAT_FORMULAS.solve(
-            beta, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads
-        )
+        state = ContactState(True, (c, s), branch.stuck, senses)
+        contact = FLOAT_FORMULAS.solve(beta, omega, slip, state, law, loads)
         return contact.inertia, contact.inertia * complex(contact.du1, contact.du2)
 
     a, k = pushed(0.0, 0.0)

@@ -15,6 +15,7 @@ import numpy as np
 from dynamics.equations import (
     NO_LOADS,
     Contact,
+    ContactState,
     DiskConstants,
     Loads,
     equations_of_motion,
@@ -177,17 +178,8 @@ class FlowFormulas:
         r = y[R]
         omega = angular_velocity(y)
         loads, law = self.loads_and_arms(y, slip, branch, law)
-        return self.solve(
-            r * r,
-            *omega,
-            *slip,
-            *direction,
-            branch.sliding,
-            *branch.stuck,
-            *senses,
-            law,
-            loads,
-        )
+        state = ContactState(branch.sliding, direction, branch.stuck, senses)
+        return self.solve(r * r, omega, slip, state, law, loads)
 
     def loads_and_arms(
         self, y, slip, branch: Branch, law
