@@ -19,6 +19,7 @@ from dynamics.integrators.codegen import compile_branch, compiled_function
 from dynamics.integrators.gauss_collocation import (
     INTEGRATE_SIGNATURE,
     REST_SLIP_SPEED,
+    GuardIndices,
     integrate_slow_slide,
 )
 from dynamics.regime import V1, V2, FlowFormulas, R, describe_state
@@ -65,18 +66,15 @@ class PolarSlipFormulas(FlowFormulas):
 
 
 def compile_polar_slip(branch):
-    """Return the compiled flow of a slow slide, its guards, and three of their indices.
-
-    They are those of grip, lift-off and the reversal of nutation (-1 if absent).
-    """
+    """Return the compiled flow of a slow slide, its guards, and their `GuardIndices`."""
     flow, names = compile_branch(branch, PolarSlipFormulas)
-    return (
-        flow,
-        names,
+    indices = GuardIndices(
+        len(names),
         names.index(GRIP),
         names.index(LIFT_OFF),
         names.index(NUTATION_REVERSAL) if NUTATION_REVERSAL in names else -1,
     )
+    return flow, names, indices
 
 
 def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
@@ -116,13 +114,13 @@ def _integrate_slide(
     y, slip, regime, law, loads, r_end, span, max_steps=MAX_SLIDE_STEPS
 ):
     """Integrate a slide with a slip speed and direction [rad] for a few steps."""
-    (flow, names, *of), parameters = compiled_flow_and_constants(
+    (flow, names, indices), parameters = compiled_flow_and_constants(
         compile_polar_slip, regime, law, loads, r_end
     )
     start = np.array([*y[:V1], *slip, *y[V2 + 1 :]])
     times, powers, end, fired, turns = compiled_function(
         integrate_slow_slide, INTEGRATE_SIGNATURE
-    )(flow, start, parameters, len(names), *of, law.mu_dynamic, span, max_steps)
+    )(flow, start, parameters, indices, law.mu_dynamic, span, max_steps)
     guard = names[fired] if fired >= 0 else None
     regime_changes = []
     for steps in turns.tolist():

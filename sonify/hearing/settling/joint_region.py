@@ -194,20 +194,12 @@ def joint_region(
     windows and other channels extend the region. The sound of a run whose end
     `is_missing` stops at the knee."""
     first_stop = 5  # frames before the knee
-    middle_stop = 50
-    last_stop = 100
     min_length = 0.7  # relative to the best window; shorter ones have less information
     surfaces = _likelihood_surfaces(onsets, channel, knee, first_stop, is_missing)
     if not surfaces:
         return None
     whole = max(surfaces, key=lambda surface: surface.max_likelihood)
-    for before_knee in (middle_stop, last_stop):
-        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing)
-    for other in range(len(onsets.values)):
-        if other != channel:
-            surfaces += _likelihood_surfaces(
-                onsets, other, knee, middle_stop, is_missing
-            )
+    surfaces += _earlier_and_other_surfaces(onsets, channel, knee, is_missing)
     surfaces, reference = _without_standing(surfaces, whole)
     max_likelihood = (
         whole.max_likelihood
@@ -250,6 +242,21 @@ def joint_region(
         else min(1.0, best_end - reference.start),
         missing_from=missing_from,
     )
+
+
+def _earlier_and_other_surfaces(onsets, channel, knee, is_missing):
+    """Return the likelihood surfaces of earlier windows of a channel and of the others."""
+    middle_stop = 50  # frames before the knee
+    last_stop = 100
+    surfaces = []
+    for before_knee in (middle_stop, last_stop):
+        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing)
+    for other in range(len(onsets.values)):
+        if other != channel:
+            surfaces += _likelihood_surfaces(
+                onsets, other, knee, middle_stop, is_missing
+            )
+    return surfaces
 
 
 def _without_standing(surfaces, whole):
