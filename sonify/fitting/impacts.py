@@ -12,13 +12,18 @@ import numpy as np
 from dynamics.disk import GRAVITY
 from sonify.fitting.decay_model import LAWS, DecayModel, has_film, neglected_parts
 from sonify.fitting.least_squares import Fit, LineRates
-from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
+from sonify.fitting.line_selection import (
+    Judged,
+    RecordedRun,
+    fit_same_disk,
+    with_model_error,
+)
 from sonify.fitting.settings import FIT
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.settling.settings import SETTLING
 
 
-def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
+def judge_sound(decay: DecayModel, sound: RecordedRun) -> Judged:
     """Return the result for a sound, from the phase of a tone or from the law of its
     bursts.
 
@@ -41,7 +46,7 @@ def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
     return with_model_error(judged)
 
 
-def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
+def judge_bursts(decay: DecayModel, sound: RecordedRun) -> Judged:
     """Return the result of a fit of the law of impacts to the run of a sound.
 
     The limits of the other laws are those at which one of them would dissipate all of the

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import median_filter
 
-from sonify.hearing.audio_source import Source
+from sonify.hearing.audio_source import AudioSource
 from sonify.hearing.spectrogram import spectrogram
 
 
@@ -21,7 +21,7 @@ class NoiseBand(NamedTuple):
 
 
 def noise_band(
-    sound: Source, start: float, stop: float, length: float, lines=()
+    sound: AudioSource, start: float, stop: float, length: float, lines=()
 ) -> NoiseBand:
     """Return the noise band in intervals of `length` [s] from `start` to `stop` [s].
 

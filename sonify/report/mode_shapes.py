@@ -9,7 +9,7 @@ from matplotlib.patches import Arc, Circle
 from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
-from sonify.report.lit_polygons import projected_polygons, surface_polygons
+from sonify.report.lit_polygons import projected_mode_shape, surface_polygons
 from sonify.report.mode_names import mode_caption
 
 MODES_PER_ROW = 5
@@ -172,7 +172,7 @@ def draw_oblique_view(axis, modes: Modes, polygons, i, at):
     """Draw the oblique view of mode i with its centre `at` (x, y) [disk radii]."""
     radius, _ = outer_and_hole_radius(modes)
     stretch = MAX_DRAWN_DISPLACEMENT * radius / np.abs(modes.body.displacement[i]).max()
-    places, far, light = projected_polygons(modes.body, polygons, i, stretch)
+    places, far, light = projected_mode_shape(modes.body, polygons, i, stretch)
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
     axis.add_collection(

@@ -160,7 +160,7 @@ def fluid_loaded_modes(
     )
 
 
-class FilmResponse(NamedTuple):
+class ModeFilmResponse(NamedTuple):
     """Response of the film to a mode of unit modal mass.
 
     `drag` is half the impedance of the film [1/s]; `rim` (2 MAX_RIM_ORDER + 1,)
@@ -172,7 +172,7 @@ class FilmResponse(NamedTuple):
 
 def _phase_resonance(
     parts, gap, natural, limits, radius, air
-) -> tuple[float, FilmResponse]:
+) -> tuple[float, ModeFilmResponse]:
     """Return the phase-resonance rate [rad/s] of a mode, and the film response at this
     rate.
 
@@ -231,7 +231,7 @@ def _parity_parts(modes, i, half_meshes, radius):
     return [(mesh, part) for mesh, part in parts if np.abs(part).max() > negligible]
 
 
-def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
+def _film_response(parts, gap, rate, radius, air) -> ModeFilmResponse:
     """Return the response of a film of mean gap `gap` [m] to a mode vibrating at `rate`
     [rad/s]."""
     sigma = 12 * air.viscosity * rate * radius**2 / (air.pressure * gap**2)
@@ -250,7 +250,7 @@ def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
         )[0]
         work += response.works[0]
         rim = rim + response.rim
-    return FilmResponse(-6 * air.viscosity * radius**4 / gap**3 * work, rim)
+    return ModeFilmResponse(-6 * air.viscosity * radius**4 / gap**3 * work, rim)
 
 
 def raised_disk_pressure_ratios(

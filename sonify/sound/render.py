@@ -30,7 +30,7 @@ from sonify.sound.sources.protocol import (
     FADE_IN,
     FADE_OUT,
     ElasticDisk,
-    Source,
+    SoundSource,
     SourceGroup,
 )
 
@@ -63,7 +63,7 @@ class Renderer:
 
     Attributes
     ----------
-    sources : list of Source
+    sources : list of SoundSource
     names : tuple of str
         Names of the stems.
     samples : int
@@ -135,7 +135,7 @@ class Renderer:
         duration = self.source_end + self._group.tail_duration
         self.samples = ceil(duration * self.sample_rate)
 
-    def _sources_at(self, listener) -> tuple[ElasticDisk, list[Source]]:
+    def _sources_at(self, listener) -> tuple[ElasticDisk, list[SoundSource]]:
         """Return the elastic disk and the list of all sources for one listener."""
         face = RigidFace(self.scene.disk, listener, 1 / self.sample_rate)
         rigid, elastic = disk_sources(

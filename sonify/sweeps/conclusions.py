@@ -78,7 +78,7 @@ def halt_conclusion(table: pa.Table) -> list[str]:
     ]
 
 
-def halt_table_conclusion(table: pa.Table) -> list[str]:
+def one_mode_table_conclusion(table: pa.Table) -> list[str]:
     """Return sentences on the end of the motion on a table with one mode, over mass and
     pressure."""
     mass, pressure, kept, end, returned = numeric_columns(
@@ -163,7 +163,7 @@ def fit_power_law(
 CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {
     "friction": friction_conclusion,
     "halt": halt_conclusion,
-    "halt-table": halt_table_conclusion,
+    "halt-table": one_mode_table_conclusion,
     "pitch": pitch_conclusion,
 }
 """Functions that return the conclusions from the table of a shipped sweep, by name."""

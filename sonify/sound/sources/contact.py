@@ -24,7 +24,7 @@ from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
-from sonify.sound.sources.protocol import Source, SourceGroup, ignore_energy
+from sonify.sound.sources.protocol import SoundSource, SourceGroup, ignore_energy
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +126,7 @@ def decimate(samples, weight, factor) -> np.ndarray:
     return upfirdn(weight, samples, 1, factor, axis=0)[skipped : skipped + complete]
 
 
-class ContactVibration(Source):
+class ContactVibration(SoundSource):
     """Vibration superposed on a rigid motion.
 
     A ContactFilter drives the rigid disk, its modes and the table. The internal blocks
@@ -136,7 +136,7 @@ class ContactVibration(Source):
     channel_ends = np.zeros((0, 2))
     tail_duration = 0.0
 
-    def __init__(self, scene, motion, *moved: Source):
+    def __init__(self, scene, motion, *moved: SoundSource):
         self._motion = motion
         self._filter_from = partial(
             ContactFilter,
@@ -214,7 +214,7 @@ def _added_force_blocks(added):
         last = force[-1:]
 
 
-class SolvedContactVibration(Source):
+class SolvedContactVibration(SoundSource):
     """Sound of a disk whose motion already includes the contact vibration.
 
     The part of each stem above `crossover` [Hz] is moved to the contact stem. If
@@ -222,9 +222,9 @@ class SolvedContactVibration(Source):
 
     def __init__(
         self,
-        rigid: Source,
-        elastic: Source,
-        vibrating: Source,
+        rigid: SoundSource,
+        elastic: SoundSource,
+        vibrating: SoundSource,
         crossover: float,
         sample_rate: int,
     ):
@@ -264,7 +264,9 @@ class SolvedContactVibration(Source):
         return advance
 
 
-def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Source]:
+def contact_sources(
+    scene, motion, listener, rigid, elastic, *below
+) -> list[SoundSource]:
     """Return the sound sources of a disk, including its vibration on an elastic
     contact.
 
