@@ -99,7 +99,7 @@ class Loads(NamedTuple):
     G3: float = 0.0
 
 
-class Contact(NamedTuple):
+class ContactSolution(NamedTuple):
     """Dimensionless solution of the balance laws.
 
     It contains the time derivatives of omega and slip, the forces along a_1, a_2, a_3
@@ -183,11 +183,11 @@ class DiskMotion(NamedTuple):
     gyro: float
 
 
-def disk_motion(sin_a, cos_a, w, slip, law) -> DiskMotion:
+def disk_motion(sin_a, cos_a, w, slip, constants) -> DiskMotion:
     """Return the motion of a disk with an angular velocity w and a slip velocity."""
-    place = contact_place(sin_a, cos_a, law.h, law.fillet)
-    J1 = law.K / 4 + law.h * law.h / 3
-    J2 = law.K / 2
+    place = contact_place(sin_a, cos_a, constants.h, constants.fillet)
+    J1 = constants.K / 4 + constants.h * constants.h / 3
+    J2 = constants.K / 2
     rate = precession_rate(w[2], cos_a)
     v = centre_velocity(slip, w, place)
     return DiskMotion(
@@ -198,7 +198,7 @@ def disk_motion(sin_a, cos_a, w, slip, law) -> DiskMotion:
 class Nutation(NamedTuple):
     """Angular acceleration about e_1, with the forces and the moment that determine it.
 
-    The names are those of `Contact`.
+    The names are those of `ContactSolution`.
     """
 
     domega1: float
@@ -208,7 +208,9 @@ class Nutation(NamedTuple):
     inertia: float
 
 
-def solve_nutation(motion: DiskMotion, contact: ContactState, law, loads) -> Nutation:
+def solve_nutation(
+    motion: DiskMotion, contact: ContactState, constants, loads
+) -> Nutation:
     """Solve the balance of moments about e_1 together with the balance of forces.
 
     J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less the
@@ -217,18 +219,18 @@ def solve_nutation(motion: DiskMotion, contact: ContactState, law, loads) -> Nut
     w1, _, w3 = motion.w
     _, _, e, f = motion.place
     J1 = motion.J1
-    weight = (law.K + 4) / 4
+    weight = (constants.K + 4) / 4
     b1 = loads.M1 + motion.gyro * w3
-    Phi0 = weight - (e - law.fillet) * (w1 * w1) - loads.G3
+    Phi0 = weight - (e - constants.fillet) * (w1 * w1) - loads.G3
     if contact.sliding:  # F2 = -mu s Phi
-        drag = law.mu_dynamic * contact.direction[1]
+        drag = constants.mu_dynamic * contact.direction[1]
         F20 = 0.0
         F21 = 0.0
     else:  # F2 = F20 + F21 w1' keeps u2 at rest
         drag = 0.0
         F20 = motion.rate * motion.v[0] - f * (w1 * w1) - loads.G2
         F21 = -e
-    resistance = contact.senses[0] * law.k1
+    resistance = contact.senses[0] * constants.k1
     if contact.stuck[0]:
         domega1 = 0.0 * Phi0
         inertia = J1
@@ -236,8 +238,10 @@ def solve_nutation(motion: DiskMotion, contact: ContactState, law, loads) -> Nut
         lever = f + e * drag + resistance
         if contact.sliding:
             inertia = J1 + lever * f
-        elif law.fillet == 0:
-            inertia = J1 + 1 + law.h * law.h + resistance * f  # e^2 + f^2 = 1 + h^2
+        elif constants.fillet == 0:
+            inertia = (
+                J1 + 1 + constants.h * constants.h + resistance * f
+            )  # e^2 + f^2 = 1 + h^2
         else:
             inertia = J1 + e * e + f * f + resistance * f
         domega1 = (b1 + e * F20 - lever * Phi0) / inertia
@@ -263,15 +267,15 @@ class RotationBalance(NamedTuple):
     pivot3: float
 
 
-def slip_drift(motion: DiskMotion, law, loads):
+def slip_drift(motion: DiskMotion, constants, loads):
     """Return the acceleration of the contact along a_1 less that by w2' and w3'.
 
     On a fillet the contact moves over the edge as the disk nutates.
     """
     w1, w2, w3 = motion.w
     drift = motion.rate * motion.v[1] + loads.G1
-    if law.fillet != 0:
-        drift = drift + law.fillet * w1 * (w2 * motion.sin_a + w3 * motion.cos_a)
+    if constants.fillet != 0:
+        drift = drift + constants.fillet * w1 * (w2 * motion.sin_a + w3 * motion.cos_a)
     return drift
 
 
@@ -345,24 +349,28 @@ def solve_rotation(balance: RotationBalance, motion: DiskMotion, stuck, m2, m3):
 def equations_of_motion(sin, cos):
     """Return a solver of (4.1), (4.2) for the scalar type of `sin` and `cos`."""
 
-    def solve(beta, omega, slip, contact: ContactState, law, loads=NO_LOADS):
-        """Return the `Contact` at inclination beta, angular velocity and slip velocity.
+    def solve(beta, omega, slip, contact: ContactState, constants, loads=NO_LOADS):
+        """Return the `ContactSolution` at inclination beta, angular velocity and slip velocity.
 
         The result equals (4.7) and (5.3) with the errata corrected; see
         tests/rigid/test_equations.py.
         """
-        motion = disk_motion(cos(beta), sin(beta), omega, slip, law)
-        nutation = solve_nutation(motion, contact, law, loads)
+        motion = disk_motion(cos(beta), sin(beta), omega, slip, constants)
+        nutation = solve_nutation(motion, contact, constants, loads)
         Phi = nutation.Phi
-        drift = slip_drift(motion, law, loads)
-        F1 = -law.mu_dynamic * contact.direction[0] * Phi if contact.sliding else 0.0
+        drift = slip_drift(motion, constants, loads)
+        F1 = (
+            -constants.mu_dynamic * contact.direction[0] * Phi
+            if contact.sliding
+            else 0.0
+        )
         balance = rotation_balance(motion, contact.sliding, F1, drift, loads)
         domega2, domega3, m2, m3 = solve_rotation(
             balance,
             motion,
             contact.stuck,
-            contact.senses[1] * law.k2 * Phi,
-            contact.senses[2] * law.k3 * Phi,
+            contact.senses[1] * constants.k2 * Phi,
+            contact.senses[2] * constants.k3 * Phi,
         )
         radius, depth, e, f = motion.place
         spin = radius * domega2 - depth * domega3
@@ -375,7 +383,7 @@ def equations_of_motion(sin, cos):
             F1 = spin - drift
             du1 = 0.0 * Phi
             du2 = 0.0 * Phi
-        return Contact(
+        return ContactSolution(
             domega1=nutation.domega1,
             domega2=domega2,
             domega3=domega3,
@@ -393,12 +401,14 @@ def equations_of_motion(sin, cos):
     return solve
 
 
-def separation_acceleration(beta, w1, w2, w3, law, loads=NO_LOADS) -> float:
+def separation_acceleration(beta, w1, w2, w3, constants, loads=NO_LOADS) -> float:
     """Return the upward acceleration of the lowest point without a contact force."""
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)
-    e, f = contact_arms(sin_a, cos_a, law.h, law.fillet)
-    J1 = law.K / 4 + law.h**2 / 3
-    J2 = law.K / 2
+    e, f = contact_arms(sin_a, cos_a, constants.h, constants.fillet)
+    J1 = constants.K / 4 + constants.h**2 / 3
+    J2 = constants.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
-    return (e - law.fillet) * w1 * w1 - f * free - (law.K + 4) / 4 + loads.G3
+    return (
+        (e - constants.fillet) * w1 * w1 - f * free - (constants.K + 4) / 4 + loads.G3
+    )

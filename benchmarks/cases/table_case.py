@@ -22,7 +22,7 @@ from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
 from dynamics.observables import precession_rate
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify.scene import load_scene
 from sonify.sound.oscillators import OscillatorBank
 
@@ -186,7 +186,7 @@ def two_way_disk(
     )
     table = LawTable(law=contact_law(scene))
     without_creep(table)
-    known = table_modes_from_numbers(
+    known = table_modes_listed_in_scene(
         ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
     )
     steps = rate * w / MODE_OMEGA
@@ -199,7 +199,7 @@ def two_way_disk(
     y = preloaded_compliant_state(model, start)
     waves = model.supporting_modes(y)
     n = round(DURATION * rate)
-    *_, last = model.run(y, n, n / steps, waves=waves)
+    *_, last = model.run(y, n, n / steps, modes=waves)
     found = columns(model, last.state[-1:])
     omega = float(precession_rate(found)[0])
     z = waves.amplitude @ [1, 1j] * mode.modal_mass**-0.5

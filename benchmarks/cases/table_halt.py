@@ -19,7 +19,7 @@ from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import inclination_at_rate
 from dynamics.steady_motion import steady_omega
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify.scene import Scene, load_scene
 
 START_INCLINATION_RATIO = 0.7
@@ -123,7 +123,7 @@ def simulate_halt(
         damping_ratio=damping,
         modal_mass=modal_mass_ratio * disk.mass,
     )
-    known = table_modes_from_numbers(ModesSurface(modes=(mode,)), disk, 1e6)
+    known = table_modes_listed_in_scene(ModesSurface(modes=(mode,)), disk, 1e6)
     model = CompliantModel(
         table=LawTable(law=contact_law(scene)),
         friction=scene.friction,

@@ -26,7 +26,7 @@ from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.disk import Friction
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -70,7 +70,7 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     disk = contact_table().law.disk
     smooth = Friction(mu_static=0.0, mu_dynamic=0.0)
     _, (omega,), (beta,), (values,) = campbell_diagram(disk, mode, x)
-    modes = table_modes_from_numbers(
+    modes = table_modes_listed_in_scene(
         ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
     )
     model = CompliantModel(
@@ -86,7 +86,7 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     y[STATE.angular_momentum : STATE.angular_momentum + 2] += (
         inertias(disk)[0] * kick * np.array([d[1], -d[0]])
     )
-    pieces = list(model.run(y, 4, REVOLUTIONS * 2 * np.pi / omega, waves=waves))
+    pieces = list(model.run(y, 4, REVOLUTIONS * 2 * np.pi / omega, modes=waves))
     t = np.concatenate([piece.t for piece in pieces])
     state = np.concatenate([piece.state for piece in pieces])
     nutation = columns(model, state)[:, 5]

@@ -290,7 +290,7 @@ class CompliantMotion(MotionBase):
         """Return the energy (k,) [J] of coupled disk modes at times t (k,) [s]."""
         return self._stored_at(t)[:, DISK_ENERGY_COLUMN]
 
-    def largest_regain(self) -> float:
+    def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the energy lost to one cause; see `Motion`."""
         lost = self.rows[:, LOSS_COLUMNS]
         return float((np.maximum.accumulate(lost, axis=0) - lost).max())
@@ -497,7 +497,7 @@ def simulate_from(
     y = preloaded_compliant_state(model, state, force)
     dt = steps_per_row / FORCES_PER_ROW / model.rate
     row_duration = FORCES_PER_ROW * dt
-    waves = model.supporting_modes(y)
+    modes = model.supporting_modes(y)
     limit_energy(model, y, max_energy)
     stored = _stored_columns(model, y[None])
     impulse = np.zeros((1, 3))
@@ -511,7 +511,7 @@ def simulate_from(
         max(stop, 2 * row_duration),
         final_inclination,
         FORCES_PER_ROW,
-        waves,
+        modes,
     ):
         steps = np.vstack([0 * impulse[-1:], piece.force * dt])
         impulse = impulse[-1] + np.cumsum(steps, axis=0)

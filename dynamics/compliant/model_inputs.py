@@ -32,12 +32,12 @@ def contact_law_table(
     """
     return kind(
         law=contact_law(scene),
-        edge=edge_flexibility(scene),
+        edge=scene_edge_flexibility(scene),
         max_moving_frequency=max_moving_frequency,
     )
 
 
-def edge_flexibility(scene: "MotionScene") -> Any:
+def scene_edge_flexibility(scene: "MotionScene") -> Any:
     """Return the `modal.Edge` of the disk if its body is elastic, else None."""
     return scene.elastic_edge if scene.contact.body == "elastic" else None
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 LIFT_OFF_FORCE_RMS = 0.3
 """Rms of N'/weight above which a Gaussian vibration causes a loss of contact."""
-MAX_ROLLING_CURVATURE_NUMBER = 0.25
+MAX_RELATIVE_CURVATURE_FOR_ROLLING = 0.25
 """Rms curvature of the unevenness, divided by that of the tilted rim, above which
 rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
 
@@ -45,7 +45,7 @@ def choose_contact_model(
     max_friction_use = 0.8
     scene = basis.scene
     kappa, rattles_at = greatest_curvature_number(basis)
-    uneven = kappa > MAX_ROLLING_CURVATURE_NUMBER
+    uneven = kappa > MAX_RELATIVE_CURVATURE_FOR_ROLLING
     if uneven:
         bumpy = (
             f"the curvature of the heights is {kappa:.2g} times that of the rim at "
@@ -56,7 +56,7 @@ def choose_contact_model(
             return "many", bumpy
     if scene.surface.action == "motion":
         return "full", "surface.action = 'motion': the table is coupled to the disk"
-    beta, share = predicted_vibration(basis, table)
+    beta, share = predicted_force_rms(basis, table)
     above = share > LIFT_OFF_FORCE_RMS
     predicted = float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
@@ -110,7 +110,7 @@ def greatest_curvature_number(basis: "MotionBasis") -> tuple[float, float]:
     return found[greatest], float(inclinations[greatest])
 
 
-def predicted_vibration(
+def predicted_force_rms(
     basis: "MotionBasis", table: "LawTable"
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in steady motion.
@@ -205,10 +205,10 @@ def release_force(basis: "MotionBasis") -> np.ndarray:
     balance laws.
     """
     disk = basis.scene.disk
-    law = basis.constants
+    constants = basis.constants
     loads = basis.loads
     system = RollingDisk(
-        law=law,
+        constants=constants,
         loads=loads,
         r_end=0.0,
         integrate=lambda *arguments: None,
@@ -218,8 +218,8 @@ def release_force(basis: "MotionBasis") -> np.ndarray:
         start = system.begin(initial_state(disk, basis.scene.release))
     except ImpossibleContactError:
         return np.array([0.0, 0.0, disk.weight])
-    branch = Branch.of(start.regime, law, loads)
-    contact = contact_at_release(start.state, start.regime, branch, law)
+    branch = Branch.of(start.regime, constants, loads)
+    contact = contact_at_release(start.state, start.regime, branch, constants)
     return (
         np.array([contact.F1, contact.F2, contact.Phi])
         * disk.mass

@@ -65,7 +65,7 @@ class Film(NamedTuple):
         return (self,)
 
     def __call__(
-        self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
+        self, beta: Any, omega: Any, slip: Any, constants: DiskConstants, flow: Any
     ) -> Loads:
         """Return the loads; the arguments are those of `OwnLaw.__call__`.
 
@@ -74,7 +74,7 @@ class Film(NamedTuple):
         """
         s = flow.sin(beta)
         drag, tip, lift = film_forces(s, omega[0], precession_rate(omega[2], s), self)
-        lever = contact_arms(flow.cos(beta), s, law.h, law.fillet)[1]
+        lever = contact_arms(flow.cos(beta), s, constants.h, constants.fillet)[1]
         return Loads(M1=-tip - lever * lift, M3=-drag, G3=lift)
 
     def moments_at(self, beta: Any, omega: Any) -> tuple[Any, Any, Any]:

@@ -37,22 +37,25 @@ class PolarSlipFormulas(FlowFormulas):
     rest.
     """
 
-    def contact(self, y, branch, senses, law):
+    def contact(self, y, branch, senses, constants):
         """Solve the balance laws at state y with its slip direction."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
         speed = y[R] * y[V1]
         slip = (speed * along, speed * across)
         return self.contact_with_friction_along(
-            y, slip, (along, across), branch, senses, law
+            y, slip, (along, across), branch, senses, constants
         )
 
-    def rates(self, y, contact, branch, law):
+    def rates(self, y, contact, branch, constants):
         """Return dy/dtau for the solved contact."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
         rates = super().rates(
-            [*y[:V1], y[V1] * along, y[V1] * across, *y[V2 + 1 :]], contact, branch, law
+            [*y[:V1], y[V1] * along, y[V1] * across, *y[V2 + 1 :]],
+            contact,
+            branch,
+            constants,
         )
         dv1 = rates[V1]
         dv2 = rates[V2]
@@ -77,7 +80,7 @@ def compile_polar_slip(branch):
     return flow, names, indices
 
 
-def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
+def advance_slow_slide(y, regime, constants, loads, r_end, span) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for at most `span`.
 
     It ends early if the slide is no longer stiff, and continues through clear reversals
@@ -87,12 +90,12 @@ def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
     slip = speed, direction
-    arc = _integrate_slide(y, slip, regime, law, loads, r_end, span)
+    arc = _integrate_slide(y, slip, regime, constants, loads, r_end, span)
     return arc if len(arc.times) else None
 
 
 def advance_grazing_slide(
-    y, nu, regime, law, loads, r_end, single_step: bool
+    y, nu, regime, constants, loads, r_end, single_step: bool
 ) -> Arc | None:
     """Integrate a slide that starts along nu [rad] with almost no acceleration.
 
@@ -102,7 +105,9 @@ def advance_grazing_slide(
     """
     max_steps = 1 if single_step else MAX_SLIDE_STEPS
     slip = 0.0, nu
-    arc = _integrate_slide(y, slip, regime, law, loads, r_end, math.inf, max_steps)
+    arc = _integrate_slide(
+        y, slip, regime, constants, loads, r_end, math.inf, max_steps
+    )
     if not len(arc.times) and arc.guard is None:
         raise StalledError(
             f"{describe_state(y)}: the slide that starts here cannot be integrated"
@@ -111,16 +116,16 @@ def advance_grazing_slide(
 
 
 def _integrate_slide(
-    y, slip, regime, law, loads, r_end, span, max_steps=MAX_SLIDE_STEPS
+    y, slip, regime, constants, loads, r_end, span, max_steps=MAX_SLIDE_STEPS
 ):
     """Integrate a slide with a slip speed and direction [rad] for a few steps."""
     (flow, names, indices), parameters = compiled_flow_and_constants(
-        compile_polar_slip, regime, law, loads, r_end
+        compile_polar_slip, regime, constants, loads, r_end
     )
     start = np.array([*y[:V1], *slip, *y[V2 + 1 :]])
     times, powers, end, fired, turns = compiled_function(
         integrate_slow_slide, INTEGRATE_SIGNATURE
-    )(flow, start, parameters, indices, law.mu_dynamic, span, max_steps)
+    )(flow, start, parameters, indices, constants.mu_dynamic, span, max_steps)
     guard = names[fired] if fired >= 0 else None
     regime_changes = []
     for steps in turns.tolist():

@@ -121,16 +121,16 @@ def compiled_taylor_future(branch: Branch, tolerance: float):
 
 
 def compile_in_background(
-    regime: Regime, law: DiskConstants, loads, tolerance: float
+    regime: Regime, constants: DiskConstants, loads, tolerance: float
 ) -> None:
     """Start a background thread that compiles the flow of a regime."""
-    compiled_taylor_future(branch_to_compile(regime, law, loads), tolerance)
+    compiled_taylor_future(branch_to_compile(regime, constants, loads), tolerance)
 
 
 def advance(
     y,
     regime: Regime,
-    law: DiskConstants,
+    constants: DiskConstants,
     loads,
     r_end: float,
     span: float,
@@ -143,7 +143,7 @@ def advance(
     if a law is not analytic, for example a power law where the precession stops; it
     raises StalledError if its steps are too short.
     """
-    flow, parameters = _flow_and_constants(regime, law, loads, r_end, tolerance)
+    flow, parameters = _flow_and_constants(regime, constants, loads, r_end, tolerance)
     borrowed = flow.borrow()
     integrator, pars, state, series = borrowed
     pars[:] = parameters[: len(pars)]  # some branches do not use the last ones
@@ -170,17 +170,21 @@ def advance(
             guard
             and t > since
             and state_after_reversal(
-                state.tolist(), now, Branch.of(regime, law, loads), guard, law
+                state.tolist(),
+                now,
+                Branch.of(regime, constants, loads),
+                guard,
+                constants,
             )
         )
         if not after:
             break
         now = after[1]
         # large components would make the steps longer
-        state[:], origin = restart_quadratures(after[0], law.bowl > 0)
+        state[:], origin = restart_quadratures(after[0], constants.bowl > 0)
         lost.append(origin)
         parameters = compiled_flow_and_constants(
-            compiled_taylor_future, now, law, loads, r_end, tolerance
+            compiled_taylor_future, now, constants, loads, r_end, tolerance
         )[1]
         pars[:] = parameters[: len(pars)]
         integrator.reset_cooldowns()
@@ -195,14 +199,16 @@ def advance(
     if outcome == NOT_FINITE:
         from dynamics.integrators import dop853  # numba loads slowly
 
-        return dop853.advance(y, regime, law, loads, r_end, span, tolerance)
+        return dop853.advance(y, regime, constants, loads, r_end, span, tolerance)
     return Arc(np.array(times), coefficients, end, guard, tuple(regime_changes))
 
 
-def _flow_and_constants(regime: Regime, law: DiskConstants, loads, r_end, tolerance):
+def _flow_and_constants(
+    regime: Regime, constants: DiskConstants, loads, r_end, tolerance
+):
     """Return the compiled flow of a regime, after waiting for it, and its constants."""
     future, parameters = compiled_flow_and_constants(
-        compiled_taylor_future, regime, law, loads, r_end, tolerance
+        compiled_taylor_future, regime, constants, loads, r_end, tolerance
     )
     return future.result(), parameters
 

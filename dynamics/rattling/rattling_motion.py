@@ -23,7 +23,7 @@ from dynamics.compliant.law.unevenness import (
     rim_heights,
     static_depth,
 )
-from dynamics.compliant.model_inputs import contact_law, edge_flexibility
+from dynamics.compliant.model_inputs import contact_law, scene_edge_flexibility
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
 from dynamics.compliant.stepping.round_table import greatest_shape_norm, round_table
@@ -35,7 +35,7 @@ from dynamics.motion import FindingGroup, Outcome
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.rattling import layout, time_loop
 from dynamics.rattling.body import MotionState, motion_state
-from dynamics.rattling.layout import RECORD, Edge, RattlingDisk
+from dynamics.rattling.layout import RECORD, LowerEdge, RattlingDisk
 from dynamics.rattling.time_loop import TimeSteps, step_rattling_disk
 from dynamics.rattling.vibration import MovingTable
 from dynamics.switching import ImpossibleContactError
@@ -112,14 +112,14 @@ class RattlingModel(NamedTuple):
         """Root mean square of the unevenness [m]."""
         return float(np.std(self.heights))
 
-    def edge(self) -> Edge:
+    def edge(self) -> LowerEdge:
         """Return the heights and the modes of the lower edge of the disk."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
         frequency = np.sqrt(self.rim.squared)
         wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
         wave *= self._mean_factor(frequency)[:, None]
         displacement = abs(self.rim.axial) + abs(self.rim.radial)
-        return Edge(
+        return LowerEdge(
             heights=self.heights,
             block_heights=np.maximum.reduceat(
                 self.heights, np.arange(0, len(self.heights), layout.RIM_BLOCK_POINTS)
@@ -372,7 +372,7 @@ def rattling_model(plan: "MotionPlan") -> RattlingModel:
         constants=constants,
         amplitudes=rim_amplitudes(scene.roughness, disk.radius),
         heights=rim_heights(scene.roughness, scene.imperfection, disk.radius),
-        rim=moving_rim_modes(edge_flexibility(scene), scene.material.loss_factor),
+        rim=moving_rim_modes(scene_edge_flexibility(scene), scene.material.loss_factor),
         film=plan.film,
         modes=plan.moving_modes,
         rate=plan.step_rate,

@@ -5,7 +5,7 @@ import numpy as np
 from dynamics.numba_kernels import kernel
 from dynamics.pivoting import (
     PIVOTING_COEFFICIENT_COUNT,
-    SINE_ROOT_DEGREE,
+    SINE_ROOT_INDEX,
     friction_limited_arm,
 )
 from dynamics.rattling.layout import DASHPOT, ELASTIC, RESISTANCE
@@ -18,7 +18,7 @@ def spin_friction_arm(disk, rim, spin):
     """Return the moment by which slip and creep resist a spin (3,) about the vertical,
     divided by the normal force [m]."""
     travel = np.hypot(spin[0], spin[1]) / rim.sine
-    root = rim.sine ** (1 / SINE_ROOT_DEGREE)
+    root = rim.sine ** (1 / SINE_ROOT_INDEX)
     unit_arm = 0.0
     creep = 0.0
     for i in range(PIVOTING_COEFFICIENT_COUNT, 0, -1):

@@ -221,7 +221,7 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
     ----------
     disk : RattlingDisk
         Disk and contact.
-    edge : Edge
+    edge : LowerEdge
         Lower edge of the disk, with the unevenness.
     table : MovingTable or None
         Modes of the table; None compiles a separate version without them.

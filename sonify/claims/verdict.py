@@ -13,7 +13,7 @@ from dynamics.compliant.law.linear_response import predicted_rms
 from dynamics.compliant.model_inputs import reason_against_rattling
 from dynamics.compliant.model_selection import (
     LIFT_OFF_FORCE_RMS,
-    MAX_ROLLING_CURVATURE_NUMBER,
+    MAX_RELATIVE_CURVATURE_FOR_ROLLING,
     greatest_curvature_number,
 )
 from dynamics.motion_plan import motion_basis
@@ -44,7 +44,9 @@ def simplest_scene(scene: Scene) -> Scene:
     if even.numerics.contact == "many":
         return even
     curvature = greatest_curvature_number(motion_basis(even))[0]
-    if curvature > MAX_ROLLING_CURVATURE_NUMBER and not reason_against_rattling(even):
+    if curvature > MAX_RELATIVE_CURVATURE_FOR_ROLLING and not reason_against_rattling(
+        even
+    ):
         return replace(even, numerics=replace(even.numerics, contact="many"))
     return replace(
         scene,

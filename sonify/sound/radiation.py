@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from modal import Modes
-from modal.radiation import AIR_DENSITY, STANDARD_AIR, Air
+from modal.radiation import AIR_DENSITY, STANDARD_AIR, AirConstants
 from modal.radiation import SOUND_SPEED as SOUND_SPEED
 from sonify.scene import ListenerPosition
 from sonify.sound.head import Ear
@@ -31,7 +31,7 @@ class Listener:
     distance: float
     elevation: float
     azimuth: float = 0.0
-    air: Air = STANDARD_AIR
+    air: AirConstants = STANDARD_AIR
     face_height: float = 0.0
     ear: Ear | None = None
 

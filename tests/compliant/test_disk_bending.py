@@ -48,7 +48,7 @@ def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
     )
     waves = model.supporting_modes(y)
     y[STATE.velocity + 2] = -speed
-    *_, last = model.run(y, round(stop * rate), stop, waves=waves)
+    *_, last = model.run(y, round(stop * rate), stop, modes=waves)
     return (
         last.state[-1, STATE.velocity + 2],
         -last.state[-1, STATE.angular_momentum] / inertias(scene.disk)[0],

@@ -16,7 +16,7 @@ from rattling_coin import RADIUS, coin, model_of, settle
 from dynamics import plan_motion, simulate
 from dynamics.compliant.law.unevenness import static_depth, unevenness
 from dynamics.compliant.model_inputs import contact_law
-from dynamics.compliant.model_selection import predicted_vibration
+from dynamics.compliant.model_selection import predicted_force_rms
 from dynamics.disk import GRAVITY
 from dynamics.rattling import layout
 from dynamics.rattling.body import motion_state
@@ -246,7 +246,7 @@ def test_below_the_onset_the_other_models_agree(kappa):
         lost = sum(loss.duration for loss in motion.contact_losses) / motion.t[-1]
         found[kind] = load.std(), lost, motion.inclination(np.array([0.29]))[0]
     plan = plan_motion(scene)
-    linear = predicted_vibration(plan, plan.law_table)[1][0]
+    linear = predicted_force_rms(plan, plan.law_table)[1][0]
     assert unevenness(
         scene.disk, contact_law(scene), scene.roughness, 0.105
     ).curvature_number == (pytest.approx(kappa, rel=0.05))

@@ -163,7 +163,7 @@ def test_the_air_carries_the_published_disk(carried):
 def test_energy_and_work_add_up_with_the_film(carried):
     total = carried.energy(carried.t) + carried.state[:, 10]
     assert np.ptp(total) < 1e-12 * total[0]
-    assert carried.largest_regain() == 0
+    assert carried.largest_energy_gain_error() == 0
 
 
 def test_both_integrators_lose_contact_at_one_instant():

@@ -51,9 +51,9 @@ def steady(law, beta):
 
 def run(model, y, every, stop):
     """Return the initial energy, times, states, losses of contact and the reason of the stop."""
-    waves = model.supporting_modes(y)
+    modes = model.supporting_modes(y)
     first = energy(model, y[None])[0]
-    pieces = list(model.run(y, every, stop, waves=waves))
+    pieces = list(model.run(y, every, stop, modes=modes))
     t, state = (
         np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state")
     )

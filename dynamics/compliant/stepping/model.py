@@ -227,7 +227,7 @@ class CompliantModel:
         end_time: float,
         final_inclination: float = MIN_CONTACT_INCLINATION,
         forces_per_row: int = 1,
-        waves: ContactModes | None = None,
+        modes: ContactModes | None = None,
     ) -> Iterator[MotionPiece]:
         """Simulate from the state y to `end_time` [s] or `final_inclination` [rad].
 
@@ -243,7 +243,7 @@ class CompliantModel:
             Final inclination [rad].
         forces_per_row : int
             Number of mean forces per row.
-        waves : ContactModes, optional
+        modes : ContactModes, optional
             Modes for the state y; computed if not given.
 
         Yields
@@ -264,7 +264,7 @@ class CompliantModel:
             *self.profiles,
         )
         sine = np.sin(max(final_inclination, MIN_CONTACT_INCLINATION))
-        waves = waves or self.supporting_modes(y)
+        modes = modes or self.supporting_modes(y)
         steps = 0
         rows_left = int(np.ceil(end_time * self.rate / steps_per_row - 1e-9))
         end_reason = EndReason.CONTINUES
@@ -285,7 +285,7 @@ class CompliantModel:
                 y,
                 MotionSteps(steps, 1 / self.rate, steps_per_row, sine),
                 compiled,
-                waves,
+                modes,
                 MotionRecords(rows, forces, flights, slips),
             )
             t = (steps + steps_per_row * np.arange(1, n + 1)) / self.rate
@@ -315,9 +315,9 @@ class CompliantModel:
         """Return the modes that support a disk in the state y, and adjust its height."""
         if self.imperfection is not None:
             return wavy_table(self.imperfection, y, self.constants)
-        waves = modes_at_rest(self.modes, 1 / self.rate, self.disk_modes)
-        set_steady_mode_response(waves, self.modes, self, y)
-        return waves
+        supporting = modes_at_rest(self.modes, 1 / self.rate, self.disk_modes)
+        set_steady_mode_response(supporting, self.modes, self, y)
+        return supporting
 
     def _check_step_rate(self, y: np.ndarray) -> None:
         """Raise ValueError if the phase of a resonance changes too much in one step."""

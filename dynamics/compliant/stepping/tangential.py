@@ -290,14 +290,14 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
     apply_angular_impulse(y, a, 0.0, drag_per_rate, J, 0.0, STATE.film_loss, 0.0)
     lever /= constants.radius
     arm = reach - 1 / lever
-    v, mobility = face_velocity(y, constants, arm, d0, d1)
+    v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
     fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
     y[STATE.film_loss] -= fall_impulse * (v + fall_impulse * mobility / 2)
     push_face(y, constants, arm, fall_impulse, d0, d1)
     lift_impulse = h * lift / constants.radius
     if lift_impulse > 0:
         arm = reach - constants.radius * tip / lift
-        v, mobility = face_velocity(y, constants, arm, d0, d1)
+        v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
         speed = np.sqrt(v * v + 2 * mobility * y[STATE.squeezed_air_energy])
         # limited by the stored energy
         lift_impulse = min(lift_impulse, (speed - v) / mobility)
@@ -314,7 +314,7 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
 
 
 @kernel
-def face_velocity(y, constants, arm, d0, d1):
+def face_velocity_and_mobility(y, constants, arm, d0, d1):
     """Return the upward velocity of a point of the face, and its mobility [1/kg].
 
     The point is at the distance `arm` [m] from the centre in direction d.
@@ -326,7 +326,7 @@ def face_velocity(y, constants, arm, d0, d1):
 
 @kernel
 def push_face(y, constants, arm, impulse, d0, d1):
-    """Apply an upward impulse at a point of the face; see `face_velocity`."""
+    """Apply an upward impulse at a point of the face; see `face_velocity_and_mobility`."""
     y[5] += impulse / constants.mass
     y[9] += arm * impulse * d1
     y[10] -= arm * impulse * d0
