@@ -15,7 +15,7 @@ from numba import njit
 from benchmarks.cases.contact_case import without_creep
 from benchmarks.cases.table_halt import steady_state
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
@@ -184,14 +184,14 @@ def two_way_disk(
         damping_ratio=DAMPING_RATIO,
         modal_mass=heavier * disk.mass,
     )
-    table = LawTable(law=contact_law(scene))
+    table = TabulatedLaw(law=contact_law(scene))
     without_creep(table)
     known = table_modes_listed_in_scene(
         ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
     )
     steps = rate * w / MODE_OMEGA
     model = CompliantModel(
-        table=table,
+        tabulated_law=table,
         friction=Friction(mu_static=10.0, mu_dynamic=10.0),
         modes=known,
         rate=steps,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import inclination, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
@@ -125,12 +125,12 @@ def simulate_halt(
     )
     known = table_modes_listed_in_scene(ModesSurface(modes=(mode,)), disk, 1e6)
     model = CompliantModel(
-        table=LawTable(law=contact_law(scene)),
+        tabulated_law=TabulatedLaw(law=contact_law(scene)),
         friction=scene.friction,
         modes=known,
         rate=rate,
     )
-    y = preloaded_compliant_state(model, steady_state(model.table.law, beta))
+    y = preloaded_compliant_state(model, steady_state(model.tabulated_law.law, beta))
     friction = scene_constants(scene)
     rigid = time_to_flat(beta, disk, friction, None) - time_to_flat(
         FLAT_INCLINATION, disk, friction, None

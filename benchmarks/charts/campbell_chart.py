@@ -19,7 +19,7 @@ from benchmarks.timed_runs import (
     works_over,
 )
 from dynamics.compliant.law.linearised import inertias
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
@@ -56,9 +56,9 @@ LATE_WINDOW = (0.7, 0.95)
 
 
 @cache
-def contact_table() -> LawTable:
+def contact_table() -> TabulatedLaw:
     """Return the tabulated contact law of the published scene, without loss."""
-    return LawTable(law=contact_law(load_scene("published")), damping=0.0)
+    return TabulatedLaw(law=contact_law(load_scene("published")), damping=0.0)
 
 
 def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
@@ -74,7 +74,7 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
         ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
     )
     model = CompliantModel(
-        table=contact_table(), friction=smooth, modes=modes, rate=rate
+        tabulated_law=contact_table(), friction=smooth, modes=modes, rate=rate
     )
     y = preloaded_compliant_state(
         model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0])

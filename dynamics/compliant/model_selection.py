@@ -21,7 +21,7 @@ from dynamics.steady_motion import steady_precession
 from dynamics.switching import ImpossibleContactError, contact_at_release
 
 if TYPE_CHECKING:
-    from dynamics.compliant.law.tabulated import LawTable
+    from dynamics.compliant.law.tabulated import TabulatedLaw
     from dynamics.motion_plan import ContactModel, MotionBasis
     from dynamics.sections import MotionScene
 
@@ -33,7 +33,7 @@ rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
 
 
 def choose_contact_model(
-    basis: "MotionBasis", table: "LawTable"
+    basis: "MotionBasis", tabulated: "TabulatedLaw"
 ) -> tuple["ContactModel", str]:
     """Select the model of an elastic contact on a plane table, with the reason.
 
@@ -56,7 +56,7 @@ def choose_contact_model(
             return "many", bumpy
     if scene.surface.action == "motion":
         return "full", "surface.action = 'motion': the table is coupled to the disk"
-    beta, share = predicted_force_rms(basis, table)
+    beta, share = predicted_force_rms(basis, tabulated)
     above = share > LIFT_OFF_FORCE_RMS
     predicted = float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
@@ -74,7 +74,7 @@ def choose_contact_model(
             f"{expected}, more than {LIFT_OFF_FORCE_RMS:g} below {below:.2g} rad, "
             "where contact is lost"
         )
-    elif (takes := roughness_energy_share(basis, table)) > min_roughness_share:
+    elif (takes := roughness_energy_share(basis, tabulated)) > min_roughness_share:
         reason = f"{expected}; roughness dissipates {takes:.0%} of the energy, in addition to friction"
     elif (used := friction_utilisation(basis)) > max_friction_use:
         reason = (
@@ -111,7 +111,7 @@ def greatest_curvature_number(basis: "MotionBasis") -> tuple[float, float]:
 
 
 def predicted_force_rms(
-    basis: "MotionBasis", table: "LawTable"
+    basis: "MotionBasis", tabulated: "TabulatedLaw"
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in steady motion.
 
@@ -122,11 +122,11 @@ def predicted_force_rms(
     if scene.roughness is None:
         return beta, np.zeros(len(beta))
     weight = scene.disk.weight
-    rms = predicted_rms(table, scene.roughness, beta, weight, speed)
+    rms = predicted_rms(tabulated, scene.roughness, beta, weight, speed)
     return beta, rms / weight
 
 
-def roughness_energy_share(basis: "MotionBasis", table: "LawTable") -> float:
+def roughness_energy_share(basis: "MotionBasis", tabulated: "TabulatedLaw") -> float:
     """Return the fraction of the energy dissipated by roughness in quasi-steady motion.
 
     It is 0 if the friction was measured on the rough surface and already includes this
@@ -141,7 +141,7 @@ def roughness_energy_share(basis: "MotionBasis", table: "LawTable") -> float:
     exists = np.array([steady_precession_rate(scene, b) for b in beta]) != flat
     beta = beta[exists]
     speed = speed[exists]
-    rough = predicted_power(table, scene.roughness, beta, disk.weight, speed)
+    rough = predicted_power(tabulated, scene.roughness, beta, disk.weight, speed)
     friction = (
         np.array([steady_power(b, basis.constants, basis.loads) for b in beta])
         * disk.mass

@@ -43,7 +43,7 @@ def preloaded_compliant_state(
     (STATE_SIZE,) array
         State in the layout of state_layout.py.
     """
-    law = model.table.law
+    law = model.tabulated_law.law
     beta = state[1]
     slip = state[8:10]
     if force is None:
@@ -51,7 +51,7 @@ def preloaded_compliant_state(
     N = force[2]
     place = law.place(beta)
     J1, J2 = inertias(law.disk)
-    c = model.table.columns(np.array([beta]))[0]
+    c = model.tabulated_law.columns(np.array([beta]))[0]
     a1, a2, n, e3 = _axes(state[0], beta)
     w1, w2, w3 = state[5:8]
     speed = abs(place.radius * (w2 - w3 / np.tan(beta)) + slip[0])
@@ -150,7 +150,7 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     modes, disk modes and squeezed air. It is zero for a disk at rest flat on the table.
     """
     y = np.ascontiguousarray(y.T)
-    disk = model.table.law.disk
+    disk = model.tabulated_law.law.disk
     fixed = model.constants
     v = y[STATE_SLICES.velocity]
     n = y[STATE_SLICES.axis]
@@ -162,7 +162,9 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     )
     x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
     moved += (
-        0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
+        0.8
+        * model.tabulated_law.stiffness(x)
+        * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
     )
     moved += (
         y[STATE_SLICES.spring_stiffness] * y[STATE_SLICES.spring_stretch] ** 2
@@ -184,11 +186,11 @@ def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
 
     The precession is in (-pi, pi].
     """
-    disk = model.table.law.disk
+    disk = model.tabulated_law.law.disk
     J1, J2 = inertias(disk)
     beta = inclination(y)
     y = np.ascontiguousarray(y.T)
-    place = model.table.law.place(beta)
+    place = model.tabulated_law.law.place(beta)
     s = np.sin(beta)
     c = np.cos(beta)
     d0 = y[STATE.axis] / s

@@ -120,11 +120,11 @@ class SwitchedMotion(MotionBase):
 
         It is None for a motion that begins on a rigid contact.
         """
-        table = self.plan.law_table
-        if table is None:
+        tabulated = self.plan.law_table
+        if tabulated is None:
             return None
         first = self.state[:1, 1]
-        resonance = table.contact_resonance(first, self.disk.weight, 0.0)
+        resonance = tabulated.contact_resonance(first, self.disk.weight, 0.0)
         return float(resonance.frequency[0]) / 2
 
     @property

@@ -19,10 +19,10 @@ from sonify.sound.film_radiation import MAX_RIM_ORDER
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import (
-    directivity_table,
     listener_of,
     listener_position,
     rayleigh,
+    tabulated_directivity,
 )
 from sonify.sound.response import DrivenModes
 
@@ -373,7 +373,7 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
         modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3)
     )
     closed, top = (
-        directivity_table(m, listener, count=azimuth_count) for m in (modes, raised)
+        tabulated_directivity(m, listener, count=azimuth_count) for m in (modes, raised)
     )
     k = 2 * pi * modes.frequency / listener.air.sound_speed
     azimuths = 2 * pi * np.arange(azimuth_count) / azimuth_count
@@ -396,7 +396,7 @@ class GapTunedOscillators(DrivenModes):
 
     Parameters
     ----------
-    table : FluidLoadedModes
+    tabulated : FluidLoadedModes
     sample_rate : float
         [Hz]
     settled : ndarray, shape (m,)
@@ -406,20 +406,20 @@ class GapTunedOscillators(DrivenModes):
     """
 
     def __init__(
-        self, table: FluidLoadedModes, sample_rate: float, settled, gap: float
+        self, tabulated: FluidLoadedModes, sample_rate: float, settled, gap: float
     ):
-        self._table = table
+        self._tabulated = tabulated
         self._rate = sample_rate
         self._banks_of_levels: dict[int, list[OscillatorBank]] = {}
-        self._level = int(table.tuning_level(gap))
-        super().__init__(*table.nearest_tuning(gap), sample_rate, settled)
+        self._level = int(tabulated.tuning_level(gap))
+        super().__init__(*tabulated.nearest_tuning(gap), sample_rate, settled)
 
     def advance(self, force: ContactForce, gap) -> np.ndarray:
         """Return the accelerations (2, k, m) due to smooth force and jumps in one
         block.
 
         `gap` (k + 1,) is the logarithm of the mean gap."""
-        levels = self._table.tuning_level(gap[:-1])
+        levels = self._tabulated.tuning_level(gap[:-1])
         changes = np.flatnonzero(np.diff(levels, prepend=self._level))
         out = np.empty((2, len(levels), force.smooth.shape[1]))
         parts = force.parts
@@ -435,7 +435,7 @@ class GapTunedOscillators(DrivenModes):
     def _retune(self, level, forces):
         """Change the tuning to a level at force samples (m,), one for each bank."""
         if level not in self._banks_of_levels:
-            tuning = self._table.tuning_at_level(level)
+            tuning = self._tabulated.tuning_at_level(level)
             self._banks_of_levels[level] = [
                 OscillatorBank(*tuning, self._rate) for _ in forces
             ]

@@ -140,7 +140,7 @@ def rayleigh(
     return density / (2 * np.pi) * np.sum(face * wave * weights, axis=-1)
 
 
-def directivity_table(
+def tabulated_directivity(
     modes: Modes, listener: Listener, count: int, at_zero_frequency: bool = False
 ) -> np.ndarray:
     """Return Rayleigh's integral (count, m) over the top face of each mode.
@@ -184,8 +184,8 @@ def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarra
         0.06  # sine at 2 % below the Nyquist frequency, where the taps would diverge
     )
     turn = 2 * np.pi * modes.frequency / sample_rate
-    at_mode = directivity_table(modes, listener, azimuth_count)
-    at_rest = directivity_table(
+    at_mode = tabulated_directivity(modes, listener, azimuth_count)
+    at_rest = tabulated_directivity(
         modes, listener, azimuth_count, at_zero_frequency=True
     ).real
     even = (at_rest - at_mode.real) / (1 - np.cos(turn))

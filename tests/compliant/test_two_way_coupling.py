@@ -632,7 +632,7 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     assert others["half_step"].model.rate == 2 * motion.coupled_part.model.rate
     beta = np.array([0.01])
     soft, stiff = (
-        m.model.table.law.stiffness(beta)
+        m.model.tabulated_law.law.stiffness(beta)
         for m in (motion.coupled_part, others["twice_stiff"])
     )
     assert stiff == pytest.approx(2 * soft, rel=1e-12)

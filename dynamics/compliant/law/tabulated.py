@@ -55,7 +55,7 @@ LAW_COLUMNS = LawColumns(*range(len(LawColumns._fields)))
 
 
 @dataclass(frozen=True, kw_only=True)
-class LawTable:
+class TabulatedLaw:
     """Columns of a contact law tabulated over x = ln sin(beta).
 
     The half-length and all springs are proportional to the cube root of the load.
@@ -300,7 +300,7 @@ def bounded_flexibility(flexibility: np.ndarray, stiffness: np.ndarray) -> np.nd
     return flexibility + (back * raised[:, None]) @ back.swapaxes(1, 2)
 
 
-class SeriesLawTable(LawTable):
+class TabulatedSeriesLaw(TabulatedLaw):
     """Tabulated law with the flexibility of the edge in series with every spring.
 
     Creep forces and contact losses are unchanged. All springs scale with the load like

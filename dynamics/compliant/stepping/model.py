@@ -17,7 +17,7 @@ from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias, required_step_rate
 from dynamics.compliant.law.sections import Imperfection
-from dynamics.compliant.law.tabulated import LOG_SINE_GRID_STEP, LawTable
+from dynamics.compliant.law.tabulated import LOG_SINE_GRID_STEP, TabulatedLaw
 from dynamics.compliant.stepping.contact_energy import LawCubics
 from dynamics.compliant.stepping.rim_modes import NO_RIM_MODES, RimModes
 from dynamics.compliant.stepping.state_layout import STATE, STATE_SIZE, ModelConstants
@@ -114,7 +114,7 @@ class CompliantModel:
 
     Attributes
     ----------
-    table : LawTable
+    tabulated_law : TabulatedLaw
         Tabulated law of the contact.
     friction : Friction
         Coefficients of friction and resisting arms.
@@ -144,7 +144,7 @@ class CompliantModel:
         Steps per second.
     """
 
-    table: LawTable
+    tabulated_law: TabulatedLaw
     friction: Friction
     powers: tuple[tuple[float, float], ...] = ()
     viscous: tuple[float, float] = (0.0, 0.0)
@@ -161,10 +161,10 @@ class CompliantModel:
     @cached_property
     def constants(self) -> ModelConstants:
         """The constants of the model for the time loop."""
-        disk = self.table.law.disk
+        disk = self.tabulated_law.law.disk
         f = self.friction
         has_spin_friction = f.arm_pivoting == "contact"
-        fillet = self.table.law.rolling_fillet
+        fillet = self.tabulated_law.law.rolling_fillet
         core = disk.radius - fillet, disk.thickness / 2 - fillet, fillet
         J1, J2 = inertias(disk)
         body = disk.mass, J1, J2, 1 / J2 - 1 / J1, disk.radius, *core, disk.weight
@@ -185,9 +185,9 @@ class CompliantModel:
     def cubics(self) -> LawCubics:
         """The tabulated law for the time loop."""
         powers = LOG_SINE_GRID_STEP ** np.array([3, 2, 1, 0])
-        cubics = self.table.spline.c.transpose(1, 2, 0) * powers
+        cubics = self.tabulated_law.spline.c.transpose(1, 2, 0) * powers
         return LawCubics(
-            float(self.table.grid[0]),
+            float(self.tabulated_law.grid[0]),
             1 / LOG_SINE_GRID_STEP,
             np.ascontiguousarray(cubics),
         )
@@ -195,10 +195,10 @@ class CompliantModel:
     @cached_property
     def _required_rates(self) -> tuple[np.ndarray, np.ndarray]:
         """Sines (n,) of inclinations, and the step rates (n,) [1/s] that they require."""
-        table = self.table
+        tabulated = self.tabulated_law
         node_step = 10  # linear interpolation between every tenth is accurate to 2e-4
-        rates = required_step_rate(table.law, table.inclinations[::node_step])
-        return np.exp(table.grid[::node_step]), rates
+        rates = required_step_rate(tabulated.law, tabulated.inclinations[::node_step])
+        return np.exp(tabulated.grid[::node_step]), rates
 
     def with_half_time_step(self) -> "CompliantModel":
         """Return the model with half the time step."""
@@ -209,7 +209,7 @@ class CompliantModel:
 
         The time step is reduced if required.
         """
-        law = self.table.law
+        law = self.tabulated_law.law
         body, table = (
             side._replace(young=2 * side.young) for side in (law.body, law.table)
         )
@@ -218,7 +218,9 @@ class CompliantModel:
             self.rate,
             float(required_step_rate(law, np.array([MIN_CONTACT_INCLINATION]))[0]),
         )
-        return replace(self, table=replace(self.table, law=law), rate=rate)
+        return replace(
+            self, tabulated_law=replace(self.tabulated_law, law=law), rate=rate
+        )
 
     def run(
         self,

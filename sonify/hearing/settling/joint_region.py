@@ -18,7 +18,7 @@ from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import (
     phase_step_count,
     search,
-    warp_table,
+    tabulated_warps,
 )
 
 EQUAL_RATE_TOLERANCE = 0.12
@@ -375,11 +375,11 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
     max_likelihood_loss = 2.0  # of admitted laws
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
-    table = warp_table(grid.shapes, frames, phase_step_count(frames, scale))
-    found = search(values, scale, table)
+    warps = tabulated_warps(grid.shapes, frames, phase_step_count(frames, scale))
+    found = search(values, scale, warps)
     best = int(np.argmax(found.likelihood))
     turns = found.turns(best)
-    certainty = _certainty(values, scale, table, found, best)
+    certainty = _certainty(values, scale, warps, found, best)
     start = (grid.left[best], grid.exponents[best], turns)
     left, exponents, rates, likelihood = laws_near(
         values, scale, start, (grid.left[0], grid.left[-1])
@@ -390,7 +390,7 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
         if i < count:
             return rates[i] * FRAME_RATE
         cell = i - count
-        return found.turns(cell) * table.first_rates[cell] / frames * FRAME_RATE
+        return found.turns(cell) * warps.first_rates[cell] / frames * FRAME_RATE
 
     likelihood = certainty * np.concatenate([likelihood, found.likelihood])
     admitted = np.flatnonzero(likelihood >= likelihood.max() - max_likelihood_loss)

@@ -19,7 +19,7 @@ from dynamics.compliant.law.linear_response import (
 )
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.roughness import profiles
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
@@ -37,7 +37,7 @@ class ContactFilter:
     Attributes
     ----------
     motion : Motion
-    table : LawTable
+    tabulated_law : TabulatedLaw
         Tabulated law of the contact.
     profiles : tuple of Profile
         Height profiles of edge and table.
@@ -48,7 +48,7 @@ class ContactFilter:
     """
 
     motion: Motion
-    table: LawTable
+    tabulated_law: TabulatedLaw
     profiles: tuple[Profile, Profile]
     sample_rate: int
     start: float
@@ -60,7 +60,9 @@ class ContactFilter:
         # The contact ellipse averages out faster variations.
         min_profile_rate = 96e3  # 1/s
         needed = (
-            required_step_rate(self.table.law, np.array([MIN_CONTACT_INCLINATION]))[0]
+            required_step_rate(
+                self.tabulated_law.law, np.array([MIN_CONTACT_INCLINATION])
+            )[0]
             / MAX_PHASE_PER_STEP
         )
         return ceil(max(needed, min_profile_rate) / self.sample_rate)
@@ -93,7 +95,7 @@ class ContactFilter:
         past = np.zeros((len(weight) // 2 + 1, 2))
         count = 0
         for force in linear_contact_force_blocks(
-            self.table, knots, rate, self.profiles
+            self.tabulated_law, knots, rate, self.profiles
         ):
             t = begin + (count + 1 + np.arange(len(force))) / rate
             count += len(force)
