@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.film.film_kernels import film_capacity, film_loads
+from dynamics.film.film_kernels import film_loads
 from dynamics.numba_kernels import kernel
 from dynamics.rattling.body import add_force
 from dynamics.rattling.layout import FILM, RECORD
@@ -107,7 +107,7 @@ def normal_mobility(disk, place):
 
 @kernel
 def add_film(disk, motion, rim, velocity, step, contacts):
-    """Add the forces of the air film in a step, and update the energy of its compressed air."""
+    """Add the forces of the air film; return the work [J] of its compressed air."""
     axis = rim.axis
     up_slope = (-axis[0] * axis[2] / rim.sine, -axis[1] * axis[2] / rim.sine, rim.sine)
     stored = motion.record[RECORD.compressed_air_energy]
@@ -116,8 +116,4 @@ def add_film(disk, motion, rim, velocity, step, contacts):
     add_force(contacts, FILM, force, point_on_face(disk, axis, up_slope, film.place))
     for i in range(3):
         contacts.torque[FILM, i] += film.drag * up_slope[i]
-    left = max(stored - film.work, 0.0)
-    rate = np.hypot(velocity.angular[0], velocity.angular[1]) / rim.sine
-    kept = min(left, film_capacity(disk.film, rim.sine, rate))
-    motion.record[RECORD.film_loss] += stored - kept
-    motion.record[RECORD.compressed_air_energy] = kept
+    return film.work

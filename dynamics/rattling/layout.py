@@ -43,10 +43,6 @@ class RecordLayout(NamedTuple):
     """Horizontal impulse of the friction since the start [N s]."""
     open_time: int
     """Time without contact since the start [s]."""
-    table_energy: int
-    """Energy of the table modes at the last sample [J]."""
-    table_work: int
-    """Work of the contacts on the table modes since the last sample [J]."""
     flight_start: int
     """Time at which the contact was last lost [s]; negative while there is contact."""
     max_flight_height: int

@@ -14,28 +14,6 @@ limited_arm_kernel = kernel(friction_limited_arm)
 
 
 @kernel
-def spin_friction_arm(disk, rim, spin):
-    """Return the moment by which slip and creep resist a spin (3,) about the vertical,
-    divided by the normal force [m]."""
-    travel = np.hypot(spin[0], spin[1]) / rim.sine
-    root = rim.sine ** (1 / SINE_ROOT_INDEX)
-    unit_arm = 0.0
-    creep = 0.0
-    for i in range(PIVOTING_COEFFICIENT_COUNT, 0, -1):
-        unit_arm = unit_arm * root + disk.spin_friction[i]
-        creep = creep * root + disk.spin_friction[PIVOTING_COEFFICIENT_COUNT + i]
-    pivoting = limited_arm_kernel(
-        unit_arm / root**4,
-        creep / root**4,
-        abs(spin[2]),
-        travel * travel,
-        False,
-        disk.friction,
-    )
-    return disk.radius * pivoting
-
-
-@kernel
 def add_resistance(disk, weight, rim, velocity, energy, step, contacts):
     """Add the resisting moments, and the torque due to the variable spring stiffness.
 
@@ -62,7 +40,22 @@ def add_resistance(disk, weight, rim, velocity, energy, step, contacts):
     directions = ((d2, -d1, 0.0), (d1, d2, 0.0), (0.0, 0.0, 1.0))
     arms = disk.arms
     if disk.spin_friction[0] > 0:
-        arms = (arms[0], arms[1], spin_friction_arm(disk, rim, velocity.angular))
+        travel = np.hypot(spin_x, spin_y) / rim.sine
+        root = rim.sine ** (1 / SINE_ROOT_INDEX)
+        unit_arm = 0.0
+        creep = 0.0
+        for i in range(PIVOTING_COEFFICIENT_COUNT, 0, -1):
+            unit_arm = unit_arm * root + disk.spin_friction[i]
+            creep = creep * root + disk.spin_friction[PIVOTING_COEFFICIENT_COUNT + i]
+        pivoting = limited_arm_kernel(
+            unit_arm / root**4,
+            creep / root**4,
+            abs(spin_z),
+            travel * travel,
+            False,
+            disk.friction,
+        )
+        arms = (arms[0], arms[1], disk.radius * pivoting)
     for arm, direction in zip(arms, directions):  # noqa: B905 - unknown to Numba
         rate = 0.0
         for i in range(3):

@@ -9,40 +9,41 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.numba_kernels import kernel, outermost
+from dynamics.film.film_kernels import film_capacity
+from dynamics.numba_kernels import outermost
 from dynamics.rattling.air_impulses import add_film
 from dynamics.rattling.body import (
-    Velocities,
     clear,
+    energy_of_change,
     fly,
     kick,
     rim_geometry,
+    scalar_product,
     write_velocity,
     write_velocity_change,
     zero_velocities,
 )
 from dynamics.rattling.layout import (
+    DASHPOT,
     ELASTIC,
+    FILM,
     RECORD,
     RIM_BLOCK_POINTS,
     Contacts,
 )
 from dynamics.rattling.ledger import (
     add_half_sample,
-    add_impulse_to_sample,
-    begin_sample,
     is_carried_by_film,
-    record_flight,
-    record_table_work,
-    start_table_account,
-    update_table_account,
+    record_mode_losses,
 )
 from dynamics.rattling.resistance import add_resistance
-from dynamics.rattling.rim_contacts import StepMotion, press_rim, stays_clear
+from dynamics.rattling.rim_contacts import press_rim, stays_clear
 from dynamics.rattling.vibration import (
     fly_table,
-    propagators_over_half_steps,
     table_deflection_bound,
+    table_energy,
+    work_lost_to_damping,
+    write_propagator,
 )
 
 CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF, IS_AIRBORNE = range(5)
@@ -68,149 +69,6 @@ class TimeSteps(NamedTuple):
     per_sample: int
     gravity: float
     final_tilt: float
-
-
-class StepArrays(NamedTuple):
-    """Arrays that the time steps reuse.
-
-    Attributes
-    ----------
-    contacts : Contacts
-        Forces of a step.
-    before, mean, change : Velocities
-        Velocities before the forces of a step, their mean in the step and their change.
-    quarter_turn : ndarray, shape (3,)
-        `RimGeometry.quarter_turn`.
-    disk_propagators : ndarray, shape (n, 4, d)
-        Propagators of the modes of the disk over 1 to n half steps, as many as there are
-        steps between two samples.
-    table_propagators : ndarray, shape (2 n, 4, t)
-        Those of the table over 1 to 2 n half steps.
-    """
-
-    contacts: Contacts
-    before: Velocities
-    mean: Velocities
-    change: Velocities
-    quarter_turn: np.ndarray
-    disk_propagators: np.ndarray
-    table_propagators: np.ndarray
-
-
-@kernel
-def new_step_arrays(edge, table, steps, motion):
-    """Return new `StepArrays` for `TimeSteps`."""
-    count = edge.heights.size
-    load = np.zeros((5, 6))
-    contacts = Contacts(
-        load,
-        load[:, :3],
-        load[:, 3:],
-        np.zeros((2, motion.modes.shape[1])),
-        np.zeros(count),
-        np.zeros(count),
-        np.zeros(count),
-        np.zeros(RIM_BLOCK_POINTS),
-        np.zeros(RIM_BLOCK_POINTS),
-        np.zeros(RIM_BLOCK_POINTS),
-    )
-    return StepArrays(
-        contacts,
-        zero_velocities(motion),
-        zero_velocities(motion),
-        zero_velocities(motion),
-        np.empty(3),
-        propagators_over_half_steps(edge, steps.per_sample, steps.duration),
-        propagators_over_half_steps(table, 2 * steps.per_sample, steps.duration),
-    )
-
-
-@kernel
-def count_merged_steps(disk, edge, table, steps, motion, arrays, max_deflection, left):
-    """Return the number of steps that can be merged into the next one, at most `left`.
-
-    The second result is the greatest deflection of the table [m] until the next contact,
-    if it is known; otherwise, it and `max_deflection` are negative.
-    """
-    if motion.record[RECORD.flight_start] < 0 or left <= 1:
-        return 1, max_deflection
-    rim = rim_geometry(disk, motion.disk, arrays.quarter_turn)
-    if max_deflection < 0:
-        max_deflection = 0.0
-        if table is not None:
-            max_deflection = table_deflection_bound(table, motion)
-    if stays_clear(
-        disk,
-        edge,
-        max_deflection,
-        steps.gravity,
-        motion,
-        rim,
-        arrays.contacts,
-        left * steps.duration,
-    ):
-        return left, max_deflection
-    return 1, max_deflection
-
-
-@kernel
-def write_contact_forces(disk, edge, table, steps, motion, rim, arrays, now):
-    """Write the forces of contacts and resisting moments in a step to the contacts.
-
-    Forces at the mean velocity and mean depth of the step conserve energy. They are
-    found from those at the velocity before the step.
-    """
-    contacts = arrays.contacts
-    for is_changed in (False, True):
-        if is_changed:
-            write_velocity_change(disk, motion, contacts, steps.duration, arrays.change)
-            for i in range(arrays.before.all.size):
-                arrays.mean.all[i] = arrays.before.all[i] + arrays.change.all[i] / 2
-            clear(contacts)
-        moving = StepMotion(arrays.mean, arrays.change, is_changed, now, steps.duration)
-        energy = press_rim(disk, edge, table, motion, rim, moving, contacts)
-        if is_changed:
-            add_resistance(
-                disk,
-                disk.mass * steps.gravity,
-                rim,
-                arrays.mean,
-                motion.record[RECORD.spring_energy],
-                steps.duration,
-                contacts,
-            )
-        motion.record[RECORD.spring_energy] = energy
-        if contacts.force[ELASTIC, 2] <= 0:
-            break
-
-
-@kernel
-def begin_forces(disk, motion, arrays):
-    """Write the velocities before the forces of a step, and clear the forces."""
-    write_velocity(disk, motion, arrays.before)
-    arrays.change.all[:] = 0.0
-    arrays.mean.all[:] = arrays.before.all
-    clear(arrays.contacts)
-    motion.record[RECORD.spring_energy] = 0.0
-
-
-@kernel
-def reason_for_end(edge, steps, motion, rim, now, weight):
-    """Return the reason for ending the time steps after a step, or CONTINUES."""
-    upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
-    record = motion.record
-    if rim.tilt < steps.final_tilt:
-        return LIES_FLAT
-    if rim.upright < upright_cosine_limit:
-        return STANDS_UPRIGHT
-    max_height = max(rim.tilt, 10 * edge.highest[0])
-    if record[RECORD.flight_start] >= 0 and (
-        record[RECORD.max_flight_height] > max_height
-    ):
-        return LIFTS_OFF
-    if is_carried_by_film(record, now, weight):
-        return IS_AIRBORNE
-    return CONTINUES
 
 
 @outermost
@@ -243,68 +101,187 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
     tuple of int
         Number of samples and of flights written, and the reason for the end.
     """
-    arrays = new_step_arrays(edge, table, steps, motion)
-    contacts = arrays.contacts
-    weight = disk.mass * steps.gravity
-    start_table_account(table, motion)
+    step, per_sample, gravity, final_tilt = steps
+    upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
+    mode_count = motion.modes.shape[1]
+    disk_modes = motion.mode_loss.size
+    propagators = np.empty((per_sample, 4, disk_modes))
+    for i in range(per_sample):
+        write_propagator(edge, (i + 1) * step / 2, propagators[i])
+    stored = 0.0
+    if table is not None:
+        table_propagators = np.empty((2 * per_sample, 4, mode_count - disk_modes))
+        for i in range(2 * per_sample):
+            write_propagator(table, (i + 1) * step / 2, table_propagators[i])
+        stored = table_energy(table, motion)
+    count = edge.heights.size
+    load = np.zeros((5, 6))
+    contacts = Contacts(
+        load,
+        load[:, :3],
+        load[:, 3:],
+        np.zeros((2, mode_count)),
+        np.zeros(count),
+        np.zeros(count),
+        np.zeros(count),
+        np.zeros(RIM_BLOCK_POINTS),
+        np.zeros(RIM_BLOCK_POINTS),
+        np.zeros(RIM_BLOCK_POINTS),
+    )
+    quarter_turn_vector = np.empty(3)
+    before = zero_velocities(motion)
+    mean = zero_velocities(motion)
+    change = zero_velocities(motion)
+    record = motion.record
+    highest = edge.highest[0]
+    weight = disk.mass * gravity
+    has_film = disk.film.turning > 0
+    received = 0.0
     max_deflection = -1.0
-    waiting = 0  # half steps since the last flight of the table
+    waiting = 0
     losses = 0
     for sample in range(samples.shape[0]):
-        row = samples[sample]
         done = 0
-        while done < steps.per_sample:
-            merged, max_deflection = count_merged_steps(
-                disk,
-                edge,
-                table,
-                steps,
-                motion,
-                arrays,
-                max_deflection,
-                steps.per_sample - 1 - done,
-            )
+        while done < per_sample:
+            merged = 1
+            left = per_sample - 1 - done
+            if record[RECORD.flight_start] >= 0 and left > 1:
+                rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
+                if max_deflection < 0:
+                    max_deflection = 0.0
+                    if table is not None:
+                        max_deflection = table_deflection_bound(table, motion)
+                if stays_clear(
+                    disk,
+                    edge,
+                    max_deflection,
+                    gravity,
+                    motion,
+                    rim,
+                    contacts,
+                    left * step,
+                ):
+                    merged = left
             done += merged
+            duration = merged * step
+            propagator = propagators[merged - 1]
+            fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
-            duration = merged * steps.duration
-            propagator = arrays.disk_propagators[merged - 1]
-            fly(disk, steps.gravity, edge, motion, propagator, duration / 2)
+            if table is not None and merged == 1:
+                fly_table(table, motion, table_propagators[waiting - 1])
+                waiting = 0
+            now = begin + (sample * per_sample + done) * step
+            rim = rim_geometry(disk, motion.disk, quarter_turn_vector)
+            write_velocity(disk, motion, before)
+            change.all[:] = 0.0
+            mean.all[:] = before.all
+            clear(contacts)
+            record[RECORD.spring_energy] = 0.0
             if merged == 1:
-                waiting = fly_table(table, motion, arrays.table_propagators, waiting)
-            now = begin + (sample * steps.per_sample + done) * steps.duration
-            rim = rim_geometry(disk, motion.disk, arrays.quarter_turn)
-            begin_forces(disk, motion, arrays)
-            if merged == 1:
-                write_contact_forces(disk, edge, table, steps, motion, rim, arrays, now)
-            touches = contacts.force[ELASTIC, 2] > 0
-            if disk.film.turning > 0:
-                add_film(disk, motion, rim, arrays.before, duration, contacts)
-            losses = record_flight(
-                motion, rim, contacts, weight, now, duration, flights, losses
-            )
-            if done == steps.per_sample:
-                begin_sample(table, motion, row)
-            if touches or disk.film.turning > 0:
-                write_velocity_change(disk, motion, contacts, duration, arrays.change)
-                if done == steps.per_sample:
-                    add_impulse_to_sample(
-                        motion, contacts, arrays.change, duration, row
+                for is_changed in (False, True):
+                    if is_changed:
+                        # Forces at the mean velocity and mean depth of the step
+                        # conserve energy.
+                        write_velocity_change(disk, motion, contacts, step, change)
+                        for i in range(before.all.size):
+                            mean.all[i] = before.all[i] + change.all[i] / 2
+                        clear(contacts)
+                    energy = press_rim(
+                        disk,
+                        edge,
+                        table,
+                        motion,
+                        rim,
+                        mean,
+                        change,
+                        is_changed,
+                        now,
+                        step,
+                        contacts,
                     )
-                kick(disk, motion, contacts, arrays.before, arrays.change, duration)
+                    if is_changed:
+                        add_resistance(
+                            disk,
+                            weight,
+                            rim,
+                            mean,
+                            record[RECORD.spring_energy],
+                            step,
+                            contacts,
+                        )
+                    record[RECORD.spring_energy] = energy
+                    if contacts.force[ELASTIC, 2] <= 0:
+                        break
+            touches = contacts.force[ELASTIC, 2] > 0
+            if has_film:
+                work = add_film(disk, motion, rim, before, duration, contacts)
+                left = max(record[RECORD.compressed_air_energy] - work, 0.0)
+                rate = np.hypot(before.angular[0], before.angular[1]) / rim.sine
+                kept = min(left, film_capacity(disk.film, rim.sine, rate))
+                record[RECORD.film_loss] += record[RECORD.compressed_air_energy] - kept
+                record[RECORD.compressed_air_energy] = kept
+            if (
+                touches
+                and contacts.force[ELASTIC, 2] + contacts.force[DASHPOT, 2]
+                > 1e-6 * weight
+            ):
+                if record[RECORD.flight_start] >= 0:
+                    flights[losses, 0] = record[RECORD.flight_start]
+                    flights[losses, 1] = now - record[RECORD.flight_start]
+                    flights[losses, 2] = record[RECORD.max_flight_height]
+                    losses += 1
+                    record[RECORD.flight_start] = -1.0
+            else:
+                if record[RECORD.flight_start] < 0:
+                    record[RECORD.flight_start] = now
+                    record[RECORD.max_flight_height] = 0.0
+                    record[RECORD.flight_film_impulse] = 0.0
+                record[RECORD.open_time] += duration
+                record[RECORD.flight_film_impulse] += duration * contacts.force[FILM, 2]
+                record[RECORD.max_flight_height] = max(
+                    record[RECORD.max_flight_height], rim.height - rim.tilt
+                )
+            if done == per_sample:
+                record_mode_losses(motion)
+                samples[sample] = 0.0
+                if table is not None:
+                    energy = table_energy(table, motion)
+                    record[RECORD.table_mode_loss] += stored + received - energy
+                    samples[sample, -1] = energy
+                    stored = energy
+                    received = 0.0
+                add_half_sample(motion, samples[sample])
+            if touches or has_film:
+                write_velocity_change(disk, motion, contacts, duration, change)
+                if done == per_sample:
+                    gain = energy_of_change(contacts, change, disk_modes, duration)
+                    samples[sample, motion.disk.size + RECORD.spring_energy] += gain / 4
+                kick(disk, motion, contacts, before, change, duration)
             if table is not None and touches:
                 max_deflection = -1.0
-                kinetic = record_table_work(
-                    table, motion, arrays.before, arrays.change, steps.duration
-                )
-                if done == steps.per_sample:
-                    row[-1] += kinetic
-            if done == steps.per_sample:
-                add_half_sample(motion, row)
-            fly(disk, steps.gravity, edge, motion, propagator, duration / 2)
+                gain = change.table_modes
+                by_old = scalar_product(before.table_modes, gain)
+                by_gain = scalar_product(gain, gain)
+                received += by_old + by_gain / 2
+                received -= work_lost_to_damping(table, motion, gain, step)
+                if done == per_sample:  # the mean energy before and after the impulse
+                    samples[sample, -1] += by_old / 2 + by_gain / 4
+            if done == per_sample:
+                add_half_sample(motion, samples[sample])
+            fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
-            reason = reason_for_end(edge, steps, motion, rim, now, weight)
-            if reason != CONTINUES:
-                return sample, losses, reason
-    fly_table(table, motion, arrays.table_propagators, waiting)
-    update_table_account(table, motion)
+            if rim.tilt < final_tilt:
+                return sample, losses, LIES_FLAT
+            if rim.upright < upright_cosine_limit:
+                return sample, losses, STANDS_UPRIGHT
+            if record[RECORD.flight_start] >= 0 and record[
+                RECORD.max_flight_height
+            ] > max(rim.tilt, 10 * highest):
+                return sample, losses, LIFTS_OFF
+            if is_carried_by_film(record, now, weight):
+                return sample, losses, IS_AIRBORNE
+    if table is not None:
+        fly_table(table, motion, table_propagators[waiting - 1])
+        energy = table_energy(table, motion)
+        record[RECORD.table_mode_loss] += stored + received - energy
     return samples.shape[0], losses, CONTINUES

@@ -116,28 +116,8 @@ def write_propagator(body, h, out):
 
 
 @kernel
-def propagators_over_half_steps(body, count, step):
-    """Return the propagators (count, 4, k) of the modes of edge or table over 1 to `count`
-    half steps; a body that is None has no modes."""
-    size = 0
-    if body is not None:
-        size = body.frequency.size
-    out = np.empty((count, 4, size))
-    if body is not None:
-        for i in range(count):
-            write_propagator(body, (i + 1) * step / 2, out[i])
-    return out
-
-
-@kernel
-def fly_table(table, motion, propagators, waiting):
-    """Advance the modes of the table exactly over `waiting` half steps without contact.
-
-    Returns the number of half steps that are left, which is 0 unless the table is rigid.
-    """
-    if table is None:
-        return waiting
-    propagator = propagators[waiting - 1]
+def fly_table(table, motion, propagator):
+    """Advance the modes of the table exactly without contact by their propagator (4, t)."""
     place = motion.table_place
     speed = motion.table_speed
     later = table.work
@@ -147,7 +127,6 @@ def fly_table(table, motion, propagators, waiting):
         speed[j] = propagator[2, j] * place[j] + propagator[3, j] * speed[j]
     for j in range(later.size):
         place[j] = later[j]
-    return 0
 
 
 @kernel
@@ -289,24 +268,24 @@ def update_node_deflections(disk, table, motion, rim, now, begin, count):
 
 
 @kernel
-def write_node_speeds(disk, table, rim, moving, begin, count):
+def write_node_speeds(
+    disk, table, rim, velocity, change, is_changed, now, begin, count
+):
     """Evaluate slopes and speed of the table at `count` nodes from `begin` on.
 
-    `moving` is a `StepMotion`. A speed that was evaluated before the change is corrected by half of it.
+    A speed that was evaluated before the change is corrected by half of it.
     """
     for n in range(begin, begin + count):
         node = n % table.known_since.size
         incline = table.incline[node]
-        is_known = moving.is_changed and table.evaluated[1, node] == moving.now
+        is_known = is_changed and table.evaluated[1, node] == now
         if not is_known:
-            table.evaluated[1, node] = moving.now
+            table.evaluated[1, node] = now
             for i in range(2):
                 incline[i] = scalar_product(table.slopes[node, i], table.displacement)
-            table.motion[SPEED, node] = node_speed(
-                disk, table, rim, moving.velocity, node
-            )
-        if moving.is_changed:
-            gain = node_speed(disk, table, rim, moving.change, node)
+            table.motion[SPEED, node] = node_speed(disk, table, rim, velocity, node)
+        if is_changed:
+            gain = node_speed(disk, table, rim, change, node)
             table.motion[CHANGE, node] = gain
             if is_known:
                 table.motion[SPEED, node] += gain / 2

@@ -414,38 +414,6 @@ def find_gap_minima(modes, constants, centre, axis, scratch):
 
 
 @kernel
-def improve_gap_minimum(modes, constants, centre, axis, rough, scratch, n):
-    """Improve the angle of minimum n of the gap by one Newton step.
-
-    Returns the height of the table above the rim there, without that of the centre [m].
-    The whole rim is scanned in the next step if the disk is almost parallel to the table.
-    """
-    # curvature of the gap along the rim, divided by that on a level table, below which the disk
-    # is almost parallel to the table
-    min_curvature_ratio = 0.5
-    field = scratch[6]
-    rim_field = scratch[7]
-    R = constants.core_radius
-    level_curvature = R * np.sqrt(axis[0] * axis[0] + axis[1] * axis[1])
-    angle = modes.contact[CONTACT.minimum_angles + n]
-    c, s, reach, down = evaluate_gap(modes, constants, centre, axis, angle, scratch)
-    down = R * down  # height and slope of the rim
-    side = R * (axis[1] * c - axis[0] * s)
-    turn = angle_between(modes.contact[CONTACT.angle], angle)
-    add_rim_heights(rough, reach, constants.radius, turn, rim_field)
-    slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
-    bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
-    bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
-    curvature = down - bend
-    if curvature < min_curvature_ratio * level_curvature:
-        modes.contact[CONTACT.steps_to_scan] = 0
-    step = slope / max(curvature, 0.1 * level_curvature + 1e-300)
-    step = min(max(step, -0.1), 0.1)
-    modes.contact[CONTACT.minimum_angles + n] = angle + step
-    return field[0] + rim_field[0] + down + step * slope / 2
-
-
-@kernel
 def track_contact(modes, constants, centre, axis, rough, scratch):
     """Find the contact of a disk with an axis n and a centre (x, y) on the table.
 
@@ -457,7 +425,14 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
     contact are stored as `shape_after`. Returns the direction [rad], the sum of the
     heights of table and edge [m], and the path length from the previous contact [m].
     """
+    # curvature of the gap along the rim, divided by that on a level table, below which the disk
+    # is almost parallel to the table
+    min_curvature_ratio = 0.5
+    field = scratch[6]
+    rim_field = scratch[7]
+    R = constants.core_radius
     n0, n1, n2 = axis
+    level_curvature = R * np.sqrt(n0 * n0 + n1 * n1)
     x = modes.table_is_fixed * centre[0]
     y = modes.table_is_fixed * centre[1]
     modes.contact[CONTACT.steps_to_scan] -= 1
@@ -467,13 +442,29 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
     lowest_gap = -np.inf
     contact_angle = last
     for n in range(int(modes.contact[CONTACT.minimum_count])):
-        value = improve_gap_minimum(modes, constants, (x, y), axis, rough, scratch, n)
+        angle = modes.contact[CONTACT.minimum_angles + n]
+        c, s, reach, down = evaluate_gap(modes, constants, (x, y), axis, angle, scratch)
+        down = R * down  # height and slope of the rim
+        side = R * (n1 * c - n0 * s)
+        add_rim_heights(
+            rough, reach, constants.radius, angle_between(last, angle), rim_field
+        )
+        slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
+        bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
+        bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
+        curvature = down - bend
+        if curvature < min_curvature_ratio * level_curvature:
+            modes.contact[CONTACT.steps_to_scan] = 0
+        step = slope / max(curvature, 0.1 * level_curvature + 1e-300)
+        step = min(max(step, -0.1), 0.1)
+        modes.contact[CONTACT.minimum_angles + n] = angle + step
+        value = field[0] + rim_field[0] + down + step * slope / 2
         if value > lowest_gap:
             lowest_gap = value
-            contact_angle = modes.contact[CONTACT.minimum_angles + n]
+            contact_angle = angle + step
     c = np.cos(contact_angle)
     s = np.sin(contact_angle)
-    reach = constants.core_radius * n2 - (n0 * c + n1 * s) * constants.core_depth
+    reach = R * n2 - (n0 * c + n1 * s) * constants.core_depth
     store_table_shapes(
         modes,
         x + reach * c,
@@ -489,11 +480,9 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
         n2,
         modes.shape_after,
     )
-    turn = angle_between(last, contact_angle)
-    rim_field = scratch[7]
     rim_field[:] = 0.0
-    add_rim_heights(rough, reach, constants.core_radius, turn, rim_field)
-    return contact_angle, rim_field[0], reach * turn
+    add_rim_heights(rough, reach, R, angle_between(last, contact_angle), rim_field)
+    return contact_angle, rim_field[0], reach * angle_between(last, contact_angle)
 
 
 @kernel

@@ -77,73 +77,6 @@ class MotionRecords(NamedTuple):
     """Start and end [s] (g, 2)."""
 
 
-@kernel
-def step_tangential_part(y, model, modes, h):
-    """Advance the state by the tangential part of a step h.
-
-    The force of a bowl acts outside the other parts, which balance the energy without
-    gravity.
-    """
-    apply_bowl_force(y, model.constants, h / 2)
-    if len(modes.amplitude) > 0:
-        step_tangential_with_modes(
-            y, model.constants, model.powers, model.law, modes, h
-        )
-    else:
-        step_tangential(y, model.constants, model.powers, model.law, h)
-    apply_bowl_force(y, model.constants, h / 2)
-
-
-@kernel
-def step_normal_part(y, model, modes, scratch, h):
-    """Advance the state by the normal part of a step h.
-
-    Returns False if the normal force has no solution, and True if the disk is flat at
-    the end of the step.
-    """
-    # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
-    # With several modes the contact is not unique, and the disk would rattle forever.
-    rest_duration = 0.02
-    # Ratio of sin(inclination) after and before a step below which the disk is flat, because
-    # it would pass through the table in the next steps.
-    min_inclination_ratio = 0.6
-    constants, _, law, table, rim = model
-    if len(modes.amplitude) > 0:
-        solved = step_normal_with_modes(
-            y, constants, law, table, rim, modes, scratch, h
-        )
-        modes.contact[CONTACT.flat_steps] = (
-            modes.contact[CONTACT.flat_steps] + 1
-            if y[STATE.sin_inclination] < FLAT_INCLINATION
-            else 0
-        )
-        flat = (
-            modes.contact[CONTACT.flat_steps] * h > rest_duration
-            or y[STATE.energy_deficit] > 0
-        )
-    else:
-        sine_before = y[STATE.sin_inclination]
-        solved = step_normal(y, constants, law, table, rim, h)
-        flat = y[STATE.sin_inclination] < min_inclination_ratio * sine_before
-    return solved, flat
-
-
-@kernel
-def add_tangential_force(y, share, forces, n):
-    """Add a share of the tangential force to row n of the mean forces (n p, 3)."""
-    for k in range(2):
-        forces[n, k] += share * y[STATE.tangential_force + k]
-
-
-@kernel
-def write_row(y, modes, row):
-    """Write the state and the energies of the modes to a row (STATE_SIZE,)."""
-    if len(modes.amplitude) > 0:
-        y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
-    for j in range(len(y)):  # `row[:] = y` would add seconds to the compilation time
-        row[j] = y[j]
-
-
 @outermost
 def step_motion(y, steps, model, modes, records):
     """Advance the state y and fill the rows of the records.
@@ -167,9 +100,15 @@ def step_motion(y, steps, model, modes, records):
         Reason for the return, and the numbers of filled rows, ended flights and
         ended slips.
     """
+    # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
+    # With several modes the contact is not unique, and the disk would rattle forever.
+    rest_duration = 0.02
+    # Ratio of sin(inclination) after and before a step below which the disk is flat, because
+    # it would pass through the table in the next steps.
+    min_inclination_ratio = 0.6
+    constants, powers, law, table, rim = model
+    steps_before, h, steps_per_row, final_sine = steps
     rows, forces, flights, slips = records
-    steps_before = steps.before
-    h = steps.duration
     flying = flights[0, 0] == flights[0, 0]
     sliding = slips[0, 0] == slips[0, 0]
     flight = 0
@@ -177,36 +116,77 @@ def step_motion(y, steps, model, modes, records):
     forces[:] = 0.0
     scratch = np.zeros((8, 6))
     has_modes = len(modes.amplitude) > 0
-    steps_per_force = steps.per_row * len(rows) // len(forces)
+    steps_per_force = (
+        steps_per_row * len(rows) // len(forces)
+    )  # number of steps in each mean force
+    previous_force = 0
+    current_force = 0
+    steps_left = steps_per_force
     half_weight = 1 / (2 * steps_per_force)
     for row in range(len(rows)):
         if row == 0 or not has_modes:
-            update_law_interval(y, model.law)
-        for i in range(steps.per_row + 1):
-            done = steps_before - steps.before
-            step_tangential_part(
-                y, model, modes, h / 2 if i in (0, steps.per_row) else h
-            )
-            # half of each tangential step counts for the previous force, half for the next
-            if i > 0:
-                add_tangential_force(
-                    y, half_weight, forces, (done - 1) // steps_per_force
+            update_law_interval(y, law)
+        for i in range(steps_per_row + 1):
+            tangential_step = h / 2 if i in (0, steps_per_row) else h
+            # outside the tangential parts, which balance the energy without gravity
+            apply_bowl_force(y, constants, tangential_step / 2)
+            if has_modes:
+                step_tangential_with_modes(
+                    y, constants, powers, law, modes, tangential_step
                 )
-            if i < steps.per_row:
-                add_tangential_force(y, half_weight, forces, done // steps_per_force)
+            else:
+                step_tangential(y, constants, powers, law, tangential_step)
+            apply_bowl_force(y, constants, tangential_step / 2)
+            for k in range(
+                2
+            ):  # half of each tangential step counts for the previous force, half for the next
+                if i > 0:
+                    forces[previous_force, k] += (
+                        half_weight * y[STATE.tangential_force + k]
+                    )
+                if i < steps_per_row:
+                    forces[current_force, k] += (
+                        half_weight * y[STATE.tangential_force + k]
+                    )
             if (y[STATE.is_sliding] > 0) != sliding:
                 slips[slip, 1 if sliding else 0] = steps_before * h
                 slip += 1 if sliding else 0
                 sliding = not sliding
-            if i == steps.per_row:
+            if i == steps_per_row:
                 break
             gap_before = y[STATE.gap]
-            solved, flat = step_normal_part(y, model, modes, scratch, h)
+            sine_before = y[STATE.sin_inclination]
+            if has_modes:
+                solved = step_normal_with_modes(
+                    y,
+                    constants,
+                    law,
+                    table,
+                    rim,
+                    modes,
+                    scratch,
+                    h,
+                )
+                modes.contact[CONTACT.flat_steps] = (
+                    modes.contact[CONTACT.flat_steps] + 1
+                    if y[STATE.sin_inclination] < FLAT_INCLINATION
+                    else 0
+                )
+                flat = (
+                    modes.contact[CONTACT.flat_steps] * h > rest_duration
+                    or y[STATE.energy_deficit] > 0
+                )
+            else:
+                solved = step_normal(y, constants, law, table, rim, h)
+                flat = y[STATE.sin_inclination] < min_inclination_ratio * sine_before
             if not solved:
                 return EndReason.UNSOLVED, row, flight, slip
-            forces[done // steps_per_force, 2] += (
-                2 * half_weight * y[STATE.normal_force]
-            )
+            forces[current_force, 2] += 2 * half_weight * y[STATE.normal_force]
+            previous_force = current_force
+            steps_left -= 1
+            if steps_left == 0:
+                current_force += 1
+                steps_left = steps_per_force
             flying, flight = record_flight(
                 flights,
                 flight,
@@ -219,17 +199,22 @@ def step_motion(y, steps, model, modes, records):
             steps_before += 1
             if flat:
                 return EndReason.LIES_FLAT, row, flight, slip
-            if model.constants.film.turning > 0 and update_contact_loss(
-                y, model.constants, h
-            ):
+            if constants.film.turning > 0 and update_contact_loss(y, constants, h):
                 return EndReason.IS_AIRBORNE, row, flight, slip
         if has_modes:
-            update_gap_stiffness(y, model.constants, modes, model.law)
-        write_row(y, modes, rows[row])
-        if y[8] <= 0:
-            return EndReason.STANDS_UPRIGHT, row + 1, flight, slip
-        if y[STATE.sin_inclination] < steps.final_sine and not has_modes:
-            return EndReason.LIES_FLAT, row + 1, flight, slip
+            update_gap_stiffness(y, constants, modes, law)
+            y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
+        for j in range(
+            len(y)
+        ):  # `rows[row] = y` would add seconds to the compilation time
+            rows[row, j] = y[j]
+        if (y[STATE.sin_inclination] < final_sine and not has_modes) or y[8] <= 0:
+            return (
+                (EndReason.STANDS_UPRIGHT if y[8] <= 0 else EndReason.LIES_FLAT),
+                row + 1,
+                flight,
+                slip,
+            )
     return EndReason.CONTINUES, len(rows), flight, slip
 
 
