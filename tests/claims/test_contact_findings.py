@@ -22,7 +22,7 @@ from dynamics.compliant.law.linear_response import (
 )
 from dynamics.compliant.law.roughness import table_profile
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from sonify import load_scene
 from sonify.claims import contact
 from sonify.claims.contact import (
@@ -44,7 +44,7 @@ from sonify.sound.pressure import Track
 from sonify.sound.render import Renderer
 
 RATE = 48000
-TABLE = LawTable(law=granite())
+TABLE = TabulatedLaw(law=granite())
 
 
 def track(samples):
@@ -99,7 +99,7 @@ def test_a_carrier_that_stays_does_not_rise():
 def still(rms, load=TABLE.law.disk.weight):
     one = np.ones(96)
     return PredictedVibration(
-        table=TABLE, t=np.arange(len(one)) / 10, inclination=0.1 * one,
+        tabulated_law=TABLE, t=np.arange(len(one)) / 10, inclination=0.1 * one,
         load=load * one, speed=3 * one, rolls=one > 0,
         rms=rms * one, power=0 * one, shift=0 * one, load_factor=one,
     )  # fmt: skip

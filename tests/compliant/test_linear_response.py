@@ -33,10 +33,10 @@ from dynamics.compliant.law.roughness import (
     wave_spectrum,
 )
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 
 LAW = granite()
-TABLE = LawTable(law=LAW)
+TABLE = TabulatedLaw(law=LAW)
 RADIUS, WEIGHT = LAW.disk.radius, LAW.disk.weight
 
 

@@ -23,12 +23,12 @@ from dynamics.compliant.law.statistical_linearisation import (
     effective_load_factor,
     mean_stiffness,
 )
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.state_conversion import preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
 
-TABLE, ROUGH = LawTable(law=granite()), Roughness(rms=1e-7)
+TABLE, ROUGH = TabulatedLaw(law=granite()), Roughness(rms=1e-7)
 DISK = TABLE.law.disk
 
 
@@ -59,7 +59,7 @@ def test_the_full_motion_rings_as_low():
         rough = Roughness(rms=1e-7, seed=seed)
         profiles = table_profile(rough), edge_profile(rough, DISK.radius)
         model = CompliantModel(
-            table=TABLE,
+            tabulated_law=TABLE,
             friction=Friction(mu_static=10.0, mu_dynamic=10.0),
             profiles=profiles,
             rate=2e5,

@@ -154,7 +154,7 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends):
         distance = SETTLING.shape_distance
         channel = _loudest_channels(onsets, window, distance, channels)[0][0]
         estimate = _estimate(onsets, window, channel)
-        earlier = _earlier(window)
+        earlier = _shifted_earlier(window)
         promising.append(estimate)
         if estimate[0] >= min_score and earlier.first >= 0:
             promising.append(_estimate(onsets, earlier, channel))
@@ -166,7 +166,7 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends):
     ]
 
 
-def _earlier(window):
+def _shifted_earlier(window):
     """Return a window shifted to earlier times by 40 ms."""
     frames = round(0.04 * FRAME_RATE)
     return replace(window, first=window.first - frames, stop=window.stop - frames)

@@ -14,7 +14,7 @@ from sonify.hearing.settling.settings import SETTLING
 
 
 @dataclass(frozen=True, eq=False)
-class WarpTable:
+class TabulatedWarps:
     """Cuts of a window into equal steps of phase, as frame and remainder (shapes, steps
     + 1).
 
@@ -27,13 +27,13 @@ class WarpTable:
 
 
 @lru_cache(maxsize=256)
-def warp_table(family: ShapeSet, length: int, steps: int) -> WarpTable:
+def tabulated_warps(family: ShapeSet, length: int, steps: int) -> TabulatedWarps:
     """Return the cuts of a window of `length` frames for the shapes of a family."""
     phases = np.linspace(0, 1, steps + 1)
     places = length * np.array([shape.time(phases) for shape in family.shapes])
     index = np.clip(places.astype(np.int32), 0, length - 1)
     first_rates = np.array([shape.first_rate for shape in family.shapes])
-    return WarpTable(index, (places - index).astype(np.float32), first_rates)
+    return TabulatedWarps(index, (places - index).astype(np.float32), first_rates)
 
 
 @njit(cache=True, nogil=True)
@@ -179,19 +179,19 @@ class SearchResult(NamedTuple):
         return turns_of(self.spectra[i], self.min_turns[i], self.harmonics[i])
 
 
-def search(values: np.ndarray, scale_ms, table: WarpTable) -> SearchResult:
+def search(values: np.ndarray, scale_ms, warps: TabulatedWarps) -> SearchResult:
     """Return the result for the shapes of a table in windows (frames,) or (windows,
     frames)."""
     windows = np.atleast_2d(values)
     count, length = windows.shape
-    shapes, cuts = table.index.shape
+    shapes, cuts = warps.index.shape
     padded = np.zeros((count * shapes, 2 * (cuts - 1)), dtype=np.float32)
-    energy = _warp(windows, table.index, table.fraction, padded)
+    energy = _warp(windows, warps.index, warps.fraction, padded)
     spectra = rfft(padded, axis=1, overwrite_x=True)
     independent = length / np.atleast_1d(scale_ms)
     min_turns = np.maximum(
         SETTLING.min_turns,
-        SETTLING.min_initial_rate * length / 1000 / table.first_rates,
+        SETTLING.min_initial_rate * length / 1000 / warps.first_rates,
     )
     min_turns = np.minimum(min_turns, (cuts - 1) / 2)
     found = _likelihoods(spectra, energy, independent, min_turns)
@@ -208,9 +208,9 @@ def likelihoods(
     found = np.empty((len(values), len(shapes.begins)))
     steps = np.array([phase_step_count(length, scale) for scale in scales_ms])
     for count in np.unique(steps):
-        table = warp_table(shapes, length, int(count))
+        warps = tabulated_warps(shapes, length, int(count))
         same = np.flatnonzero(steps == count)
-        every = search(values[same], scales_ms[same], table).likelihood
+        every = search(values[same], scales_ms[same], warps).likelihood
         found[same] = np.maximum.reduceat(every, shapes.begins, axis=1)
     return found
 
@@ -222,8 +222,8 @@ def strongest_laws(
     first."""
     count = 3
     length = len(values)
-    table = warp_table(shapes, length, phase_step_count(length, scale_ms))
-    result = search(values, scale_ms, table)
+    warps = tabulated_warps(shapes, length, phase_step_count(length, scale_ms))
+    result = search(values, scale_ms, warps)
 
     def law(i):
         likelihood = float(result.likelihood[i])
