@@ -86,20 +86,8 @@ def edge_flexibility(plate: Plate) -> Edge:
     return _cached_edge(plate)
 
 
-def yielding_edge(plate: Plate) -> Edge:
-    """Return `edge_flexibility`, of which this is the former name.
-
-    Parameters
-    ----------
-    plate : Plate
-        A solid plate with a free edge.
-
-    Returns
-    -------
-    Edge
-        Flexibility of the edge.
-    """
-    return edge_flexibility(plate)
+yielding_edge = edge_flexibility
+"""Former name of `edge_flexibility`."""
 
 
 @lru_cache(maxsize=32)
