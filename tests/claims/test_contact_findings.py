@@ -139,6 +139,7 @@ def test_several_contacts_are_marked_from_when_on():
     assert several_contacts_notes(np.arange(5.0), np.full(5, 0.9)) == []
 
 
+@pytest.mark.slow
 def test_the_power_that_roughness_takes_is_force_times_rise():
     """The time mean of N' z' on a rough table in steady motion equals the spectral result."""
     rough = Roughness(rms=1e-8, rms_edge=0.0)

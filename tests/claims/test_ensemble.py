@@ -38,6 +38,7 @@ def test_a_quantity_has_a_median_and_a_full_range():
     assert str(found) == "end: 2 (1 to 3) s, in 3 of 4"
 
 
+@pytest.mark.slow
 def test_the_command_repeats_a_motion_and_prints_shares(tmp_path):
     """Over 0.3 s nothing is chaotic: the repetitions end at the time limit without a loss."""
     sets = ["numerics.time_limit=0.3", "numerics.accuracy=draft"]

@@ -318,6 +318,7 @@ QUESTIONS = [
 ]
 
 
+@pytest.mark.slow
 def test_a_run_ends_with_its_files_and_answers_and_tells_what_it_replaces(tmp_path):
     """The second run repeats the first; the third differs in its name and in one key."""
     short = (

@@ -68,6 +68,7 @@ def test_the_film_takes_its_power(carried):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pressure", [101.325, 1013.25])
 def test_squeezed_air_gives_no_more_than_it_holds(pressure):
     """The waves of a light table throw the disk; no loss decreases, and the energy balances."""

@@ -18,6 +18,7 @@ def coin(restitution, modulus=40e9):
     return flat_disk(RADIUS, 2.2e-3, 8.5e-3, modulus, 0.5e-3, restitution)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ratio", "open_share", "tolerance"),
     [(1, 0.01, 0.01), (2, 0.09, 0.03), (5, 0.34, 0.04), (20, 0.62, 0.05)],

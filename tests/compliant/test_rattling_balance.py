@@ -107,6 +107,7 @@ def springs_and_dashpots(model, state, reach=300):
     return stored, np.bincount(row, force * approach, len(state))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("restitution", [0.5, 0.999999999])
 def test_the_energy_balances_by_another_quadrature(restitution):
     """To 1e-6 of the initial energy, while impacts take 3e-3 of it.

@@ -89,6 +89,7 @@ def test_hop_of_a_kicked_rim_lasts_as_long_as_a_free_flight():
     assert motion.contact_losses[0].duration == pytest.approx(0.437e-3, rel=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ratio", "open_share", "tolerance"),
     [(1, 0.01, 0.01), (2, 0.09, 0.03), (5, 0.34, 0.04), (20, 0.62, 0.05)],
@@ -275,6 +276,7 @@ def test_the_resonance_is_that_of_the_contact_on_the_fillet():
     assert resonance == pytest.approx(found[0], rel=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("last", [0.02, 0.01])
 def test_the_end_is_extrapolated_at_the_rate_of_fall(last):
     """A coin on heights of 3 um falls at a constant rate, so that the end of the motion that is
@@ -414,6 +416,7 @@ def test_the_film_decides_how_often_a_recorded_coin_turns(rate, left, too_late):
     assert floats == too_late
 
 
+@pytest.mark.slow
 def test_a_ruled_table_is_the_same_on_both_sides_of_its_lines():
     """The heights depend on x = R cos(a) only; their rms is that of the table, averaged over
     seeds.

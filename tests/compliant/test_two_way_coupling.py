@@ -408,6 +408,7 @@ def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(
         solve_motion(plan_motion(soft, surface_modes(soft)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [1, 2])
 def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
     """On a tilted table, or on one with two waves, a disk could rattle indefinitely.
@@ -454,6 +455,7 @@ LATE = (
 """A release in steady motion shortly before the end."""
 
 
+@pytest.mark.slow
 def test_a_massive_table_is_never_handed_over(elastic):
     massive = elastic.replace(
         *LATE,

@@ -196,6 +196,7 @@ def rms_above(force, rate, lowest=200.0):
     return np.sqrt(power[frequency > lowest].sum() * frequency[1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beta", [0.03, 0.01])
 def test_the_filter_in_time_has_the_predicted_force(mirror, beta):
     speed = rate_of(mirror, beta) * lever_of(mirror, beta)

@@ -229,6 +229,7 @@ def test_other_disks_in_other_air_end_alike_by_both_integrators(
     assert ends[0] == pytest.approx(ends[1], rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("disk", "pressure"),
     [(None, 101325.0), (None, 1000.0), (COIN, 10132.5), (PLATE, 101325.0)],

@@ -180,6 +180,7 @@ def test_the_truth_is_found_and_named(decay, shares, verdict):
     assert found.fit.value(0).value == pytest.approx(12.0, abs=0.02)
 
 
+@pytest.mark.slow
 def test_a_double_that_is_louder_does_not_hide_the_precession(decay):
     """A high-pass attenuates the precession of a disk slowed by air alone.
 
@@ -412,6 +413,7 @@ def voice(seconds, seed):
     return made / made.std()
 
 
+@pytest.mark.slow
 def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decay):
     run = recording(
         decay, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3
@@ -454,6 +456,7 @@ def test_what_cannot_be_told_is_not_told(decay):
     assert "rolling" not in verdicts
 
 
+@pytest.mark.slow
 def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(
     decay,
 ):

@@ -93,6 +93,7 @@ END
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", ["", "import os; os.kill(os.getpid(), 9)"])
 def test_a_script_without_a_guard_draws_and_leaves_no_process(end, tmp_path):
     script = tmp_path / "script.py"

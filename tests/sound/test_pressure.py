@@ -223,6 +223,7 @@ def test_files_hold_what_they_say(scene, short, modes, tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_the_same_scene_gives_the_same_bytes(scene, modes, tmp_path):
     prints = []
     for folder in ("a", "b"):
