@@ -71,7 +71,6 @@ class Tools:
     dynamics: Dynamics
 
 
-@one_blas_thread
 def solve(
     scene: Scene | str | Path,
     accuracy: str | None = None,
@@ -143,6 +142,7 @@ def check_dynamics(dynamics: str) -> None:
         raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
 
 
+@one_blas_thread
 def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
     """Return the result of a scene with the decisions of its motion.
 
