@@ -112,7 +112,7 @@ class MotionPlan(MotionBasis):
         Loads other than those of the contact.
     final_inclination : float
         Inclination [rad] at which the motion counts as settled.
-    law_table : TabulatedLaw or None
+    tabulated_law : TabulatedLaw or None
         The tabulated law of an elastic contact.
     contact : ModelChoice
         Model of the contact.
@@ -134,7 +134,7 @@ class MotionPlan(MotionBasis):
     ('rigid', "air.film = 'none'")
     """
 
-    law_table: "TabulatedLaw | None"
+    tabulated_law: "TabulatedLaw | None"
     contact: ModelChoice
     step_rate: float
     obstacle_to_two_way: str
@@ -168,24 +168,26 @@ class MotionPlan(MotionBasis):
         return self.surface_modes if self.is_two_way_from_release else None
 
     @cached_property
-    def series_law_table(self) -> "TabulatedLaw":
+    def series_tabulated_law(self) -> "TabulatedLaw":
         """The tabulated law with the flexibility of the edge in series with every spring.
 
         It exists for an elastic contact only.
         """
-        assert self.law_table is not None
+        assert self.tabulated_law is not None
         from dynamics.compliant.law.tabulated import TabulatedSeriesLaw  # loads SciPy
 
-        return TabulatedSeriesLaw(law=self.law_table.law, edge=self.law_table.edge)
+        return TabulatedSeriesLaw(
+            law=self.tabulated_law.law, edge=self.tabulated_law.edge
+        )
 
     @cached_property
     def roughness_energy_share(self) -> float:
         """Predicted fraction of the energy that roughness dissipates on a rolling disk."""
-        if self.law_table is None:
+        if self.tabulated_law is None:
             return 0.0
         from dynamics.compliant.model_selection import roughness_energy_share
 
-        return roughness_energy_share(self, self.law_table)
+        return roughness_energy_share(self, self.tabulated_law)
 
     @cached_property
     def predicted_end_error(self) -> float:
@@ -305,9 +307,9 @@ class MotionPlan(MotionBasis):
             self,
             scene=scene,
             final_inclination=final_inclination(scene, self.film),
-            law_table=_tabulated_law(scene)
+            tabulated_law=_tabulated_law(scene)
             if "contact" in sections
-            else self.law_table,
+            else self.tabulated_law,
         )
         return replace(plan, step_rate=_step_rate(plan, plan.contact))
 
@@ -379,7 +381,7 @@ def plan_motion(scene: MotionScene, surface_modes: Any = None) -> MotionPlan:
     obstacle = _obstacle_to_two_way(scene, contact.kind)
     plan = MotionPlan(
         **vars(basis),
-        law_table=tabulated_law,
+        tabulated_law=tabulated_law,
         contact=contact,
         step_rate=_step_rate(basis, contact),
         obstacle_to_two_way=obstacle,

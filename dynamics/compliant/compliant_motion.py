@@ -152,7 +152,7 @@ class CompliantMotion(MotionBase):
     @cached_property
     def vibration_crossover(self) -> float:
         """Half the contact resonance [Hz] under the weight at the release."""
-        tabulated = self.plan.law_table
+        tabulated = self.plan.tabulated_law
         assert tabulated is not None  # the contact is elastic
         first = self.state[:1, 1]
         resonance = tabulated.contact_resonance(first, self.disk.weight, 0.0)
@@ -565,7 +565,7 @@ def compliant_model(plan: "MotionPlan") -> CompliantModel:
     bends = modes is not None  # the modes of the disk are coupled as well
     return CompliantModel(
         tabulated_law=replace(
-            plan.series_law_table,
+            plan.series_tabulated_law,
             max_moving_frequency=MAX_MOVING_MODE_FREQUENCY * bends,
         ),
         friction=scene.friction,
@@ -577,7 +577,7 @@ def compliant_model(plan: "MotionPlan") -> CompliantModel:
         and scene.roughness.loss == "fitted",
         modes=modes,
         disk_modes=moving_rim_modes(
-            plan.series_law_table.edge,
+            plan.series_tabulated_law.edge,
             scene.material.loss_factor,
         )
         if bends

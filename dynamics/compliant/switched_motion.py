@@ -120,7 +120,7 @@ class SwitchedMotion(MotionBase):
 
         It is None for a motion that begins on a rigid contact.
         """
-        tabulated = self.plan.law_table
+        tabulated = self.plan.tabulated_law
         if tabulated is None:
             return None
         first = self.state[:1, 1]

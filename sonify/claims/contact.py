@@ -99,8 +99,8 @@ def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
 def tabulated_law_of(scene: Scene, motion: Motion) -> TabulatedLaw:
     """Return the tabulated contact law that the motion of a scene uses."""
     plan = motion.plan
-    assert plan.law_table is not None  # the contact is elastic
-    return plan.series_law_table if motion.solves_contact else plan.law_table
+    assert plan.tabulated_law is not None  # the contact is elastic
+    return plan.series_tabulated_law if motion.solves_contact else plan.tabulated_law
 
 
 def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:

@@ -32,7 +32,7 @@ GENTLE = (
 def vibration_of(scene):
     """Return inclinations [rad] and the predicted rms of N'/weight of a scene."""
     plan = plan_motion(scene)
-    return predicted_force_rms(plan, plan.law_table)
+    return predicted_force_rms(plan, plan.tabulated_law)
 
 
 @pytest.fixture(scope="module")

@@ -247,7 +247,7 @@ def test_below_the_onset_the_other_models_agree(kappa):
         lost = sum(loss.duration for loss in motion.contact_losses) / motion.t[-1]
         found[kind] = load.std(), lost, motion.inclination(np.array([0.29]))[0]
     plan = plan_motion(scene)
-    linear = predicted_force_rms(plan, plan.law_table)[1][0]
+    linear = predicted_force_rms(plan, plan.tabulated_law)[1][0]
     assert unevenness(
         scene.disk, contact_law(scene), scene.roughness, 0.105
     ).curvature_number == (pytest.approx(kappa, rel=0.05))

@@ -145,7 +145,7 @@ def steadily(table, beta, seconds):
         force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
         bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
         outcome=Outcome.TIME_LIMIT, film=None, rim_modes=None, vibration_crossover=None,
-        plan=SimpleNamespace(film=None, law_table=table),
+        plan=SimpleNamespace(film=None, tabulated_law=table),
     )  # fmt: skip
 
 

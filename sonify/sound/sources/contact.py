@@ -143,7 +143,7 @@ class ContactVibration(SoundSource):
         self._filter_from = partial(
             ContactFilter,
             motion,
-            motion.plan.law_table,
+            motion.plan.tabulated_law,
             profiles(scene.roughness, scene.disk.radius),
             scene.audio.sample_rate,
         )
