@@ -23,7 +23,6 @@ from sonify.sound.render import Renderer
 
 AGAIN_AND_AGAIN = """
 import json, resource, sys
-from types import SimpleNamespace
 import numpy as np
 from dynamics import simulate
 from dynamics.motion import ForceJumps
@@ -40,17 +39,25 @@ if what == "render":
     once, modes = simulate(scene), eigenmodes(scene, below=4e3)
     period, jumps = once.t[-1], once.jumps
     n = int(seconds / period)
-    endless = SimpleNamespace(
-        disk=once.disk,
-        t=np.array([0.0, seconds]),
-        outcome=once.outcome,
-        at=lambda t: once.at(np.asarray(t) % period),
-        bandwidth=once.bandwidth,
-        force=lambda t: once.force(np.asarray(t) % period),
-        at_and_force=lambda t: once.at_and_force(np.asarray(t) % period),
-        jumps=ForceJumps((np.arange(n)[:, None] * period + jumps.t).ravel(), *(np.tile(f, (n, 1)) for f in jumps[1:])),
-    )
-    sound = Renderer(scene, endless, modes).sound()
+
+    class Endless:
+        # the motion `once` over and over
+        t = np.array([0.0, seconds])
+        jumps = ForceJumps((np.arange(n)[:, None] * period + jumps.t).ravel(), *(np.tile(f, (n, 1)) for f in jumps[1:]))
+
+        def __getattr__(self, name):
+            return getattr(once, name)
+
+        def at(self, t):
+            return once.at(np.asarray(t) % period)
+
+        def force(self, t):
+            return once.force(np.asarray(t) % period)
+
+        def at_and_force(self, t):
+            return once.at_and_force(np.asarray(t) % period)
+
+    sound = Renderer(scene, Endless(), modes).sound()
     write_sound(sound, folder)
     assert sound.samples >= seconds * 8000
 else:
