@@ -33,9 +33,9 @@ from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     current_law,
+    hertz_stiffness_slope,
     law_column,
     law_interval,
-    law_slope,
     mean_force,
     square_root_of_approach,
 )
@@ -146,12 +146,6 @@ def step_start(y, constants, law, h):
     momentum = vector(y, STATE.angular_momentum)
     quarter_turn = times(h / (2 * constants.diametral_inertia) / 2, momentum)
     sine = y[STATE.sin_inclination]
-    slope = law_slope(
-        law,
-        int(y[STATE.law_interval]),
-        y[STATE.law_fraction],
-        LAW_COLUMNS.hertz_stiffness,
-    )
     root = square_root_of_approach(y[STATE.gap])
     return StepStart(
         axis,
@@ -160,7 +154,9 @@ def step_start(y, constants, law, h):
         axis[2],
         dot(momentum, axis),
         current_law(y, law, LAW_COLUMNS.hertz_stiffness),
-        slope * law.intervals_per_unit / sine,
+        hertz_stiffness_slope(
+            law, int(y[STATE.law_interval]), y[STATE.law_fraction], sine
+        ),
         current_law(y, law, LAW_COLUMNS.loss_coefficient) / h,
         current_law(y, law, LAW_COLUMNS.half_length),
         y[STATE.roughness_heights],
@@ -431,8 +427,7 @@ def mean_stiffness_slope(law, start, end, contact_stiffness, interval, fraction)
     min_relative_sine_change = 1e-4
     if abs(end.sine_change) > min_relative_sine_change * start.sine:
         return (contact_stiffness - start.stiffness) / end.sine_change
-    slope = law_slope(law, interval, fraction, LAW_COLUMNS.hertz_stiffness)
-    end_slope = slope * law.intervals_per_unit / end.sine
+    end_slope = hertz_stiffness_slope(law, interval, fraction, end.sine)
     return (start.stiffness_slope + end_slope) / 2
 
 

@@ -28,8 +28,8 @@ from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     current_law,
+    hertz_stiffness_slope,
     law_interval,
-    law_slope,
     mean_force,
     square_root_of_approach,
 )
@@ -182,19 +182,15 @@ def find_contact(y, constants, law, table, rim, modes, scratch, h):
 def gap_at_start(y, law, modes, h):
     """Return the `GapStart` of a step h."""
     sine = max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
-    slope = law_slope(
-        law,
-        int(y[STATE.law_interval]),
-        y[STATE.law_fraction],
-        LAW_COLUMNS.hertz_stiffness,
-    )
     return GapStart(
         vector(y, STATE.velocity),
         vector(y, STATE.axis),
         vector(y, STATE.angular_momentum),
         sine,
         modes.contact[CONTACT.gap_stiffness],
-        slope * law.intervals_per_unit / sine,
+        hertz_stiffness_slope(
+            law, int(y[STATE.law_interval]), y[STATE.law_fraction], sine
+        ),
         current_law(y, law, LAW_COLUMNS.loss_coefficient) / h,
         y[STATE.gap],
         square_root_of_approach(y[STATE.gap]),
