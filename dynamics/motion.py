@@ -584,7 +584,7 @@ class Motion(Protocol):
         """
 
     def largest_regain(self) -> float:
-        """Return `largest_energy_gain_error`, of which this is the former name.
+        """Return `largest_energy_gain_error` under its former name.
 
         Returns
         -------
@@ -704,7 +704,7 @@ class MotionBase:
         )
 
     def largest_regain(self: Motion) -> float:
-        """Return `largest_energy_gain_error` [J], of which this is the former name."""
+        """Return `largest_energy_gain_error` [J] under its former name."""
         return self.largest_energy_gain_error()
 
     def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:

@@ -45,7 +45,7 @@ for _k in range(ORDER + 1):
 x)."""
 MAX_STEP = 1.0
 """Greatest step length in units of r."""
-MIN_STEP = 1e-12
+MIN_STEP_LENGTH = 1e-12
 """Smallest step length in units of r."""
 FIRST_STEP_FROM_REST = 0.4
 """Length of the first step of a slide that starts at rest, in units of r."""
@@ -414,7 +414,9 @@ def integrate_slow_slide(flow, y, p, indices, mu, span, max_steps):
         y[V1], slip_times_acceleration(y, slope), mu * before[indices.load]
     )
     length = FIRST_STEP_FROM_REST if rests else first_step_length(flow, p, y, slope)
-    while n < max_steps and t < span and fired < 0 and slow and length >= MIN_STEP:
+    while (
+        n < max_steps and t < span and fired < 0 and slow and length >= MIN_STEP_LENGTH
+    ):
         dt = min(length * y[R], span - t)
         c, error = collocation_step(flow, p, y, slope, dt, states, rates, guards)
         if not error < 1 or (

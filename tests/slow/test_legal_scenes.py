@@ -36,8 +36,8 @@ from sonify.sound.fluid_loaded_modes import (
 )
 
 KNOWN = json.loads((REFERENCES / "legal_scenes.json").read_text())
-DRAWN = int(os.environ.get("SONIFY_DRAWN_SCENES", "60"))
-"""Number of scenes."""
+DRAWN_SCENE_COUNT = int(os.environ.get("SONIFY_DRAWN_SCENES", "60"))
+"""Number of scenes that are drawn."""
 MAX_SECONDS = 2400.0
 MOST_REFUSED = 0.6
 
@@ -161,7 +161,7 @@ def test_many_mode_shapes_fit_into_memory():
 
 @pytest.mark.slow
 def test_every_legal_scene_ends_with_a_name_and_passes_its_checks():
-    drawn = [any_document(Random(seed)) for seed in range(1, DRAWN + 1)]
+    drawn = [any_document(Random(seed)) for seed in range(1, DRAWN_SCENE_COUNT + 1)]
     with get_context("spawn").Pool(
         min(2, os.cpu_count() or 1), maxtasksperchild=20
     ) as pool:

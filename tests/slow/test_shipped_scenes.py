@@ -30,7 +30,7 @@ from sonify.plan.preflight import solve_motion
 from sonify.plan.table import audible_table_modes, solve_table
 from sonify.scene import FORMER_SCENES, load_scene, shipped_scenes
 
-NUMBER = r"[-+]?\d+(?:\.\d+)?"
+NUMBER_PATTERN = r"[-+]?\d+(?:\.\d+)?"
 KNOWN = json.loads((REFERENCES / "finding_values.json").read_text("utf-8"))
 CHAOTIC = {
     "energy_falls",
@@ -200,8 +200,8 @@ def shown(text):
     """Return the rows of the table in a text with numbers masked, and the numbers separately."""
     head, *_ = answer_table({}, {}).splitlines()
     rows = text[text.index(head) :].partition("\n\n")[0]
-    return re.sub(NUMBER, "0", rows), [
-        float(number) for number in re.findall(NUMBER, rows)
+    return re.sub(NUMBER_PATTERN, "0", rows), [
+        float(number) for number in re.findall(NUMBER_PATTERN, rows)
     ]
 
 
