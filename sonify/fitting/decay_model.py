@@ -5,6 +5,7 @@ A disk in steady motion with a fixed centre loses energy slowly: dE(beta)/dt = -
 The power P is the sum of three laws: contour friction, P = rolling m g R Omega; the air
 film, P = air P_film; and the other laws of the scene, P = law P_law."""
 
+from collections.abc import Callable
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -245,18 +246,23 @@ class DecayModel:
     def frequency(self, remaining, shares) -> np.ndarray:
         """Return the rate of the periods (k,) [Hz] at remaining times (k,) > 0 [s],
         smoothed over slips."""
-        return self._interpolated(
-            remaining, shares, np.log(self.rate) + self.log_rate_ratio
-        )
+        return self.frequency_law(shares)(remaining)
+
+    def frequency_law(self, shares) -> Callable[[np.ndarray], np.ndarray]:
+        """Return `frequency` as a function of the remaining times (k,) > 0 [s]."""
+        return self._interpolant(shares, np.log(self.rate) + self.log_rate_ratio)
 
     def inclination(self, remaining, shares) -> np.ndarray:
         """Return the inclination (k,) [rad] at remaining times (k,) [s]."""
-        return self._interpolated(remaining, shares, np.log(self.beta))
+        return self._interpolant(shares, np.log(self.beta))(remaining)
 
-    def _interpolated(self, remaining, shares, logarithm):
-        """Interpolate the logarithm (b,) of a quantity between log remaining times."""
-        time = self.remaining_time(shares)
-        return np.exp(np.interp(np.log(remaining), np.log(time), logarithm))
+    def _interpolant(self, shares, logarithm):
+        """Return a quantity, given by its logarithm (b,) at the tabulated inclinations,
+        as a function of the remaining time."""
+        log_time = np.log(self.remaining_time(shares))
+        return lambda remaining: np.exp(
+            np.interp(np.log(remaining), log_time, logarithm)
+        )
 
     def solved_line_models(self, shares) -> dict[str, "DecayModel"]:
         """Return the spectral lines of a solved motion with shares (3,) of the LAWS, by

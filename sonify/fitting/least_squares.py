@@ -2,7 +2,7 @@
 dissipation."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -201,8 +201,7 @@ class _Problem:
         end, shares, corner = self.unpack(x)
         line, h, steady = self.heard
         remaining = np.maximum(end - h.time, FIT.unused_end_duration / 10)
-        frequency = partial(line.frequency, shares=shares)
-        model = _through_high_pass(frequency, remaining, corner)
+        model = _through_high_pass(line.frequency_law(shares), remaining, corner)
         deviation = np.log(steady / model) / _relative_error(h)
         return np.concatenate([deviation, x[1 + len(self.free) :] - 1.0])
 
