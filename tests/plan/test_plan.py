@@ -14,23 +14,23 @@ import numpy as np
 import pytest
 import soundfile
 from arithmetic import gamma
+from prepared_runs import PreparedRun
 
 import modal.accuracy
 from benchmarks.cases.sound_error import audible_error, level_error
 from dynamics import RigidMotion, plan_motion, simulate
 from dynamics.solver_settings import ACCURACY_LEVELS, inclination_at_rate
-from modal import eigenmodes, radiation_decay
+from modal import radiation_decay
 from modal.radiation import TOP_FACE
 from sonify import SceneError, load_scene
 from sonify.plan import sentences
 from sonify.plan.plan import plan_of, steady_precession_frequency
 from sonify.plan.predictions import mode_frequency_error, predicted_sound_error
-from sonify.plan.preflight import plan_of_run, plan_with_modes, solve_motion
+from sonify.plan.preflight import plan_with_modes
 from sonify.plan.table import solve_table, with_table
 from sonify.scene import shipped_scenes
 from sonify.sound.force import INTERPOLATION_NODES, INTERPOLATION_STRIDE
 from sonify.sound.oscillators import OscillatorBank
-from sonify.sound.render import Renderer
 
 CHAOTIC_SCENES = ("coin", "coin-grain", "coin-wood")
 """Scenes whose end varies by chance with the step: the error predicted is its usual size."""
@@ -39,7 +39,7 @@ FACTOR = 3
 
 
 def measured(run, reference, key) -> float:
-    """Return the error of one quantity of a run; the arguments are results of `prepared`."""
+    """Return the error of one quantity of a run; both arguments are a `PreparedRun`."""
     if key == "frequencies":
         found = run.modes.frequency
         true = reference.modes.frequency
@@ -47,52 +47,32 @@ def measured(run, reference, key) -> float:
         return (
             float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0
         )
-    run, reference = rendered(run), rendered(reference)
     if key == "end":
         return float(reference.motion.t[-1] - run.motion.t[-1])
     return audible_error(run.sound.pressure, reference.sound.pressure)
 
 
 def prepared(scene, accuracy):
-    """Return the plan of a run and the modes of disk and table."""
-    scene = scene.replace(f"numerics.accuracy={accuracy}")
-    motion_plan = plan_motion(scene)
-    table = solve_table(scene, motion_plan)
-    if motion_plan.lacks_surface_modes:
-        motion_plan = motion_plan.with_surface_modes(table)
-    plan, modes = plan_of_run(scene, motion_plan, table, eigenmodes)
-    return SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table)
-
-
-def rendered(run):
-    """Return a prepared run with its motion and sound; they are solved once."""
-    if not hasattr(run, "sound"):
-        plan = run.plan
-        run.motion = solve_motion(plan.motion)
-        run.renderer = Renderer(
-            run.scene,
-            run.motion,
-            run.modes,
-            plan.sounding,
-            plan.max_contact_turn,
-            plan.rendered_table(run.table),
-        )
-        run.sound = run.renderer.sound()
-    return run
+    """Return a run of a scene with the given accuracy."""
+    return PreparedRun(scene.replace(f"numerics.accuracy={accuracy}"))
 
 
 def disagreements(scene):
     """Return the predictions of draft and standard that the measured errors contradict.
 
-    On a table with modes, only the frequencies are predicted, and no sound is rendered.
+    On a table with modes, only the frequencies are predicted; no sound is rendered, and the modes
+    of the table are solved once, as a draft.
     """
-    reference = prepared(scene, "reference")
+    reference, draft, standard = (
+        prepared(scene, accuracy) for accuracy in ("reference", "draft", "standard")
+    )
+    if [prediction.key for prediction in draft.plan.predictions] == ["frequencies"]:
+        standard.table = draft.table  # the modes of the disk do not depend on it
     wrong = []
-    for accuracy in ("draft", "standard"):
-        run = prepared(scene, accuracy)
+    for accuracy, run in (("draft", draft), ("standard", standard)):
         for prediction in run.plan.predictions:
             key = prediction.key
-            if key == "end" and rendered(run).motion.outcome.name != "SETTLED":
+            if key == "end" and run.motion.outcome.name != "SETTLED":
                 continue
             error = measured(run, reference, key)
             if not error / FACTOR < prediction.error < error * FACTOR:
@@ -137,19 +117,20 @@ def counted():
         patch.setattr("sonify.sound.response.OscillatorBank", CountedBank)
         patch.setattr(RigidMotion, "at_and_force", counted_force)
         scene = load_scene("published").replace("numerics.time_limit=12.0")
-        run = rendered(prepared(scene, "standard"))
-    return SimpleNamespace(**vars(run), **sizes)
+        run = prepared(scene, "standard")
+        samples = run.sound.samples
+    return SimpleNamespace(run=run, samples=samples, **sizes)
 
 
 def test_only_the_modes_of_the_plan_are_stepped_and_only_while_there_is_sound(counted):
-    voices = len(counted.plan.sounding)
-    assert 0 < voices < len(counted.modes)
+    voices = len(counted.run.plan.sounding)
+    assert 0 < voices < len(counted.run.modes)
     assert {m for _, m in counted.stepped} == {voices}
-    assert sum(n for n, _ in counted.stepped) == 2 * counted.sound.samples
+    assert sum(n for n, _ in counted.stepped) == 2 * counted.samples
 
 
 def test_no_mode_is_sought_above_what_is_heard(counted):
-    assert counted.modes.frequency.max() < counted.plan.highest_mode
+    assert counted.run.modes.frequency.max() < counted.run.plan.highest_mode
     low = load_scene("published").replace("audio.sample_rate=16000")
     assert plan_with_modes(low)[1].frequency.max() < 8000
 
@@ -157,13 +138,13 @@ def test_no_mode_is_sought_above_what_is_heard(counted):
 def test_the_force_is_read_no_more_often_than_the_plan_says(counted):
     """The limit is one reading per INTERPOLATION_STRIDE samples, plus, at each jump, the samples within
     reach of a polynomial across it."""
-    jumps = len(counted.motion.jumps.t)
+    jumps = len(counted.run.motion.jumps.t)
     most = (
-        counted.sound.samples / INTERPOLATION_STRIDE
+        counted.samples / INTERPOLATION_STRIDE
         + (jumps + 2) * (INTERPOLATION_NODES + 1) * INTERPOLATION_STRIDE
         + 1000
     )
-    assert counted.renderer.sampler.evaluations <= most < 0.2 * counted.sound.samples
+    assert counted.run.renderer.sampler.evaluations <= most < 0.2 * counted.samples
     assert sum(counted.solved) <= most + 2000
 
 

@@ -11,9 +11,9 @@ from functools import cache
 
 import numpy as np
 import pytest
+from prepared_runs import remembered_modes
 
 from dynamics import plan_motion
-from modal import eigenmodes
 from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import (
     check_solvable_scene,
@@ -196,30 +196,9 @@ NOT_REACHED = {
 """
 
 
-@cache
-def modes_of(disk, material, support, numerics, below):
-    """Return the modes of a patch or a free disk, which depend on no other section."""
-    scene = load_scene("published")
-    object.__setattr__(scene, "disk", disk)
-    for name, section in {
-        "material": material,
-        "support": support,
-        "numerics": numerics,
-    }.items():
-        object.__setattr__(scene, name, section)
-    return eigenmodes(scene, below=below)
-
-
-def remembered(scene, below):
-    """Return the result of `eigenmodes`, cached for equal sections."""
-    if scene.support.kind == "contact":
-        return eigenmodes(scene, below=below)
-    return modes_of(scene.disk, scene.material, scene.support, scene.numerics, below)
-
-
 def stages(scene, motion_plan):
     """Yield the bytes of the modes, the motion and the sound of a scene lazily."""
-    plan, modes = plan_with_modes(scene, remembered, motion_plan)
+    plan, modes = plan_with_modes(scene, remembered_modes, motion_plan)
     table = solve_table(scene, motion_plan)
     rendered = table and audible_table(table, scene)
     yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
