@@ -10,17 +10,17 @@ runs in a folder.
 
 import json
 import re
-import subprocess
-import sys
 from dataclasses import fields
 
 import numpy as np
 import pytest
 import soundfile
+from click.testing import CliRunner
 from paths import REFERENCES, ROOT
 from scipy.signal import stft, welch
 
 from dynamics import plan_motion
+from sonify.__main__ import main
 from sonify.claims.finding import Finding
 from sonify.claims.surface_summary import SURFACE_BY_SCENE, answer_table
 from sonify.claims.two_way import halt_comes_earlier
@@ -49,24 +49,13 @@ LEAST_CHANGE = {"carriers_are_steady": 0.2}
 
 @pytest.fixture(scope="module")
 def record(tmp_path_factory):
-    """Return a function that runs a scene once -> completed process, content of run.json, folder."""
+    """Return a function that runs a scene once -> result of the command, content of run.json, folder."""
     records = {}
 
     def run(name):
         if name not in records:
             folder = tmp_path_factory.mktemp(name)
-            command = [
-                sys.executable,
-                "-m",
-                "sonify",
-                "run",
-                name,
-                "--out",
-                str(folder),
-            ]
-            done = subprocess.run(
-                command, capture_output=True, text=True, check=False, timeout=900
-            )
+            done = CliRunner().invoke(main, ["run", name, "--out", str(folder)])
             found = json.loads((folder / "run.json").read_text("utf-8"))
             records[name] = done, found, folder
         return records[name]
@@ -79,7 +68,7 @@ def record(tmp_path_factory):
 def test_a_shipped_scene_passes_its_checks_and_exits_with_0(name, record):
     done, found, _ = record(name)
     assert [check["name"] for check in found["checks"] if not check["passed"]] == []
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.exit_code == 0, f"{done.output}\n{done.exception!r}"
     assert "FAILED" not in done.stdout
 
 
