@@ -67,6 +67,7 @@ def test_energies_and_losses_of_disk_and_table_add_up(damping, restitution, erro
     assert np.all(np.diff(motion.energy_lost(motion.t)["table"]) > -1e-12 * total[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("is_fixed", [False, True])
 def test_a_lossless_table_that_slopes_gains_nothing(is_fixed):
     """To 1e-6 at half the step; the error falls with its square.
@@ -92,6 +93,7 @@ def test_a_lossless_table_that_slopes_gains_nothing(is_fixed):
     assert motion.table_energy(motion.t).max() > 1e-3 * energy[0]
 
 
+@pytest.mark.slow
 def test_a_heavy_table_is_a_rigid_one():
     heavy = on_modes(
         (0, 400.0, 0.01, 1e7), (2, 900.0, 0.01, 1e7), changes=["contact.body=elastic"]
@@ -165,6 +167,7 @@ def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass
     assert motion.table_energy(t) == pytest.approx(energy, abs=0.04 * energy.max())
 
 
+@pytest.mark.slow
 def test_an_impact_on_a_light_table_loses_energy_to_its_waves():
     # a mode with little damping returns its energy before the contact ends
     scene = on_modes((0, 3000.0, 0.3, 0.002), changes=["friction.mu_dynamic=0"])
@@ -173,6 +176,7 @@ def test_an_impact_on_a_light_table_loses_energy_to_its_waves():
     assert effective_restitution(model, 0.09, 0.01) < alone - 0.05
 
 
+@pytest.mark.slow
 def test_a_table_that_stores_too_little_only_sounds():
     """With surface.action = 'auto' the coupling starts at the release, or never."""
     for mass, acts in ((0.02, True), (1e6, False)):
