@@ -32,7 +32,7 @@ from sonify.sweeps.version import version
 pytestmark = pytest.mark.slow
 LONG = QUICK | {
     "axes": QUICK["axes"]
-    | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 120}}
+    | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 48}}
 }
 WORKER = "sonify.sweeps.worker_loop"
 PATIENCE = 120.0
