@@ -1,6 +1,6 @@
 """Solve and render three short scenes in the order of the arguments; print a hash of every result.
 
-tests/rigid/test_machine_code_order.py runs it with empty caches of machine code.
+tests/rigid/test_machine_code_order.py runs it with the usual and with an empty cache of machine code.
 """
 
 import re

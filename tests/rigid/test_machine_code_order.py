@@ -4,8 +4,8 @@ whatever order.
 Source: IEEE 754: an operation that is rounded as written has a unique result. A compiler that may
 fuse a product with a sum, or reorder a sum, decides from the surrounding code: the motion on the
 light table below had 30 losses of contact with one cache of machine code and 31 with another.
-Oracle: the flags and the instructions of the machine code; two processes with empty caches that
-compile in opposite orders.
+Oracle: the flags and the instructions of the machine code; a process with an empty cache, and one
+with the usual cache, which other tests have filled in their order.
 """
 
 import ast
@@ -90,15 +90,18 @@ def test_a_sum_is_rounded_in_the_order_in_which_it_is_written():
 
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_what_was_compiled_before(tmp_path):
-    """Compiling the portable integrator first once changed the last bits of a motion."""
+    """Compiling the portable integrator first once changed the last bits of a motion.
+
+    With an empty usual cache, the two processes compile in opposite orders.
+    """
     script = REFERENCES / "compile_in_order.py"
     found = []
-    for order in (["table", "rough", "portable"], ["portable", "rough", "table"]):
-        environment = {
-            **os.environ,
-            "NUMBA_CACHE_DIR": str(tmp_path / order[0]),
-            "PYTHONPATH": str(ROOT),
-        }
+    usual = {**os.environ, "PYTHONPATH": str(ROOT)}
+    empty = usual | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    for environment, order in (
+        (usual, ["table", "rough", "portable"]),
+        (empty, ["portable", "rough", "table"]),
+    ):
         command = [sys.executable, str(script), *order]
         done = subprocess.run(
             command,
@@ -109,8 +112,8 @@ def test_bytes_do_not_depend_on_what_was_compiled_before(tmp_path):
             env=environment,
         )
         found.append(done.stdout.splitlines())
-    assert found[0] == found[1]
-    *cases, march = found[0]
+    (*usual_cases, _), (*cases, march) = found  # Numba does not inspect cached code
+    assert usual_cases == cases
     assert [line.split()[0] for line in cases] == ["portable", "rough", "table"]
     products, fused = map(int, march.split()[1:])
     assert products > 100
