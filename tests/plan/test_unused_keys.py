@@ -17,7 +17,6 @@ from dynamics import plan_motion
 from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import (
     check_solvable_scene,
-    motion_plan_with_table,
     plan_with_modes,
     solvable_scene,
     solve_motion,
@@ -199,10 +198,12 @@ NOT_REACHED = {
 def stages(scene, motion_plan):
     """Yield the bytes of the modes, the motion and the sound of a scene lazily."""
     plan, modes = plan_with_modes(scene, remembered_modes, motion_plan)
+    yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
     table = solve_table(scene, motion_plan)
     rendered = table and audible_table(table, scene)
-    yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
-    motion = solve_motion(motion_plan_with_table(scene, motion_plan))
+    if motion_plan.lacks_surface_modes:
+        motion_plan = motion_plan.with_surface_modes(table)
+    motion = solve_motion(motion_plan)
     yield motion.t.tobytes() + motion.state.tobytes() + motion.force(motion.t).tobytes()
     renderer = Renderer(
         scene, motion, modes, plan.sounding, plan.max_contact_turn, rendered
