@@ -11,7 +11,10 @@ from functools import lru_cache
 import numpy as np
 
 from sonify.hearing.settling.onset_strength import FRAME_RATE, OnsetStrength
-from sonify.hearing.settling.prediction_score import correlation_length
+from sonify.hearing.settling.prediction_score import (
+    correlation_length,
+    without_harmonics,
+)
 from sonify.hearing.settling.rate_laws import Shape, ShapeSet
 from sonify.hearing.settling.refinement import laws_near
 from sonify.hearing.settling.settings import SETTLING
@@ -357,7 +360,7 @@ def _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing):
 def _likelihood_surface(onsets, channel, first, frames, grid):
     """Return the likelihood surface of the laws that one window admits."""
     max_likelihood_loss = 2.0  # of admitted laws
-    values = onsets.values[channel, first : first + frames]
+    values = onsets.values[channel][:, first : first + frames]
     scale = onsets.scales_ms[channel]
     table = warp_table(grid.shapes, frames, phase_step_count(frames, scale))
     found = search(values, scale, table)
@@ -367,8 +370,8 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
     phases = np.interp(
         np.arange(frames) + 0.5, cuts, turns * np.linspace(0, 1, len(cuts))
     )
-    length = correlation_length(values, phases, int(found.harmonics[best]))
-    certainty = min(1.0, scale / length)
+    residual = without_harmonics(values, phases, int(found.harmonics[best]))
+    certainty = min(1.0, scale / correlation_length(residual))
     start = (grid.left[best], grid.exponents[best], turns)
     left, exponents, rates, likelihood = laws_near(
         values, scale, start, (grid.left[0], grid.left[-1])

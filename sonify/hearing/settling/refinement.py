@@ -7,63 +7,72 @@ import numpy as np
 from dynamics.numba_kernels import njit
 from sonify.hearing.settling.rate_laws import FAMILY_CODES, Law, Shape, places
 from sonify.hearing.settling.settings import SETTLING
+from sonify.hearing.settling.warped_periodogram import effective_components
 
 
 def _centred_window(values, scale_ms):
-    """Return the cumulative sum (frames + 1,) of a window (frames,) without its mean, its
-    length times its energy, and its number of independent samples."""
-    values = values - values.mean()
-    cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
-    energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
-    return cumulative, energy, len(values) / scale_ms
+    """Return the cumulative sums (components, frames + 1) of a window (components,
+    frames) without its means, its length times its energies (components,), and its
+    numbers of independent samples and components."""
+    count, length = values.shape
+    effective = effective_components(values)
+    values = values - values.mean(axis=1, keepdims=True)
+    cumulative = np.zeros((count, length + 1))
+    np.cumsum(values, axis=1, dtype=float, out=cumulative[:, 1:])
+    energy = np.sum(np.square(values, dtype=float), axis=1)
+    return cumulative, np.maximum(energy, 1e-9) * length, length / scale_ms, effective
 
 
 @njit(cache=True, nogil=True)
 def _likelihood(window, code, ratio, exponent, turns, harmonics):
     """Return the log likelihood and the best number of harmonics of a law in a
     centred window."""
-    cumulative, energy, independent = window
+    cumulative, energy, independent, effective = window
     turns_per_harmonic = 4  # few turns with many harmonics would fit any pattern
-    length = len(cumulative) - 1
+    count = len(cumulative)
+    length = cumulative.shape[1] - 1
     harmonics = min(harmonics, max(int(turns / turns_per_harmonic), 1))
     steps = max(int(12 * turns), 128)
-    sums = np.zeros((harmonics, 2))
+    sums = np.zeros((count, harmonics, 2))
     turn = 2 * np.pi * turns / steps
     step_cos = np.cos(turn)
     step_sin = np.sin(turn)
     cosine = np.cos(turn / 2)
     sine = np.sin(turn / 2)
     phases = np.arange(1, steps + 1) / steps
-    before = 0.0
+    before = np.zeros(count)
     for place in places(code, ratio, exponent, phases):
         cut = length * place
         i = min(max(int(cut), 0), length - 1)
-        now = cumulative[i] + (cut - i) * (cumulative[i + 1] - cumulative[i])
-        part = now - before
-        before = now
-        real = cosine
-        imaginary = sine
-        for h in range(harmonics):
-            sums[h, 0] += part * real
-            sums[h, 1] += part * imaginary
-            real, imaginary = (
-                real * cosine - imaginary * sine,
-                real * sine + imaginary * cosine,
-            )
+        for c in range(count):
+            step = cumulative[c, i + 1] - cumulative[c, i]
+            now = cumulative[c, i] + (cut - i) * step
+            part = now - before[c]
+            before[c] = now
+            real = cosine
+            imaginary = sine
+            for h in range(harmonics):
+                sums[c, h, 0] += part * real
+                sums[c, h, 1] += part * imaginary
+                real, imaginary = (
+                    real * cosine - imaginary * sine,
+                    real * sine + imaginary * cosine,
+                )
         cosine, sine = (
             cosine * step_cos - sine * step_sin,
             cosine * step_sin + sine * step_cos,
         )
     best = -np.inf
     order = 1
-    power = 0.0
+    power = np.zeros(count)
     for h in range(harmonics):
-        power += sums[h, 0] ** 2 + sums[h, 1] ** 2
-        value = -independent / 2 * math.log(1 - min(2 * power / energy, 0.999)) - (
-            h + 1
-        )
-        if value > best:
-            best = value
+        value = -(h + 1.0)
+        for c in range(count):
+            power[c] += sums[c, h, 0] ** 2 + sums[c, h, 1] ** 2
+            unexplained = 1 - min(2 * power[c] / energy[c], 0.999)
+            value -= independent / (2 * count) * math.log(unexplained)
+        if effective * value > best:
+            best = effective * value
             order = h + 1
     return best, order
 
@@ -83,7 +92,7 @@ def _climb(window, code, start, bounds, steps, min_turns, min_rate, harmonics):
 
     Its log likelihood and number of harmonics are also returned.
     """
-    seconds = (len(window[0]) - 1) / 1000
+    seconds = (window[0].shape[1] - 1) / 1000
     here = start.copy()
     best, order = _likelihood(
         window, code, math.exp(here[0]), here[1], here[2], harmonics
@@ -133,8 +142,8 @@ def ratio_range(shape: Shape, min_ratio: float) -> tuple[float, float]:
 def refine(
     values: np.ndarray, scale_ms: float, starts: list[Law], min_ratio: float
 ) -> Law:
-    """Return the most likely law of a family in a window (frames,), refined from laws
-    `starts`; `min_ratio` is the minimum ratio of the rates of a disk."""
+    """Return the most likely law of a family in a window (components, frames), refined
+    from laws `starts`; `min_ratio` is the minimum ratio of the rates of a disk."""
     window = _centred_window(values, scale_ms)
     found = []
     for law in starts:
@@ -164,7 +173,7 @@ def _walk(window, start, left_range, exponent_range, steps, harmonics):
     The laws (frames to the end, exponent, turns) are close to the starting point
     `start`. The steps are along and across the ridge of constant exponent divided by
     remaining time."""
-    length = len(window[0]) - 1
+    length = window[0].shape[1] - 1
     count = len(steps)
     tried = np.empty((count, 3))
     first_rates = np.empty(count)

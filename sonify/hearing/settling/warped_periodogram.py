@@ -111,39 +111,52 @@ def _largest_sums(power, first):
 
 
 @njit(cache=True, nogil=True)
-def _likelihoods(spectra, energy, independent, min_turns):
-    """Return log likelihoods and numbers of harmonics of the best rates (windows,
-    shapes).
+def _explained_share(spectra, energy, power, share):
+    """Write the share of the variance that each rate explains, averaged over components,
+    into `share`.
 
-    The spectra (windows shapes, bins) are those of zero-padded windows. `energy`
-    (windows,) is the length times the sum of squares of each window, `independent`
-    (windows,) the number of independent samples, and `min_turns` (shapes,) the minimum number
-    of turns."""
-    rows, bins = spectra.shape
-    shapes = len(min_turns)
-    likelihood = np.full((rows // shapes, shapes), -np.inf)
-    harmonics = np.ones((rows // shapes, shapes), dtype=np.int64)
+    The spectra (components, bins) are those of zero-padded windows, and `energy`
+    (components,) is the length times the sum of squares of each; `power` is work space
+    of the size of `share`."""
+    share[:] = 0
+    for c in range(len(spectra)):
+        _doubled_power(spectra[c], power)
+        scale = np.float32(2 / (energy[c] * len(spectra)))
+        for k in range(len(power)):
+            share[k] += scale * power[k]
+
+
+@njit(cache=True, nogil=True)
+def _likelihoods(spectra, energy, independent, effective, min_turns):
+    """Return log likelihoods and numbers of harmonics of the best rates (shapes,).
+
+    The spectra (components, shapes, bins) are those of zero-padded windows. `energy`
+    (components,) is the length times the sum of squares of each component,
+    `independent` the number of independent samples, `effective` the number of
+    independent components, and `min_turns` (shapes,) the minimum number of turns."""
+    _, shapes, bins = spectra.shape
+    likelihood = np.full(shapes, -np.inf)
+    harmonics = np.ones(shapes, dtype=np.int64)
     power = np.zeros(2 * bins - 1, dtype=np.float32)
-    for row in range(rows):
-        w, s = divmod(row, shapes)
-        _doubled_power(spectra[row], power)
+    share = np.zeros(2 * bins - 1, dtype=np.float32)
+    for s in range(shapes):
+        _explained_share(spectra[:, s], energy, power, share)
         first = int(np.ceil(min_turns[s] * 4))
-        for h, top in enumerate(_largest_sums(power, first), 1):
-            value = (
-                -independent[w] / 2 * np.log(1 - min(2 * top / energy[w], 0.999)) - h
-            )
-            if value > likelihood[w, s]:
-                likelihood[w, s] = value
-                harmonics[w, s] = h
+        for h, top in enumerate(_largest_sums(share, first), 1):
+            value = -independent / 2 * np.log(1 - min(top, 0.999)) - h
+            if effective * value > likelihood[s]:
+                likelihood[s] = effective * value
+                harmonics[s] = h
     return likelihood, harmonics
 
 
 @njit(cache=True, nogil=True)
-def turns_of(spectrum, min_turns, harmonics):
-    """Return the number of turns with the largest power of harmonics in a spectrum
-    (bins,)."""
-    power = np.zeros(2 * len(spectrum) - 1, dtype=np.float32)
-    _doubled_power(spectrum, power)
+def turns_of(spectra, energy, min_turns, harmonics):
+    """Return the number of turns with the largest share of harmonics in spectra
+    (components, bins)."""
+    power = np.zeros(2 * spectra.shape[1] - 1, dtype=np.float32)
+    work = power.copy()
+    _explained_share(spectra, energy, work, power)
     top = -1.0
     place = 0
     for k in range(int(np.ceil(min_turns * 4)), (len(power) - 1) // harmonics + 1):
@@ -166,62 +179,74 @@ def phase_step_count(length: int, scale_ms: float) -> int:
 
 
 class SearchResult(NamedTuple):
-    """Log likelihoods and numbers of harmonics of shapes (..., shapes), the spectra
-    (shapes, bins) and the minimum numbers of turns (shapes,)."""
+    """Log likelihoods and numbers of harmonics of shapes (shapes,), the spectra
+    (components, shapes, bins), the energy (components,) and the minimum numbers of turns
+    (shapes,)."""
 
     likelihood: np.ndarray
     harmonics: np.ndarray
     spectra: np.ndarray
+    energy: np.ndarray
     min_turns: np.ndarray
 
     def turns(self, i: int) -> float:
-        """Return the number of turns of shape i in a single window."""
-        return turns_of(self.spectra[i], self.min_turns[i], self.harmonics[i])
+        """Return the number of turns of shape i."""
+        spectra = self.spectra[:, i]
+        return turns_of(spectra, self.energy, self.min_turns[i], self.harmonics[i])
 
 
-def search(values: np.ndarray, scale_ms, table: WarpTable) -> SearchResult:
-    """Return the result for the shapes of a table in windows (frames,) or (windows,
-    frames)."""
-    windows = np.atleast_2d(values)
-    count, length = windows.shape
+def effective_components(values: np.ndarray) -> float:
+    """Return the number of independent components in values (components, frames).
+
+    It is the squared number of components over the sum of their squared
+    correlations."""
+    covariance = np.atleast_2d(np.cov(values))
+    deviation = np.sqrt(np.diag(covariance))
+    varies = deviation > 1e-6
+    if np.count_nonzero(varies) < 2:
+        return 1.0
+    covariance = covariance[np.ix_(varies, varies)]
+    correlation = covariance / np.outer(deviation[varies], deviation[varies])
+    return len(correlation) ** 2 / float(np.sum(np.square(correlation)))
+
+
+def search(values: np.ndarray, scale_ms: float, table: WarpTable) -> SearchResult:
+    """Return the result for the shapes of a table in a window (components, frames)."""
+    count, length = values.shape
     shapes, cuts = table.index.shape
     padded = np.zeros((count * shapes, 2 * (cuts - 1)), dtype=np.float32)
-    energy = _warp(windows, table.index, table.fraction, padded)
-    spectra = rfft(padded, axis=1, overwrite_x=True)
-    independent = length / np.atleast_1d(scale_ms)
+    energy = _warp(values, table.index, table.fraction, padded)
+    spectra = rfft(padded, axis=1, overwrite_x=True).reshape(count, shapes, -1)
     min_turns = np.maximum(
         SETTLING.min_turns,
         SETTLING.min_initial_rate * length / 1000 / table.first_rates,
     )
     min_turns = np.minimum(min_turns, (cuts - 1) / 2)
-    found = _likelihoods(spectra, energy, independent, min_turns)
-    likelihood, harmonics = (each.reshape(*values.shape[:-1], -1) for each in found)
-    return SearchResult(likelihood, harmonics, spectra, min_turns)
+    effective = effective_components(values)
+    likelihood, harmonics = _likelihoods(
+        spectra, energy, length / scale_ms, effective, min_turns
+    )
+    return SearchResult(likelihood, harmonics, spectra, energy, min_turns)
 
 
-def likelihoods(
-    values: np.ndarray, scales_ms: np.ndarray, shapes: ShapeSet
+def largest_likelihoods(
+    values: np.ndarray, scale_ms: float, shapes: ShapeSet
 ) -> np.ndarray:
-    """Return the largest log likelihoods (channels, families) in a window (channels,
+    """Return the largest log likelihoods (families,) in a window (components,
     frames)."""
     length = values.shape[1]
-    found = np.empty((len(values), len(shapes.begins)))
-    steps = np.array([phase_step_count(length, scale) for scale in scales_ms])
-    for count in np.unique(steps):
-        table = warp_table(shapes, length, int(count))
-        same = np.flatnonzero(steps == count)
-        every = search(values[same], scales_ms[same], table).likelihood
-        found[same] = np.maximum.reduceat(every, shapes.begins, axis=1)
-    return found
+    table = warp_table(shapes, length, phase_step_count(length, scale_ms))
+    every = search(values, scale_ms, table).likelihood
+    return np.maximum.reduceat(every, shapes.begins)
 
 
 def strongest_laws(
     values: np.ndarray, scale_ms: float, shapes: ShapeSet
 ) -> dict[str, list[Law]]:
-    """Return the three most likely laws of every family in a window (frames,), the best
-    first."""
+    """Return the three most likely laws of every family in a window (components,
+    frames), the best first."""
     count = 3
-    length = len(values)
+    length = values.shape[1]
     table = warp_table(shapes, length, phase_step_count(length, scale_ms))
     result = search(values, scale_ms, table)
 
