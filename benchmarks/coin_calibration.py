@@ -15,7 +15,7 @@ from scipy.signal import find_peaks, firwin, oaconvolve, stft
 
 from modal import eigenmodes
 from sonify import load_scene, solve
-from sonify.hearing.audio_source import Source, read_samples, source_of
+from sonify.hearing.audio_source import AudioSource, read_samples, source_of
 from sonify.hearing.settling.detector import settling_runs
 
 BAND_LIMITS = (
@@ -89,7 +89,12 @@ def main(arguments: list[str]):
 
 
 def show(
-    name: str, source: Source, begin: float, end: float, free: np.ndarray, numbers: dict
+    name: str,
+    source: AudioSource,
+    begin: float,
+    end: float,
+    free: np.ndarray,
+    numbers: dict,
 ):
     """Print the numbers of a sound from `begin` to `end` [s]."""
     print(name)

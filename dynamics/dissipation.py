@@ -115,7 +115,7 @@ class Resistance(NamedTuple):
         return (self,)
 
     def __call__(
-        self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
+        self, beta: Any, omega: Any, slip: Any, constants: DiskConstants, flow: Any
     ) -> Loads:
         """Return the loads at inclination beta, angular velocity omega and `slip`.
 
@@ -126,7 +126,7 @@ class Resistance(NamedTuple):
         cos_a = flow.sin(beta)
         rate = precession_rate(omega[2], cos_a)
         v1, v2 = centre_velocity(
-            slip, omega, contact_place(sin_a, cos_a, law.h, law.fillet)
+            slip, omega, contact_place(sin_a, cos_a, constants.h, constants.fillet)
         )
         M1, M2, M3 = (-self.viscous_moment * w for w in omega)
         # |Omega|^(b-1) sign(Omega), written so that it is a polynomial for b = 2, 4, ...
@@ -191,7 +191,7 @@ class OwnLaw:
     ... class SpinFriction(OwnLaw):
     ...     coefficient: float
     ...
-    ...     def __call__(self, beta, omega, slip, law, flow):
+    ...     def __call__(self, beta, omega, slip, constants, flow):
     ...         return Loads(M2=-self.coefficient * omega[1])
     >>> SpinFriction(0.01).runtime_parameters
     (0.01,)
@@ -206,7 +206,7 @@ class OwnLaw:
         return (self,)
 
     def __call__(
-        self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
+        self, beta: Any, omega: Any, slip: Any, constants: DiskConstants, flow: Any
     ) -> Loads:
         """Return the dimensionless loads on the disk.
 
@@ -218,7 +218,7 @@ class OwnLaw:
             Angular velocity along e_1, e_2, e_3, in units of 1/chi.
         slip : tuple of two scalars
             Slip velocity along a_1, a_2, in units of R/chi.
-        law : DiskConstants
+        constants : DiskConstants
             Dimensionless constants of disk and friction.
         flow : Flow
             Functions sin, cos, sqrt and power for these scalars.

@@ -9,6 +9,7 @@ import math
 from typing import NamedTuple
 
 from dynamics.kinematics import (
+    ContactPlace,
     centre_velocity,
     contact_arms,
     contact_place,
@@ -98,7 +99,7 @@ class Loads(NamedTuple):
     G3: float = 0.0
 
 
-class Contact(NamedTuple):
+class ContactSolution(NamedTuple):
     """Dimensionless solution of the balance laws.
 
     It contains the time derivatives of omega and slip, the forces along a_1, a_2, a_3
@@ -129,150 +130,285 @@ class Contact(NamedTuple):
 NO_LOADS = Loads()
 
 
+class ContactState(NamedTuple):
+    """Friction and resistance of a contact.
+
+    Attributes
+    ----------
+    sliding : bool
+        True if the contact slides; otherwise it rolls.
+    direction : tuple of float, length 2
+        Slip direction (c, s) of (2.7), if the contact slides.
+    stuck : tuple of bool, length 3
+        True for each axis a_i about which an unknown moment keeps omega.a_i = 0.
+    senses : tuple of float, length 3
+        Signs of omega.a_i about the other axes.
+    """
+
+    sliding: bool
+    direction: tuple[float, float]
+    stuck: tuple[bool, bool, bool]
+    senses: tuple[float, float, float]
+
+
+class DiskMotion(NamedTuple):
+    """Geometry and velocities of a disk with an angular velocity w.
+
+    Attributes
+    ----------
+    sin_a, cos_a : float
+        Sine and cosine of alpha = pi/2 - beta.
+    place : ContactPlace
+        Position of the contact.
+    J1, J2 : float
+        Moments of inertia about a diameter and about the axis.
+    w : tuple of float, length 3
+        Components of the angular velocity along e_i.
+    v : tuple of float, length 2
+        Velocity of the centre along a_1, a_2.
+    rate : float
+        Precession rate. The frame turns by (w1, rate sin a, w3).
+    gyro : float
+        Part of the angular momentum about e_2 that does not turn with the frame.
+    """
+
+    sin_a: float
+    cos_a: float
+    place: ContactPlace
+    J1: float
+    J2: float
+    w: tuple[float, float, float]
+    v: tuple[float, float]
+    rate: float
+    gyro: float
+
+
+def disk_motion(sin_a, cos_a, w, slip, constants) -> DiskMotion:
+    """Return the motion of a disk with an angular velocity w and a slip velocity."""
+    place = contact_place(sin_a, cos_a, constants.h, constants.fillet)
+    J1 = constants.K / 4 + constants.h * constants.h / 3
+    J2 = constants.K / 2
+    rate = precession_rate(w[2], cos_a)
+    v = centre_velocity(slip, w, place)
+    return DiskMotion(
+        sin_a, cos_a, place, J1, J2, w, v, rate, J2 * w[1] - J1 * (rate * sin_a)
+    )
+
+
+class Nutation(NamedTuple):
+    """Angular acceleration about e_1, with the forces and the moment that determine it.
+
+    The names are those of `ContactSolution`.
+    """
+
+    domega1: float
+    Phi: float
+    F2: float
+    m1: float
+    inertia: float
+
+
+def solve_nutation(
+    motion: DiskMotion, contact: ContactState, constants, loads
+) -> Nutation:
+    """Solve the balance of moments about e_1 together with the balance of forces.
+
+    J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less the
+    load G3.
+    """
+    w1, _, w3 = motion.w
+    _, _, e, f = motion.place
+    J1 = motion.J1
+    weight = (constants.K + 4) / 4
+    b1 = loads.M1 + motion.gyro * w3
+    Phi0 = weight - (e - constants.fillet) * (w1 * w1) - loads.G3
+    if contact.sliding:  # F2 = -mu s Phi
+        drag = constants.mu_dynamic * contact.direction[1]
+        F20 = 0.0
+        F21 = 0.0
+    else:  # F2 = F20 + F21 w1' keeps u2 at rest
+        drag = 0.0
+        F20 = motion.rate * motion.v[0] - f * (w1 * w1) - loads.G2
+        F21 = -e
+    resistance = contact.senses[0] * constants.k1
+    if contact.stuck[0]:
+        domega1 = 0.0 * Phi0
+        inertia = J1
+    else:
+        lever = f + e * drag + resistance
+        if contact.sliding:
+            inertia = J1 + lever * f
+        elif constants.fillet == 0:
+            inertia = (
+                J1 + 1 + constants.h * constants.h + resistance * f
+            )  # e^2 + f^2 = 1 + h^2
+        else:
+            inertia = J1 + e * e + f * f + resistance * f
+        domega1 = (b1 + e * F20 - lever * Phi0) / inertia
+    Phi = Phi0 + f * domega1
+    F2 = F20 + F21 * domega1 - drag * Phi
+    m1 = b1 + e * F2 - f * Phi if contact.stuck[0] else resistance * Phi
+    return Nutation(domega1, Phi, F2, m1, inertia)
+
+
+class RotationBalance(NamedTuple):
+    """Balance A (w2', w3') = b - m2 n2 - m3 n3 with n2 = (cos a, -sin a), n3 = (sin a, cos a).
+
+    `roll2` and `pivot3` are the contributions of the rotation of a_2, a_3 to
+    d(omega.a_i)/dtau, in addition to n2.(w2', w3') and n3.(w2', w3').
+    """
+
+    A22: float
+    A23: float
+    A33: float
+    b2: float
+    b3: float
+    roll2: float
+    pivot3: float
+
+
+def slip_drift(motion: DiskMotion, constants, loads):
+    """Return the acceleration of the contact along a_1 less that by w2' and w3'.
+
+    On a fillet the contact moves over the edge as the disk nutates.
+    """
+    w1, w2, w3 = motion.w
+    drift = motion.rate * motion.v[1] + loads.G1
+    if constants.fillet != 0:
+        drift = drift + constants.fillet * w1 * (w2 * motion.sin_a + w3 * motion.cos_a)
+    return drift
+
+
+def rotation_balance(motion: DiskMotion, sliding, F1, drift, loads) -> RotationBalance:
+    """Return the balance of moments about e_2 and e_3.
+
+    F1 is the friction along a_1 if the contact slides; otherwise F1 = radius w2' - depth
+    w3' - drift keeps u1 at rest.
+    """
+    w1, w2, w3 = motion.w
+    sin_a = motion.sin_a
+    cos_a = motion.cos_a
+    radius, depth, _, _ = motion.place
+    b2 = loads.M2
+    b3 = loads.M3 - motion.gyro * w1
+    if sliding:
+        A22 = motion.J2
+        A23 = 0.0
+        A33 = motion.J1
+        b2 = b2 - radius * F1
+        b3 = b3 + depth * F1
+    else:
+        A22 = motion.J2 + radius * radius
+        A23 = -(radius * depth)
+        A33 = motion.J1 + depth * depth
+        b2 = b2 + radius * drift
+        b3 = b3 - depth * drift
+    roll2 = -w1 * (w2 * sin_a + w3 * cos_a)
+    pivot3 = w1 * (w2 * cos_a - w3 * sin_a)
+    return RotationBalance(A22, A23, A33, b2, b3, roll2, pivot3)
+
+
+def solve_rotation(balance: RotationBalance, motion: DiskMotion, stuck, m2, m3):
+    """Return w2', w3', m2 and m3 of a balance of moments.
+
+    The given moments m2, m3 act about the axes a_2, a_3 that are not stuck.
+    """
+    A22, A23, A33, b2, b3, roll2, pivot3 = balance
+    sin_a = motion.sin_a
+    cos_a = motion.cos_a
+    _, stuck2, stuck3 = stuck
+    if stuck2 and stuck3:
+        domega2 = -roll2 * cos_a - pivot3 * sin_a
+        domega3 = roll2 * sin_a - pivot3 * cos_a
+        r2 = b2 - A22 * domega2 - A23 * domega3
+        r3 = b3 - A23 * domega2 - A33 * domega3
+        return (
+            domega2,
+            domega3,
+            r2 * cos_a - r3 * sin_a,
+            r2 * sin_a + r3 * cos_a,
+        )
+    det = A22 * A33 - A23 * A23
+    if stuck2:
+        q2 = (A33 * cos_a + A23 * sin_a) / det
+        q3 = (-A23 * cos_a - A22 * sin_a) / det
+        m2 = (q2 * (b2 - m3 * sin_a) + q3 * (b3 - m3 * cos_a) + roll2) / (
+            q2 * cos_a - q3 * sin_a
+        )
+    if stuck3:
+        q2 = (A33 * sin_a - A23 * cos_a) / det
+        q3 = (A22 * cos_a - A23 * sin_a) / det
+        m3 = (q2 * (b2 - m2 * cos_a) + q3 * (b3 + m2 * sin_a) + pivot3) / (
+            q2 * sin_a + q3 * cos_a
+        )
+    r2 = b2 - m2 * cos_a - m3 * sin_a
+    r3 = b3 + m2 * sin_a - m3 * cos_a
+    return (A33 * r2 - A23 * r3) / det, (A22 * r3 - A23 * r2) / det, m2, m3
+
+
 def equations_of_motion(sin, cos):
     """Return a solver of (4.1), (4.2) for the scalar type of `sin` and `cos`."""
 
-    def solve(
-        beta,
-        w1,
-        w2,
-        w3,
-        u1,
-        u2,
-        c,
-        s,
-        sliding,
-        stuck1,
-        stuck2,
-        stuck3,
-        s1,
-        s2,
-        s3,
-        law,
-        loads=NO_LOADS,
-    ):
-        """Return the `Contact` at inclination beta, angular velocity w and slip u.
+    def solve(beta, omega, slip, contact: ContactState, constants, loads=NO_LOADS):
+        """Return the `ContactSolution` at inclination beta, angular velocity and slip velocity.
 
-        If `sliding`, (c, s) is the slip direction (2.7); otherwise the contact rolls.
-        s1, s2 and s3 are the signs of omega.a_i; where omega.a_i = 0 is `stuck`, an
-        unknown moment replaces them. The result equals (4.7) and (5.3) with the errata
-        corrected; see tests/rigid/test_equations.py.
+        The result equals (4.7) and (5.3) with the errata corrected; see
+        tests/rigid/test_equations.py.
         """
-        h = law.h
-        K = law.K
-        sin_a = cos(beta)
-        cos_a = sin(beta)
-        place = contact_place(sin_a, cos_a, law.h, law.fillet)
-        radius, depth, e, f = place
-        J1 = K / 4 + h * h / 3
-        J2 = K / 2
-        weight = (K + 4) / 4
-        rate = precession_rate(w3, cos_a)
-        v1, v2 = centre_velocity((u1, u2), (w1, w2, w3), place)
-
-        # About e_1: J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less
-        # the load G3. The frame turns by (w1, rate sin a, w3); `gyro` is the part of the angular
-        # momentum about e_2 that does not turn with the frame.
-        gyro = J2 * w2 - J1 * (rate * sin_a)
-        b1 = loads.M1 + gyro * w3
-        b2 = loads.M2
-        b3 = loads.M3 - gyro * w1
-        Phi0 = weight - (e - law.fillet) * (w1 * w1) - loads.G3
-        if sliding:  # F2 = -mu s Phi
-            drag = law.mu_dynamic * s
-            F20 = 0.0
-            F21 = 0.0
-        else:  # F2 = F20 + F21 w1' keeps u2 at rest
-            drag = 0.0
-            F20 = rate * v1 - f * (w1 * w1) - loads.G2
-            F21 = -e
-        if stuck1:
-            domega1 = 0.0 * Phi0
-            inertia = J1
-        else:
-            lever = f + e * drag + s1 * law.k1
-            if sliding:
-                inertia = J1 + lever * f
-            elif law.fillet == 0:
-                inertia = J1 + 1 + h * h + s1 * law.k1 * f  # e^2 + f^2 = 1 + h^2
-            else:
-                inertia = J1 + e * e + f * f + s1 * law.k1 * f
-            domega1 = (b1 + e * F20 - lever * Phi0) / inertia
-        Phi = Phi0 + f * domega1
-        F2 = F20 + F21 * domega1 - drag * Phi
-        m1 = b1 + e * F2 - f * Phi if stuck1 else s1 * law.k1 * Phi
-
-        # About e_2, e_3: A (w2', w3') = b - m2 n2 - m3 n3, with n2 = (cos a, -sin a), n3 = (sin a,
-        # cos a). On a fillet r the contact moves over the edge as the disk nutates.
-        drift = rate * v2 + loads.G1
-        if law.fillet != 0:
-            drift = drift + law.fillet * w1 * (w2 * sin_a + w3 * cos_a)
-        if sliding:
-            F1 = -law.mu_dynamic * c * Phi
-            A22 = J2
-            A23 = 0.0
-            A33 = J1
-            b2 = b2 - radius * F1
-            b3 = b3 + depth * F1
-        else:  # F1 = radius w2' - depth w3' - drift keeps u1 at rest
-            A22 = J2 + radius * radius
-            A23 = -(radius * depth)
-            A33 = J1 + depth * depth
-            b2 = b2 + radius * drift
-            b3 = b3 - depth * drift
-        det = A22 * A33 - A23 * A23
-        roll2 = -w1 * (w2 * sin_a + w3 * cos_a)
-        pivot3 = w1 * (w2 * cos_a - w3 * sin_a)
-        # roll2, pivot3: contribution of the rotation of a_2, a_3 to d(omega.a_i)/dtau, in addition
-        # to n2.(w2', w3') and n3.(w2', w3')
-        if stuck2 and stuck3:
-            domega2 = -roll2 * cos_a - pivot3 * sin_a
-            domega3 = roll2 * sin_a - pivot3 * cos_a
-            r2 = b2 - A22 * domega2 - A23 * domega3
-            r3 = b3 - A23 * domega2 - A33 * domega3
-            m2 = r2 * cos_a - r3 * sin_a
-            m3 = r2 * sin_a + r3 * cos_a
-        else:
-            m2 = s2 * law.k2 * Phi
-            m3 = s3 * law.k3 * Phi
-            if stuck2:
-                q2 = (A33 * cos_a + A23 * sin_a) / det
-                q3 = (-A23 * cos_a - A22 * sin_a) / det
-                m2 = (q2 * (b2 - m3 * sin_a) + q3 * (b3 - m3 * cos_a) + roll2) / (
-                    q2 * cos_a - q3 * sin_a
-                )
-            if stuck3:
-                q2 = (A33 * sin_a - A23 * cos_a) / det
-                q3 = (A22 * cos_a - A23 * sin_a) / det
-                m3 = (q2 * (b2 - m2 * cos_a) + q3 * (b3 + m2 * sin_a) + pivot3) / (
-                    q2 * sin_a + q3 * cos_a
-                )
-            r2 = b2 - m2 * cos_a - m3 * sin_a
-            r3 = b3 + m2 * sin_a - m3 * cos_a
-            domega2 = (A33 * r2 - A23 * r3) / det
-            domega3 = (A22 * r3 - A23 * r2) / det
-
+        motion = disk_motion(cos(beta), sin(beta), omega, slip, constants)
+        nutation = solve_nutation(motion, contact, constants, loads)
+        Phi = nutation.Phi
+        drift = slip_drift(motion, constants, loads)
+        F1 = (
+            -constants.mu_dynamic * contact.direction[0] * Phi
+            if contact.sliding
+            else 0.0
+        )
+        balance = rotation_balance(motion, contact.sliding, F1, drift, loads)
+        domega2, domega3, m2, m3 = solve_rotation(
+            balance,
+            motion,
+            contact.stuck,
+            contact.senses[1] * constants.k2 * Phi,
+            contact.senses[2] * constants.k3 * Phi,
+        )
+        radius, depth, e, f = motion.place
         spin = radius * domega2 - depth * domega3
-        if sliding:
+        if contact.sliding:
+            w1 = omega[0]
             du1 = F1 - spin + drift  # (2.8)
-            du2 = F2 + loads.G2 + e * domega1 + f * (w1 * w1) - rate * v1
+            du2 = nutation.F2 + loads.G2 + e * nutation.domega1 + f * (w1 * w1)
+            du2 = du2 - motion.rate * motion.v[0]
         else:
             F1 = spin - drift
             du1 = 0.0 * Phi
             du2 = 0.0 * Phi
-        return Contact(
-            domega1, domega2, domega3, du1, du2, F1, F2, Phi, m1, m2, m3, inertia
+        return ContactSolution(
+            domega1=nutation.domega1,
+            domega2=domega2,
+            domega3=domega3,
+            du1=du1,
+            du2=du2,
+            F1=F1,
+            F2=nutation.F2,
+            Phi=Phi,
+            m1=nutation.m1,
+            m2=m2,
+            m3=m3,
+            inertia=nutation.inertia,
         )
 
     return solve
 
 
-def separation_acceleration(beta, w1, w2, w3, law, loads=NO_LOADS) -> float:
+def separation_acceleration(beta, w1, w2, w3, constants, loads=NO_LOADS) -> float:
     """Return the upward acceleration of the lowest point without a contact force."""
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)
-    e, f = contact_arms(sin_a, cos_a, law.h, law.fillet)
-    J1 = law.K / 4 + law.h**2 / 3
-    J2 = law.K / 2
+    e, f = contact_arms(sin_a, cos_a, constants.h, constants.fillet)
+    J1 = constants.K / 4 + constants.h**2 / 3
+    J2 = constants.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
-    return (e - law.fillet) * w1 * w1 - f * free - (law.K + 4) / 4 + loads.G3
+    return (
+        (e - constants.fillet) * w1 * w1 - f * free - (constants.K + 4) / 4 + loads.G3
+    )

@@ -9,7 +9,7 @@ AXES = ("nutation", "rolling", "pivoting")
 STOP_SLIP_SPEED = 1e-9
 """Slip speed divided by r at which one linear step ends a slide, with a second-order
 error."""
-MAX_RELATIVE_NUTATION_RATE = 10.0
+FALL_RATE_THRESHOLD = 10.0
 """Value of omega_1/sqrt(inclination) above which the disk falls flat with energy left.
 
 The ratio is at most one for a disk that comes to rest. The guard is omitted if an air
@@ -42,7 +42,7 @@ class GuardArguments(NamedTuple):
     turns: Any
     contact: Any
     senses: Any
-    law: Any
+    constants: Any
     r_end: Any
     root: Callable
     cos: Callable
@@ -84,7 +84,7 @@ class Guard(str):
 
 def _moment_margin(i: int, where: GuardArguments):
     """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
-    arm = where.law[4 + i]
+    arm = where.constants[4 + i]
     moment = where.contact[8 + i]
     limit = arm * where.contact.Phi
     return (limit * limit - moment * moment) / (arm * arm)
@@ -92,7 +92,7 @@ def _moment_margin(i: int, where: GuardArguments):
 
 def _friction_cone_margin(where: GuardArguments):
     """Return the squared static friction limit minus the squared friction; see (3.2)."""
-    cone = where.law.mu_static * where.contact.Phi
+    cone = where.constants.mu_static * where.contact.Phi
     contact = where.contact
     return cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
 
@@ -121,17 +121,17 @@ FLAT = Guard("flat", GuardKind.END, lambda at: at.r - at.r_end)
 UPRIGHT = Guard(
     "upright",
     GuardKind.END,
-    lambda at: MAX_RELATIVE_NUTATION_RATE * at.cos(at.r * at.r),
+    lambda at: FALL_RATE_THRESHOLD * at.cos(at.r * at.r),
 )
 """Guard that ends the motion of an upright disk.
 
-The factor MAX_RELATIVE_NUTATION_RATE gives it the same magnitude as FALLS_FLAT. Since the Taylor
+The factor FALL_RATE_THRESHOLD gives it the same magnitude as FALLS_FLAT. Since the Taylor
 integrator measures its error relative to the guards, the step lengths in air and in a
 vacuum are then equal."""
 FALLS_FLAT = Guard(
     "falls",
     GuardKind.END,
-    lambda at: MAX_RELATIVE_NUTATION_RATE - at.w1,
+    lambda at: FALL_RATE_THRESHOLD - at.w1,
     lambda b: not (b.loads and b.loads.keeps_disk_off_table),
 )
 LIFT_OFF = Guard("lift-off", GuardKind.END, lambda at: at.contact.Phi)

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.equations import ContactState
 from dynamics.kinematics import contact_arms
 from dynamics.regime import FLOAT_FORMULAS, R, angular_velocity, slip_velocity
 
@@ -112,19 +113,20 @@ def _wrapped_angle(angle):
     return math.remainder(angle, 2 * math.pi)
 
 
-def slip_acceleration(y, branch, senses, law) -> SlipAcceleration:
+def slip_acceleration(y, branch, senses, constants) -> SlipAcceleration:
     """Return the slip acceleration of a sliding branch at state y."""
     beta = y[R] * y[R]
     omega = angular_velocity(y)
     slip = slip_velocity(y)
-    loads, law = FLOAT_FORMULAS.loads_and_arms(y, slip, branch, law)
-    lever = contact_arms(math.cos(beta), math.sin(beta), law.h, law.fillet)[1]
+    loads, constants = FLOAT_FORMULAS.loads_and_arms(y, slip, branch, constants)
+    lever = contact_arms(math.cos(beta), math.sin(beta), constants.h, constants.fillet)[
+        1
+    ]
     side = math.copysign(1.0, lever)  # the sign for which the inertia is positive
 
     def pushed(c, s):
-        contact = FLOAT_FORMULAS.solve(
-            beta, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads
-        )
+        state = ContactState(True, (c, s), branch.stuck, senses)
+        contact = FLOAT_FORMULAS.solve(beta, omega, slip, state, constants, loads)
         return contact.inertia, contact.inertia * complex(contact.du1, contact.du2)
 
     a, k = pushed(0.0, 0.0)

@@ -55,7 +55,7 @@ def centre_velocity(slip: Any, omega: Any, place: ContactPlace) -> tuple[Any, An
 
 
 def energy(
-    beta: Any, omega: Any, slip: Any, law: Any, position: Any = (0.0, 0.0)
+    beta: Any, omega: Any, slip: Any, constants: Any, position: Any = (0.0, 0.0)
 ) -> Any:
     """Return the dimensionless energy (6.1) with its two misprints corrected.
 
@@ -64,14 +64,20 @@ def energy(
     """
     sin_a = np.cos(beta)
     cos_a = np.sin(beta)
-    place = contact_place(sin_a, cos_a, law.h, law.fillet)
+    place = contact_place(sin_a, cos_a, constants.h, constants.fillet)
     v1, v2 = centre_velocity(slip, omega, place)
     w1, w2, w3 = omega
     v3 = place.f * w1
-    rotation = (law.K / 4 + law.h**2 / 3) * (w1 * w1 + w3 * w3) + law.K / 2 * w2 * w2
+    rotation = (constants.K / 4 + constants.h**2 / 3) * (
+        w1 * w1 + w3 * w3
+    ) + constants.K / 2 * w2 * w2
     # e - h, without cancellation
-    height = (1 - law.fillet) * cos_a - 2 * (law.h - law.fillet) * np.sin(beta / 2) ** 2
-    if law.bowl:
+    height = (1 - constants.fillet) * cos_a - 2 * (
+        constants.h - constants.fillet
+    ) * np.sin(beta / 2) ** 2
+    if constants.bowl:
         x, y = position
-        height = height + law.bowl / 2 * ((x + law.bowl_x) ** 2 + (y + law.bowl_y) ** 2)
-    return (v1 * v1 + v2 * v2 + v3 * v3 + rotation) / 2 + (law.K + 4) / 4 * height
+        height = height + constants.bowl / 2 * (
+            (x + constants.bowl_x) ** 2 + (y + constants.bowl_y) ** 2
+        )
+    return (v1 * v1 + v2 * v2 + v3 * v3 + rotation) / 2 + (constants.K + 4) / 4 * height

@@ -572,10 +572,19 @@ class Motion(Protocol):
             Dissipated power [W] for each of CAUSES.
         """
 
-    def largest_regain(self) -> float:
+    def largest_energy_gain_error(self) -> float:
         """Return the largest decrease of the dissipated energy between two times.
 
         It is a measure of the numerical error: the exact value is zero.
+
+        Returns
+        -------
+        float
+            Energy [J].
+        """
+
+    def largest_regain(self) -> float:
+        """Return `largest_energy_gain_error` under its former name.
 
         Returns
         -------
@@ -693,6 +702,10 @@ class MotionBase:
         return DataFrame(
             rows, index=Index(times, name="t"), columns=[*COLUMNS, *FORCE_COLUMNS]
         )
+
+    def largest_regain(self: Motion) -> float:
+        """Return `largest_energy_gain_error` [J] under its former name."""
+        return self.largest_energy_gain_error()
 
     def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:
         """Return Phi (k,) of (4.6) at times t (k,) [s]; it is (K + 4)/4 at rest."""

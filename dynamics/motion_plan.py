@@ -20,7 +20,7 @@ from dynamics.solver_settings import MIN_SOLVED_INCLINATION
 from dynamics.surface import ModesSurface
 
 if TYPE_CHECKING:
-    from dynamics.compliant.law.tabulated import LawTable
+    from dynamics.compliant.law.tabulated import TabulatedLaw
 
 ContactModel = Literal["rigid", "filter", "full", "many"]
 """Model of the contact: rigid, elastic as a linear filter on the rigid motion, one elastic
@@ -112,7 +112,7 @@ class MotionPlan(MotionBasis):
         Loads other than those of the contact.
     final_inclination : float
         Inclination [rad] at which the motion counts as settled.
-    law_table : LawTable or None
+    tabulated_law : TabulatedLaw or None
         The tabulated law of an elastic contact.
     contact : ModelChoice
         Model of the contact.
@@ -134,7 +134,7 @@ class MotionPlan(MotionBasis):
     ('rigid', "air.film = 'none'")
     """
 
-    law_table: "LawTable | None"
+    tabulated_law: "TabulatedLaw | None"
     contact: ModelChoice
     step_rate: float
     obstacle_to_two_way: str
@@ -168,24 +168,26 @@ class MotionPlan(MotionBasis):
         return self.surface_modes if self.is_two_way_from_release else None
 
     @cached_property
-    def series_law_table(self) -> "LawTable":
+    def series_tabulated_law(self) -> "TabulatedLaw":
         """The tabulated law with the flexibility of the edge in series with every spring.
 
         It exists for an elastic contact only.
         """
-        assert self.law_table is not None
-        from dynamics.compliant.law.tabulated import SeriesLawTable  # loads SciPy
+        assert self.tabulated_law is not None
+        from dynamics.compliant.law.tabulated import TabulatedSeriesLaw  # loads SciPy
 
-        return SeriesLawTable(law=self.law_table.law, edge=self.law_table.edge)
+        return TabulatedSeriesLaw(
+            law=self.tabulated_law.law, edge=self.tabulated_law.edge
+        )
 
     @cached_property
     def roughness_energy_share(self) -> float:
         """Predicted fraction of the energy that roughness dissipates on a rolling disk."""
-        if self.law_table is None:
+        if self.tabulated_law is None:
             return 0.0
         from dynamics.compliant.model_selection import roughness_energy_share
 
-        return roughness_energy_share(self, self.law_table)
+        return roughness_energy_share(self, self.tabulated_law)
 
     @cached_property
     def predicted_end_error(self) -> float:
@@ -305,7 +307,9 @@ class MotionPlan(MotionBasis):
             self,
             scene=scene,
             final_inclination=final_inclination(scene, self.film),
-            law_table=_law_table(scene) if "contact" in sections else self.law_table,
+            tabulated_law=_tabulated_law(scene)
+            if "contact" in sections
+            else self.tabulated_law,
         )
         return replace(plan, step_rate=_step_rate(plan, plan.contact))
 
@@ -372,12 +376,12 @@ def plan_motion(scene: MotionScene, surface_modes: Any = None) -> MotionPlan:
     """
     scene = as_motion_scene(scene)
     basis = motion_basis(scene)
-    law_table = None if scene.contact.law == "rigid" else _law_table(scene)
-    contact = _contact_choice(basis, law_table)
+    tabulated_law = None if scene.contact.law == "rigid" else _tabulated_law(scene)
+    contact = _contact_choice(basis, tabulated_law)
     obstacle = _obstacle_to_two_way(scene, contact.kind)
     plan = MotionPlan(
         **vars(basis),
-        law_table=law_table,
+        tabulated_law=tabulated_law,
         contact=contact,
         step_rate=_step_rate(basis, contact),
         obstacle_to_two_way=obstacle,
@@ -419,17 +423,19 @@ def motion_basis(scene: MotionScene) -> MotionBasis:
     )
 
 
-def _law_table(scene: MotionScene) -> "LawTable":
+def _tabulated_law(scene: MotionScene) -> "TabulatedLaw":
     """Return the tabulated law of the elastic contact of a scene."""
-    from dynamics.compliant.model_inputs import contact_law_table  # loads SciPy
+    from dynamics.compliant.model_inputs import tabulated_contact_law  # loads SciPy
 
-    return contact_law_table(scene)
+    return tabulated_contact_law(scene)
 
 
-def _contact_choice(basis: MotionBasis, law_table: "LawTable | None") -> ModelChoice:
+def _contact_choice(
+    basis: MotionBasis, tabulated_law: "TabulatedLaw | None"
+) -> ModelChoice:
     """Select the contact model of a scene; see `numerics.contact`."""
     scene = basis.scene
-    if law_table is None:
+    if tabulated_law is None:
         return ModelChoice("rigid", "contact.law = 'rigid'")
     if scene.numerics.contact == "many":
         return ModelChoice("many", "numerics.contact = 'many'")
@@ -437,7 +443,7 @@ def _contact_choice(basis: MotionBasis, law_table: "LawTable | None") -> ModelCh
         return ModelChoice("full", "imperfection: the table is wavy")
     from dynamics.compliant.model_selection import choose_contact_model
 
-    return ModelChoice(*choose_contact_model(basis, law_table))
+    return ModelChoice(*choose_contact_model(basis, tabulated_law))
 
 
 def _step_rate(basis: MotionBasis, contact: ModelChoice) -> float:

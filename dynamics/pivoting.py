@@ -4,8 +4,8 @@ The weight and the inclination determine the ellipse. `compliant/law/spin_fricti
 derives its two coefficients and fits the polynomials that are evaluated here.
 """
 
-SINE_ROOT_DEGREE = 12
-"""The polynomials are functions of sin(beta)^(1/SINE_ROOT_DEGREE), in which
+SINE_ROOT_INDEX = 12
+"""The polynomials are functions of sin(beta)^(1/SINE_ROOT_INDEX), in which
 the ellipse is smooth."""
 PIVOTING_COEFFICIENT_COUNT = 7
 """Number of coefficients in each polynomial."""
@@ -32,7 +32,7 @@ def pivoting_arm(sine, pivoting, travel, slip_square, sliding, mu, coefficients)
         Polynomials for `unit_arm` and `creep` of `friction_limited_arm`, both times
         sin(beta)^(1/3), lowest power first.
     """
-    root = sine ** (1 / SINE_ROOT_DEGREE)
+    root = sine ** (1 / SINE_ROOT_INDEX)
     scale = 1.0 / (root * root * root * root)
     unit_arm = polynomial(coefficients[:PIVOTING_COEFFICIENT_COUNT], root) * scale
     creep = polynomial(coefficients[PIVOTING_COEFFICIENT_COUNT:], root) * scale

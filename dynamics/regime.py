@@ -14,7 +14,8 @@ import numpy as np
 
 from dynamics.equations import (
     NO_LOADS,
-    Contact,
+    ContactSolution,
+    ContactState,
     DiskConstants,
     Loads,
     equations_of_motion,
@@ -67,22 +68,22 @@ class Branch(NamedTuple):
     has_spin_friction: bool = False
 
     @classmethod
-    def of(cls, regime: Regime, law: DiskConstants, loads: Any) -> "Branch":
+    def of(cls, regime: Regime, constants: DiskConstants, loads: Any) -> "Branch":
         """Return the branch for a regime and the constants of a scene.
 
         A zero arm, infinite static friction or zero dynamic friction removes a guard.
         """
-        arms = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
+        arms = (constants.k1 > 0, constants.k2 > 0, constants.k3 > 0)
         return cls(
             regime.sliding,
             regime.stuck,
             arms,
-            law.mu_static < float("inf"),
-            law.mu_dynamic > 0,
+            constants.mu_static < float("inf"),
+            constants.mu_dynamic > 0,
             loads,
-            law.fillet > 0,
-            law.bowl > 0,
-            bool(law.pivoting),
+            constants.fillet > 0,
+            constants.bowl > 0,
+            bool(constants.pivoting),
         )
 
 
@@ -158,7 +159,9 @@ class FlowFormulas:
         """Return slip speed/r minus STOP_SLIP_SPEED, the value of the guard GRIP."""
         return self.scaled_slip_speed(y) - STOP_SLIP_SPEED
 
-    def contact(self, y, branch: Branch, senses, law: DiskConstants) -> Contact:
+    def contact(
+        self, y, branch: Branch, senses, constants: DiskConstants
+    ) -> ContactSolution:
         """Solve the balance laws at state y with the slip direction of y."""
         slip = (0.0, 0.0)
         direction = (0.0, 0.0)
@@ -168,50 +171,45 @@ class FlowFormulas:
                 # without friction the direction is not needed, and undefined at rest
                 speed = self.scaled_slip_speed(y)
                 direction = (y[V1] / speed, y[V2] / speed)
-        return self.contact_with_friction_along(y, slip, direction, branch, senses, law)
+        return self.contact_with_friction_along(
+            y, slip, direction, branch, senses, constants
+        )
 
     def contact_with_friction_along(
-        self, y, slip, direction, branch: Branch, senses, law: DiskConstants
-    ) -> Contact:
+        self, y, slip, direction, branch: Branch, senses, constants: DiskConstants
+    ) -> ContactSolution:
         """Solve the balance laws at state y with a given slip direction."""
         r = y[R]
         omega = angular_velocity(y)
-        loads, law = self.loads_and_arms(y, slip, branch, law)
-        return self.solve(
-            r * r,
-            *omega,
-            *slip,
-            *direction,
-            branch.sliding,
-            *branch.stuck,
-            *senses,
-            law,
-            loads,
-        )
+        loads, constants = self.loads_and_arms(y, slip, branch, constants)
+        state = ContactState(branch.sliding, direction, branch.stuck, senses)
+        return self.solve(r * r, omega, slip, state, constants, loads)
 
     def loads_and_arms(
-        self, y, slip, branch: Branch, law
+        self, y, slip, branch: Branch, constants
     ) -> tuple[Loads, DiskConstants]:
         """Return the loads at state y, and the constants with k3 from spin friction."""
         r = y[R]
         omega = angular_velocity(y)
         loads = (
-            branch.loads(r * r, omega, slip, law, self) if branch.loads else NO_LOADS
+            branch.loads(r * r, omega, slip, constants, self)
+            if branch.loads
+            else NO_LOADS
         )
-        if law.bowl != 0:
+        if constants.bowl != 0:
             ct = self.cos(y[PRECESSION])
             st = self.sin(y[PRECESSION])
-            pull = (law.K + 4) / 4 * law.bowl
-            east = y[X] + law.bowl_x
-            north = y[Y] + law.bowl_y
+            pull = (constants.K + 4) / 4 * constants.bowl
+            east = y[X] + constants.bowl_x
+            north = y[Y] + constants.bowl_y
             loads = loads._replace(
                 G1=loads.G1 - pull * (east * ct + north * st),
                 G2=loads.G2 - pull * (north * ct - east * st),
             )
-        if law.pivoting:
+        if constants.pivoting:
             sin_a = self.cos(r * r)
             cos_a = self.sin(r * r)
-            place = contact_place(sin_a, cos_a, law.h, law.fillet)
+            place = contact_place(sin_a, cos_a, constants.h, constants.fillet)
             travel = centre_velocity(slip, omega, place)[0]
             travel = travel + place.f * precession_rate(omega[2], cos_a)
             arm = pivoting_arm(
@@ -220,13 +218,15 @@ class FlowFormulas:
                 travel,
                 slip[0] * slip[0] + slip[1] * slip[1],
                 branch.sliding,
-                law.mu_dynamic,
-                law.pivoting,
+                constants.mu_dynamic,
+                constants.pivoting,
             )
-            law = law._replace(k3=arm, pivoting=())
-        return loads, law
+            constants = constants._replace(k3=arm, pivoting=())
+        return loads, constants
 
-    def rates(self, y, contact: Contact, branch: Branch, law: DiskConstants):
+    def rates(
+        self, y, contact: ContactSolution, branch: Branch, constants: DiskConstants
+    ):
         """Return dy/dtau by (4.7) or (5.3), (2.3), (2.5) and the dissipated power."""
         r = y[R]
         w1 = y[W1]
@@ -235,7 +235,7 @@ class FlowFormulas:
         sin_a = self.cos(beta)
         cos_a = self.sin(beta)
         slip = slip_velocity(y) if branch.sliding else (0.0, 0.0)
-        place = contact_place(sin_a, cos_a, law.h, law.fillet)
+        place = contact_place(sin_a, cos_a, constants.h, constants.fillet)
         v1, v2 = centre_velocity(slip, omega, place)
         rate = precession_rate(omega[2], cos_a)
         ct = self.cos(y[PRECESSION])
@@ -247,7 +247,7 @@ class FlowFormulas:
         if branch.sliding:
             power = power - contact.F1 * slip[0] - contact.F2 * slip[1]
         if branch.loads:
-            loads = branch.loads(beta, omega, slip, law, self)
+            loads = branch.loads(beta, omega, slip, constants, self)
             power = (
                 power - loads.G1 * v1 - loads.G2 * v2 - loads.G3 * place.f * omega[0]
             )
@@ -270,7 +270,13 @@ class FlowFormulas:
         ]
 
     def guards(
-        self, y, contact: Contact, branch: Branch, senses, law: DiskConstants, r_end
+        self,
+        y,
+        contact: ContactSolution,
+        branch: Branch,
+        senses,
+        constants: DiskConstants,
+        r_end,
     ) -> dict[Guard, Any]:
         """Return the guards of a branch with their values."""
         turns = contact_axis_rates(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
@@ -283,7 +289,7 @@ class FlowFormulas:
             turns,
             contact,
             senses,
-            law,
+            constants,
             r_end,
             self.sqrt,
             self.cos,

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.disk import Disk
-from dynamics.equations import Contact, DiskConstants
+from dynamics.equations import ContactSolution, DiskConstants
 from dynamics.face_contact import face_events
 from dynamics.film.wedge import Film, film_powers, find_film
 from dynamics.guards import STOP_SLIP_SPEED
@@ -101,7 +101,7 @@ class RigidMotion(MotionBase):
         return self.plan.scene.disk
 
     @property
-    def law(self) -> DiskConstants:
+    def constants(self) -> DiskConstants:
         """Dimensionless constants of disk, friction and table."""
         return self.plan.constants
 
@@ -164,7 +164,10 @@ class RigidMotion(MotionBase):
         r = y[R]
         omega = r * y[W1 : W3 + 1]
         slip = r * y[V1 : V2 + 1]
-        return energy(r * r, omega, slip, self.law, y[X : X + 2]) * self._unit_of_energy
+        return (
+            energy(r * r, omega, slip, self.constants, y[X : X + 2])
+            * self._unit_of_energy
+        )
 
     @property
     def film(self) -> Film | None:
@@ -174,7 +177,7 @@ class RigidMotion(MotionBase):
     @property
     def rolling_fillet(self) -> float:
         """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
-        return self.law.fillet * self.disk.radius
+        return self.constants.fillet * self.disk.radius
 
     @property
     def events(self) -> tuple[MotionEvent, ...]:
@@ -244,11 +247,11 @@ class RigidMotion(MotionBase):
         """Return the dissipated power (k,) [W] at states y (11, k) in the pieces (k,)."""
         power = np.empty(len(piece))
         for selected, states, contact, branch in self._contacts(y, piece):
-            rates = ARRAY_FORMULAS.rates(states, contact, branch, self.law)
+            rates = ARRAY_FORMULAS.rates(states, contact, branch, self.constants)
             power[selected] = rates[DISSIPATED]
         return power * self._unit_of_energy / self.disk.time_unit
 
-    def largest_regain(self) -> float:
+    def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
         lost = self.path.c[..., DISSIPATED]
         return largest_decrease(lost, self.path.x) * self._unit_of_energy
@@ -259,8 +262,8 @@ class RigidMotion(MotionBase):
         force = self.force(t)[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
         sliding = np.char.startswith(self.regime(t[1::2]), "slide")
-        excess = ratio[~sliding] - self.law.mu_static
-        deviation = np.abs(ratio[sliding] - self.law.mu_dynamic)
+        excess = ratio[~sliding] - self.constants.mu_static
+        deviation = np.abs(ratio[sliding] - self.constants.mu_dynamic)
         return float(max(excess.max(initial=0.0), deviation.max(initial=0.0)))
 
     def tensile_time(self) -> float:
@@ -337,7 +340,7 @@ class RigidMotion(MotionBase):
 
     def _contacts(
         self, y: np.ndarray, piece: np.ndarray
-    ) -> Iterator[tuple[np.ndarray, np.ndarray, Contact, Branch]]:
+    ) -> Iterator[tuple[np.ndarray, np.ndarray, ContactSolution, Branch]]:
         """Solve the balance laws at states y (11, k) in the pieces (k,).
 
         Yields the indices and states of each regime, its contact and its branch.
@@ -349,8 +352,10 @@ class RigidMotion(MotionBase):
             regime = self.regimes[index]
             if regime.sliding:
                 self._set_direction_at_rest(states, piece[selected])
-            branch = Branch.of(regime, self.law, self.loads)
-            contact = ARRAY_FORMULAS.contact(states, branch, regime.senses, self.law)
+            branch = Branch.of(regime, self.constants, self.loads)
+            contact = ARRAY_FORMULAS.contact(
+                states, branch, regime.senses, self.constants
+            )
             yield selected, states, contact, branch
 
     def _set_direction_at_rest(self, y: np.ndarray, piece: np.ndarray) -> None:

@@ -38,7 +38,7 @@ class RollingDisk:
 
     Attributes
     ----------
-    law : DiskConstants
+    constants : DiskConstants
         Dimensionless constants of disk and friction.
     loads : OwnLaw, Resistance or None
         Law of dissipation in addition to friction.
@@ -53,7 +53,7 @@ class RollingDisk:
         compiled.
     """
 
-    law: DiskConstants
+    constants: DiskConstants
     loads: OwnLaw | Resistance | None
     r_end: float
     integrate: Callable
@@ -85,8 +85,8 @@ class RollingDisk:
         The quadratures are reset to limit their rounding errors. Raises StalledError if
         the steps are too short.
         """
-        local, offset = restart_quadratures(y, self.law.bowl > 0)
-        within = (local, regime, self.law, self.loads, self.r_end, span)
+        local, offset = restart_quadratures(y, self.constants.bowl > 0)
+        within = (local, regime, self.constants, self.loads, self.r_end, span)
         arc: Arc | None = None
         if self._is_stiff(y, regime):
             self.announce_compilation("slow slide")
@@ -119,27 +119,35 @@ class RollingDisk:
             advance_grazing_slide,
         )  # numba loads slowly
 
-        local, offset = restart_quadratures(y, self.law.bowl > 0)
-        within = (local, nu, regime, self.law, self.loads, self.r_end)
+        local, offset = restart_quadratures(y, self.constants.bowl > 0)
+        within = (local, nu, regime, self.constants, self.loads, self.r_end)
         arc = advance_grazing_slide(*within, not self._is_stiff(y, regime))
         return arc and shift_arc(arc, offset)
 
     def _is_stiff(self, y, regime) -> bool:
-        if not (regime.sliding and self.law.mu_dynamic > 0):
+        if not (regime.sliding and self.constants.mu_dynamic > 0):
             return False
         rests = y[V1] == y[V2] == 0
         return (
-            self._is_grazing or rests or is_stiff(y, self._contact(y, regime), self.law)
+            self._is_grazing
+            or rests
+            or is_stiff(y, self._contact(y, regime), self.constants)
         )
 
     @property
     def _is_grazing(self) -> bool:
         """True if slides may start so slowly that slow_slides.py is tried first."""
-        return self.law.mu_static < (1 + MAX_GRAZING_ACCELERATION) * self.law.mu_dynamic
+        return (
+            self.constants.mu_static
+            < (1 + MAX_GRAZING_ACCELERATION) * self.constants.mu_dynamic
+        )
 
     def _contact(self, y, regime):
         return FLOAT_FORMULAS.contact(
-            y, Branch.of(regime, self.law, self.loads), regime.senses, self.law
+            y,
+            Branch.of(regime, self.constants, self.loads),
+            regime.senses,
+            self.constants,
         )
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
@@ -174,7 +182,7 @@ class RollingDisk:
 
     def _end_slide(self, y, regime, held) -> Switch:
         """Bring a slide to rest, if possible, and select the next regime."""
-        last, stops = slide_to_rest(y, regime, self.law, self.loads)
+        last, stops = slide_to_rest(y, regime, self.constants, self.loads)
         if not stops:
             return Switch(regime, last.end, (last,))
         y = last.end
@@ -187,7 +195,7 @@ class RollingDisk:
         at_zero = frozenset(at_zero)
         regime, step = next_regime(
             y,
-            self.law,
+            self.constants,
             self.loads,
             at_zero,
             frozenset(fired),
@@ -208,7 +216,7 @@ class RollingDisk:
         Otherwise the guard of this rotation would be negative at the end of the step.
         """
         _, stuck, senses = step.regime
-        turning = [i for i in range(3) if self.law.arms[i] > 0 and not stuck[i]]
+        turning = [i for i in range(3) if self.constants.arms[i] > 0 and not stuck[i]]
 
         def guards(y):
             turns = rotation_rates(y)

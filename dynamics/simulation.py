@@ -224,8 +224,8 @@ def outcome_after_guard(guard: str | None, y: Any, system: RollingDisk) -> Outco
     if guard == guards.LIFT_OFF and system.loads:
         beta = y[R] * y[R]
         motion = angular_velocity(y), slip_velocity(y)
-        film_lift = system.loads(beta, *motion, system.law, FLOAT_FORMULAS).G3
-        weight = (system.law.K + 4) / 4
+        film_lift = system.loads(beta, *motion, system.constants, FLOAT_FORMULAS).G3
+        weight = (system.constants.K + 4) / 4
         if film_lift > min_film_share * weight:
             return Outcome.AIRBORNE
     return OUTCOMES[guard]
@@ -239,17 +239,19 @@ def compile_in_background(plan: MotionPlan) -> None:
     from dynamics.integrators import taylor
 
     system = rigid_contact_system(plan)
-    can_slide = system.law.mu_static != math.inf
+    can_slide = system.constants.mu_static != math.inf
     for sliding in (False, True) if can_slide else (False,):
         regime = Regime(sliding, (False,) * 3, (1.0,) * 3)
-        taylor.compile_in_background(regime, system.law, system.loads, system.tolerance)
+        taylor.compile_in_background(
+            regime, system.constants, system.loads, system.tolerance
+        )
 
 
 def rigid_contact_system(plan: MotionPlan) -> RollingDisk:
     """Return the hybrid system of a plan with a rigid contact."""
     numerics = plan.scene.numerics
     return RollingDisk(
-        law=plan.constants,
+        constants=plan.constants,
         loads=plan.loads,
         r_end=math.sqrt(plan.final_inclination),
         integrate=chosen_integrator(numerics.integrator)[1],

@@ -25,7 +25,7 @@ disk.
 """
 
 
-class AccuracyLevel(NamedTuple):
+class MotionAccuracyLevel(NamedTuple):
     """Settings of one of the accuracy levels draft, standard and reference.
 
     Parameters
@@ -60,7 +60,7 @@ class AccuracyLevel(NamedTuple):
 
 
 ACCURACY_LEVELS = {
-    "draft": AccuracyLevel(
+    "draft": MotionAccuracyLevel(
         taylor_tolerance=1e-16,
         dop853_tolerance=1e-12,
         final_rate_factor=1.0,
@@ -71,7 +71,7 @@ ACCURACY_LEVELS = {
         sprung_error_share=0.065,
         contact_rate=1e5,
     ),
-    "standard": AccuracyLevel(
+    "standard": MotionAccuracyLevel(
         taylor_tolerance=1e-16,
         dop853_tolerance=1e-15,
         final_rate_factor=10.0,
@@ -82,7 +82,7 @@ ACCURACY_LEVELS = {
         sprung_error_share=0.75,
         contact_rate=4e5,
     ),
-    "reference": AccuracyLevel(
+    "reference": MotionAccuracyLevel(
         taylor_tolerance=1e-16,
         dop853_tolerance=1e-15,
         final_rate_factor=inf,
@@ -132,7 +132,7 @@ class Numerics:
     """Time [s] at which the solution ends if the disk has not settled."""
 
     @property
-    def level(self) -> AccuracyLevel:
+    def level(self) -> MotionAccuracyLevel:
         """The settings of the accuracy level."""
         return ACCURACY_LEVELS[self.accuracy]
 

@@ -36,13 +36,13 @@ def contact_ratio(beta: float, h: float, fillet: float = 0.0) -> float:
     return (h - fillet * (1 - cos(beta))) / (1 - fillet * (1 - sin(beta)))
 
 
-def steady_omega(beta: float, law: DiskConstants) -> tuple[float, float, float]:
+def steady_omega(beta: float, constants: DiskConstants) -> tuple[float, float, float]:
     """Return the dimensionless angular velocity of steady motion with a fixed centre.
 
     See `steady_precession`.
     """
-    w3 = steady_precession(beta, law.h, law.K, law.fillet) * sin(beta)
-    return 0.0, contact_ratio(beta, law.h, law.fillet) * w3, w3
+    w3 = steady_precession(beta, constants.h, constants.K, constants.fillet) * sin(beta)
+    return 0.0, contact_ratio(beta, constants.h, constants.fillet) * w3, w3
 
 
 def max_steady_inclination(h: float, K: float, fillet: float = 0.0) -> float:

@@ -12,7 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from dynamics.equations import NO_LOADS, Contact, DiskConstants, separation_acceleration
+from dynamics.equations import (
+    NO_LOADS,
+    ContactSolution,
+    DiskConstants,
+    separation_acceleration,
+)
 from dynamics.guards import GuardKind
 from dynamics.hybrid import Arc, StalledError, Step
 from dynamics.incipient_slip import slip_acceleration
@@ -58,7 +63,7 @@ class ImpossibleContactError(ValueError):
 
 
 def next_regime(
-    y, law: DiskConstants, loads, at_zero, fired, senses, advance_grazing
+    y, constants: DiskConstants, loads, at_zero, fired, senses, advance_grazing
 ) -> tuple[Regime | None, Step | Arc | None]:
     """Return the next regime at state y, and its first step or arc from rest.
 
@@ -70,25 +75,25 @@ def next_regime(
     consistent.
     """
     for leaving in (fired, frozenset()) if fired else (fired,):
-        for regime in _candidate_regimes(y, law, at_zero, leaving, senses):
-            branch = Branch.of(regime, law, loads)
+        for regime in _candidate_regimes(y, constants, at_zero, leaving, senses):
+            branch = Branch.of(regime, constants, loads)
             if regime.sliding and 0 in at_zero:
                 step = _slide_from_rest(
-                    y, regime, branch, law, at_zero, advance_grazing
+                    y, regime, branch, constants, at_zero, advance_grazing
                 )
                 if step:
                     return regime, step
             elif _is_consistent(
                 y,
-                contact := FLOAT_FORMULAS.contact(y, branch, regime.senses, law),
+                contact := FLOAT_FORMULAS.contact(y, branch, regime.senses, constants),
                 regime,
-                law,
+                constants,
                 at_zero,
             ):
                 return regime, _heun_step(
-                    y, contact, regime, branch, law
+                    y, contact, regime, branch, constants
                 ) if leaving - {0} else None
-    if _leaves_table_plane(y, law, loads):
+    if _leaves_table_plane(y, constants, loads):
         return None, None
     raise ImpossibleContactError(
         f"{describe_state(y)}: no rolling, sliding or sticking contact with a compressive "
@@ -97,7 +102,7 @@ def next_regime(
 
 
 def state_after_reversal(
-    y, regime, branch, guard, law: DiskConstants
+    y, regime, branch, guard, constants: DiskConstants
 ) -> tuple[list, Regime] | None:
     """Return state and regime after a rotation of a rolling disk reverses.
 
@@ -112,8 +117,12 @@ def state_after_reversal(
         [-sense if i == axis else sense for i, sense in enumerate(regime.senses)]
     )
     after = Regime(False, regime.stuck, senses)
-    contact = FLOAT_FORMULAS.contact(y, branch, senses, law)
-    return (y, after) if _is_consistent(y, contact, after, law, (axis + 1,)) else None
+    contact = FLOAT_FORMULAS.contact(y, branch, senses, constants)
+    return (
+        (y, after)
+        if _is_consistent(y, contact, after, constants, (axis + 1,))
+        else None
+    )
 
 
 def with_rotation_zero(y, i):
@@ -131,17 +140,20 @@ def with_rotation_zero(y, i):
     return y
 
 
-def _leaves_table_plane(y, law, loads) -> bool:
+def _leaves_table_plane(y, constants, loads) -> bool:
     """Return True if a free disk would leave the plane, or just touch it."""
     beta = y[R] * y[R]
     omega = angular_velocity(y)
     applied = NO_LOADS
     if loads:
-        applied = loads(beta, omega, slip_velocity(y), law, FLOAT_FORMULAS)
-    return separation_acceleration(beta, *omega, law, applied) > -CONSISTENCY_TOLERANCE
+        applied = loads(beta, omega, slip_velocity(y), constants, FLOAT_FORMULAS)
+    return (
+        separation_acceleration(beta, *omega, constants, applied)
+        > -CONSISTENCY_TOLERANCE
+    )
 
 
-def _candidate_regimes(y, law, at_zero, leaving, senses):
+def _candidate_regimes(y, constants, at_zero, leaving, senses):
     """Return the regimes to try, in order.
 
     Rolling precedes sliding. For a rotation at zero, the order is reversed sign,
@@ -153,9 +165,9 @@ def _candidate_regimes(y, law, at_zero, leaving, senses):
         0.0 if 2 in at_zero else math.copysign(1.0, turn2),
         0.0 if 3 in at_zero else math.copysign(1.0, turn3),
     )
-    resisted = tuple([arm > 0 for arm in law.arms])
+    resisted = tuple([arm > 0 for arm in constants.arms])
     return _regime_combinations(
-        turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving
+        turning, senses, resisted, constants.mu_static < math.inf, 0 in at_zero, leaving
     )
 
 
@@ -185,18 +197,18 @@ def _regime_combinations(turning, senses, resisted, can_slip, at_rest, leaving):
     return regimes
 
 
-def _is_consistent(y, contact, regime, law, at_zero) -> bool:
+def _is_consistent(y, contact, regime, constants, at_zero) -> bool:
     """Return True if a contact presses and is consistent with its regime."""
     if not (contact.Phi > 0 and contact.inertia > 0):
         return False
-    cone = law.mu_static * contact.Phi
+    cone = constants.mu_static * contact.Phi
     if (
         not regime.sliding
         and cone * cone * (1 + CONSISTENCY_TOLERANCE) < contact.F1**2 + contact.F2**2
     ):
         return False
     for i in (axis - 1 for axis in at_zero if axis):
-        arm = law.arms[i]
+        arm = constants.arms[i]
         if regime.stuck[i]:
             if abs(contact.moments[i]) > arm * contact.Phi * (
                 1 + CONSISTENCY_TOLERANCE
@@ -228,37 +240,41 @@ def rotation_accelerations(y, contact) -> tuple[float, float, float]:
 
 
 def contact_at_release(
-    y, regime: Regime, branch: Branch, law: DiskConstants
-) -> Contact:
+    y, regime: Regime, branch: Branch, constants: DiskConstants
+) -> ContactSolution:
     """Solve the balance laws at the first state of a motion.
 
     A slide from rest has the first of its possible directions.
     """
     if branch.sliding and branch.can_grip and FLOAT_FORMULAS.scaled_slip_speed(y) == 0:
         return _contact_sliding_along(
-            y, next(_slip_directions(y, regime, branch, law)), regime, branch, law
+            y,
+            next(_slip_directions(y, regime, branch, constants)),
+            regime,
+            branch,
+            constants,
         )
-    return FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
+    return FLOAT_FORMULAS.contact(y, branch, regime.senses, constants)
 
 
-def _contact_sliding_along(y, angle, regime, branch, law):
+def _contact_sliding_along(y, angle, regime, branch, constants):
     """Solve the balance laws for a contact that starts to slide along `angle` [rad]."""
     direction = (math.cos(angle), math.sin(angle))
     return FLOAT_FORMULAS.contact_with_friction_along(
-        y, slip_velocity(y), direction, branch, regime.senses, law
+        y, slip_velocity(y), direction, branch, regime.senses, constants
     )
 
 
-def _slip_directions(y, regime, branch, law):
+def _slip_directions(y, regime, branch, constants):
     """Yield slip directions nu [rad] that are parallel to their own slip acceleration.
 
     The first is close to the direction in which static friction fails, if possible. All
     directions follow in descending order of acceleration.
     """
-    push = slip_acceleration(y, branch, regime.senses, law)
+    push = slip_acceleration(y, branch, regime.senses, constants)
     if push.is_solvable:
         held = FLOAT_FORMULAS.contact(
-            y, branch._replace(sliding=False), regime.senses, law
+            y, branch._replace(sliding=False), regime.senses, constants
         )
         near = push.aligned_direction_near(math.atan2(-held.F2, -held.F1))
         if (
@@ -274,33 +290,33 @@ def _slip_directions(y, regime, branch, law):
 
 
 def _slide_from_rest(
-    y, regime, branch, law, at_zero, advance_grazing
+    y, regime, branch, constants, at_zero, advance_grazing
 ) -> Step | Arc | None:
     """Take the first step of a slide from rest; return None if it is inconsistent."""
-    for nu in _slip_directions(y, regime, branch, law):
-        first = _contact_sliding_along(y, nu, regime, branch, law)
-        if _is_consistent(y, first, regime, law, at_zero):
+    for nu in _slip_directions(y, regime, branch, constants):
+        first = _contact_sliding_along(y, nu, regime, branch, constants)
+        if _is_consistent(y, first, regime, constants, at_zero):
             push = math.hypot(first.du1, first.du2)
-            if push < MAX_GRAZING_ACCELERATION * law.mu_dynamic * first.Phi:
+            if push < MAX_GRAZING_ACCELERATION * constants.mu_dynamic * first.Phi:
                 step = advance_grazing(y, nu, regime)
             else:
-                step = _trapezoidal_step(y, nu, first, regime, branch, law)
+                step = _trapezoidal_step(y, nu, first, regime, branch, constants)
             if step:
                 return step
     return None
 
 
-def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
+def _trapezoidal_step(y, nu, first, regime, branch, constants) -> Step:
     """Take one implicit trapezoidal step; the unknown is the slip direction at its end.
 
     This direction is that of the mean slip acceleration. Raises StalledError if there
     is none within 1 rad of nu.
     """
-    slope = FLOAT_FORMULAS.rates(y, first, branch, law)
+    slope = FLOAT_FORMULAS.rates(y, first, branch, constants)
     dt = _first_step_length(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
 
-    ahead_push = slip_acceleration(ahead, branch, regime.senses, law)
+    ahead_push = slip_acceleration(ahead, branch, regime.senses, constants)
     direction = ahead_push.with_added_rate(
         complex(first.du1, first.du2)
     ).aligned_direction_near(nu)
@@ -308,9 +324,9 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
         raise StalledError(
             f"{describe_state(y)}: the slide that starts here has no direction"
         )
-    last = _contact_sliding_along(ahead, direction, regime, branch, law)
+    last = _contact_sliding_along(ahead, direction, regime, branch, constants)
     return _quadratic_step(
-        regime, dt, y, slope, FLOAT_FORMULAS.rates(ahead, last, branch, law)
+        regime, dt, y, slope, FLOAT_FORMULAS.rates(ahead, last, branch, constants)
     )
 
 
@@ -321,13 +337,16 @@ def _first_step_length(y, slope) -> float:
     )
 
 
-def _heun_step(y, first, regime, branch, law, length=None) -> Step:
+def _heun_step(y, first, regime, branch, constants, length=None) -> Step:
     """Take one step of Heun's method, in which a rotation that unsticks leaves zero."""
-    slope = FLOAT_FORMULAS.rates(y, first, branch, law)
+    slope = FLOAT_FORMULAS.rates(y, first, branch, constants)
     dt = length or _first_step_length(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
     after = FLOAT_FORMULAS.rates(
-        ahead, FLOAT_FORMULAS.contact(ahead, branch, regime.senses, law), branch, law
+        ahead,
+        FLOAT_FORMULAS.contact(ahead, branch, regime.senses, constants),
+        branch,
+        constants,
     )
     return _quadratic_step(regime, dt, y, slope, after)
 
@@ -342,7 +361,9 @@ def _quadratic_step(regime, dt, y, slope, after) -> Step:
     )
 
 
-def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, bool]:
+def slide_to_rest(
+    y, regime: Regime, constants: DiskConstants, loads
+) -> tuple[Step, bool]:
     """Return the last step of a slide, and True if it ends at rest.
 
     The direction of friction is chosen such that the slip vanishes at the end of the
@@ -352,10 +373,10 @@ def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, b
     # length of the step beyond the guard, as a fraction of the time in which friction could
     # stop the slip
     guard_overshoot_fraction = 0.01
-    branch = Branch.of(regime, law, loads)
+    branch = Branch.of(regime, constants, loads)
     speed = math.hypot(y[V1], y[V2])
     along = math.atan2(y[V2], y[V1])
-    push = slip_acceleration(y, branch, regime.senses, law).with_added_rate(
+    push = slip_acceleration(y, branch, regime.senses, constants).with_added_rate(
         y[W1] / 2 * complex(y[V1], y[V2])
     )
     stopping = [
@@ -366,19 +387,22 @@ def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, b
     if stopping:
         angle = min(stopping, key=lambda a: abs(a - along))
         slope = FLOAT_FORMULAS.rates(
-            y, _contact_sliding_along(y, angle, regime, branch, law), branch, law
+            y,
+            _contact_sliding_along(y, angle, regime, branch, constants),
+            branch,
+            constants,
         )
         return Step(
             regime,
             -speed * y[R] / push.acceleration_along(angle, along),
             np.array([y, slope]),
         ), True
-    here = FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
+    here = FLOAT_FORMULAS.contact(y, branch, regime.senses, constants)
     return _heun_step(
         y,
         here,
         regime,
         branch,
-        law,
-        guard_overshoot_fraction * speed * y[R] / (law.mu_dynamic * here.Phi),
+        constants,
+        guard_overshoot_fraction * speed * y[R] / (constants.mu_dynamic * here.Phi),
     ), False

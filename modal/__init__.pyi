@@ -16,6 +16,7 @@ from .spectral.axisymmetric import plate_modes as plate_modes
 from .spectral.basis import Plate as Plate
 from .synthesis.free_disk import FreeDisk as FreeDisk
 from .synthesis.residual_flexibility import Edge as Edge
+from .synthesis.residual_flexibility import edge_flexibility as edge_flexibility
 from .synthesis.residual_flexibility import yielding_edge as yielding_edge
 from .tabletop.record import SurfaceModes as SurfaceModes
 from .tabletop.solve import surface_modes as surface_modes

@@ -20,7 +20,7 @@ REFERENCE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=3, split=2)
 COARSE_REFERENCE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=2)
 
 
-class AccuracyLevel(NamedTuple):
+class ModesAccuracyLevel(NamedTuple):
     """Settings of the modal solvers at one accuracy."""
 
     free_error: float
@@ -38,7 +38,7 @@ class AccuracyLevel(NamedTuple):
 
 
 ACCURACY_LEVELS = {
-    "draft": AccuracyLevel(
+    "draft": ModesAccuracyLevel(
         free_error=1e-4,
         patch_meshes=(DRAFT_MESH, COARSE_DRAFT_MESH),
         low_patch_meshes=(
@@ -52,7 +52,7 @@ ACCURACY_LEVELS = {
         },
         max_table_unknowns=20_000,
     ),
-    "standard": AccuracyLevel(
+    "standard": ModesAccuracyLevel(
         free_error=3e-6,
         patch_meshes=(STANDARD_MESH, COARSE_STANDARD_MESH),
         low_patch_meshes=(
@@ -62,7 +62,7 @@ ACCURACY_LEVELS = {
         basis_sizes={},
         max_table_unknowns=60_000,
     ),
-    "reference": AccuracyLevel(
+    "reference": ModesAccuracyLevel(
         free_error=1e-8,
         patch_meshes=(REFERENCE_MESH, COARSE_REFERENCE_MESH),
         low_patch_meshes=(REFERENCE_MESH, COARSE_REFERENCE_MESH),

@@ -71,7 +71,7 @@ class Material:
     """Measured decay rates [1/s] of the lowest modes, in order of frequency."""
 
     def __post_init__(self) -> None:
-        typical = self.named_constants
+        typical = self.tabulated_constants
         for key in ("young", "poisson"):
             if vars(self)[key] is None and key not in typical:
                 raise ValueError(
@@ -83,7 +83,7 @@ class Material:
                 object.__setattr__(self, key, value)
 
     @property
-    def named_constants(self) -> dict[str, float]:
+    def tabulated_constants(self) -> dict[str, float]:
         """Elastic constants and loss factor of a named material; empty without a name."""
         if self.name is None:
             return {}

@@ -16,7 +16,7 @@ SOUND_SPEED = 343.2  # m/s
 """Speed of sound in dry air at 20 degrees Celsius."""
 
 
-class Air(Protocol):
+class AirConstants(Protocol):
     """Properties of the air: density [kg/m^3] and speed of sound [m/s]."""
 
     @property
@@ -41,7 +41,9 @@ TOP_FACE = 1
 """Index of the top face in `Modes.face_shape`."""
 
 
-def directivity(modes: Modes, sine: np.ndarray, air: Air = STANDARD_AIR) -> np.ndarray:
+def directivity(
+    modes: Modes, sine: np.ndarray, air: AirConstants = STANDARD_AIR
+) -> np.ndarray:
     """Compute the far-field Rayleigh integral D = int w exp(i k . x) dA of the axial
     motion of the faces.
 
@@ -59,7 +61,7 @@ def directivity(modes: Modes, sine: np.ndarray, air: Air = STANDARD_AIR) -> np.n
         The modes.
     sine : ndarray, shape (c,)
         Sines of the angle between direction and axis.
-    air : Air, optional
+    air : AirConstants, optional
         Density [kg/m^3] and speed of sound [m/s].
 
     Returns
@@ -91,7 +93,7 @@ def directivity(modes: Modes, sine: np.ndarray, air: Air = STANDARD_AIR) -> np.n
 def radiation_decay(
     modes: Modes,
     faces: Sequence[int] = (BOTTOM_FACE, TOP_FACE),
-    air: Air = STANDARD_AIR,
+    air: AirConstants = STANDARD_AIR,
 ) -> np.ndarray:
     """Compute the decay rates of modes due to sound radiation from the faces.
 
@@ -108,7 +110,7 @@ def radiation_decay(
         The modes.
     faces : sequence of int, optional
         Faces that radiate: 0 (bottom), 1 (top).
-    air : Air, optional
+    air : AirConstants, optional
         Density [kg/m^3] and speed of sound [m/s]; by default dry air at 20 degrees
         Celsius.
 
@@ -154,7 +156,7 @@ def radiation_decay(
 def with_radiation(
     modes: Modes,
     faces: Sequence[int] = (BOTTOM_FACE, TOP_FACE),
-    air: Air = STANDARD_AIR,
+    air: AirConstants = STANDARD_AIR,
 ) -> Modes:
     """Add the decay rates of `radiation_decay` to those of the modes.
 
@@ -164,7 +166,7 @@ def with_radiation(
         The modes.
     faces : sequence of int, optional
         Faces that radiate: 0 (bottom), 1 (top).
-    air : Air, optional
+    air : AirConstants, optional
         Density [kg/m^3] and speed of sound [m/s]; by default dry air at 20 degrees
         Celsius.
 

@@ -71,7 +71,6 @@ class Tools:
     dynamics: Dynamics
 
 
-@one_blas_thread
 def solve(
     scene: Scene | str | Path,
     accuracy: str | None = None,
@@ -143,6 +142,7 @@ def check_dynamics(dynamics: str) -> None:
         raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
 
 
+@one_blas_thread
 def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
     """Return the result of a scene with the decisions of its motion.
 
@@ -150,6 +150,16 @@ def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
     other time steps at the same time as the sound. An error in one of these stages is
     raised where its result is needed.
     """
+    solved = solved_motion(scene, motion_plan, tools)
+    tools.begin(solved)
+    two_way = tools.executor.submit(two_way_stage, solved, tools.stages)
+    solved = replace(solved, sound=sound_stage(solved, tools))
+    tools.begin(solved)
+    return findings_stage(solved, two_way, tools)
+
+
+def solved_motion(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> SolvedMotion:
+    """Return the complete plan, the modes and the motion of a scene."""
     compile_in_background(motion_plan)
     table = table_stage(scene, motion_plan, tools.stages)
     if motion_plan.surface_modes is None and table is not None:
@@ -157,14 +167,7 @@ def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
     planned = tools.executor.submit(modes_stage, scene, motion_plan, table, tools)
     motion = motion_stage(motion_plan, planned, tools.stages)
     plan, modes = planned.result()
-    solved = SolvedMotion(
-        scene=scene, plan=plan, modes=modes, table=table, motion=motion
-    )
-    tools.begin(solved)
-    two_way = tools.executor.submit(two_way_stage, solved, tools.stages)
-    solved = replace(solved, sound=sound_stage(solved, tools))
-    tools.begin(solved)
-    return findings_stage(solved, two_way, tools)
+    return SolvedMotion(scene=scene, plan=plan, modes=modes, table=table, motion=motion)
 
 
 def table_stage(

@@ -243,10 +243,10 @@ class Scene(MotionScene):
         shell."""
         if self.disk.shape != "solid":
             return None
-        from modal import yielding_edge
+        from modal import edge_flexibility
         from modal.solve import free_plate
 
-        return yielding_edge(free_plate(self))
+        return edge_flexibility(free_plate(self))
 
     def replace(self, *assignments: str | Mapping[str, Any]) -> "Scene":
         """Return a copy of this scene with assignments applied in order.

@@ -105,7 +105,7 @@ def _keys(section, sections, path):
             if "$ref" in option
         ]
         if inner:
-            yield from _merged_sections(
+            yield from _keys_by_section_kind(
                 [list(_keys(own, sections, f"{path}{name}.")) for own in inner]
             )
         else:
@@ -115,7 +115,7 @@ def _keys(section, sections, path):
             yield SceneKey(f"{path}{name}", unit or "-", span, default, meaning)
 
 
-def _merged_sections(sections):
+def _keys_by_section_kind(sections):
     """Return each key of all kinds of a section once, with the kinds that contain
     it."""
     if len(sections) == 1:

@@ -27,7 +27,7 @@ from dynamics.compliant.law.roughness import (
     table_profile,
 )
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import (
     energy,
@@ -66,14 +66,14 @@ NO_FRICTION = Friction(mu_static=0.0, mu_dynamic=0.0)
 
 
 @cache
-def contact_table(loss_factor: float = 0.02) -> LawTable:
+def contact_table(loss_factor: float = 0.02) -> TabulatedLaw:
     """Return the tabulated contact law of the scene `granite` with another loss
     factor."""
     scene = load_scene("granite").replace(f"contact.loss_factor={loss_factor}")
-    return LawTable(law=contact_law(scene))
+    return TabulatedLaw(law=contact_law(scene))
 
 
-def without_creep(law: LawTable):
+def without_creep(law: TabulatedLaw):
     """Return a tabulated law with creep lengths increased by 1e9, which suppresses
     tangential creep."""
     factors = np.where(
@@ -107,9 +107,9 @@ def hertz_impact() -> tuple[float, float]:
 
 
 @cache
-def lossless_table() -> LawTable:
+def lossless_table() -> TabulatedLaw:
     """Return the tabulated law of a contact without loss."""
-    return LawTable(law=contact_table().law, damping=0.0)
+    return TabulatedLaw(law=contact_table().law, damping=0.0)
 
 
 def full_model_impact(rate: float) -> Answer:
@@ -117,7 +117,9 @@ def full_model_impact(rate: float) -> Answer:
     energy before the impact.
 
     They are computed by the full model."""
-    model = CompliantModel(table=lossless_table(), friction=NO_FRICTION, rate=rate)
+    model = CompliantModel(
+        tabulated_law=lossless_table(), friction=NO_FRICTION, rate=rate
+    )
     vars(model)["constants"] = model.constants._replace(weight=0.0)
     start = np.zeros(11)
     start[1] = IMPACT_INCLINATION
@@ -182,7 +184,7 @@ def full_model_rms(
     """Return the rms of the force above AUDIBLE [N] by the full model. Raises Failure
     if the solution ends early."""
     model = CompliantModel(
-        table=contact_table(),
+        tabulated_law=contact_table(),
         friction=ROLLING_FRICTION,
         profiles=height_profiles(rms),
         rate=rate,
@@ -254,10 +256,10 @@ def relative_inclination(loss_factor: float, creeps: bool) -> Answer:
     found = []
     for rate in (4e5, 8e5):
         scene = load_scene("published")
-        law = LawTable(law=contact_table(loss_factor).law)
+        law = TabulatedLaw(law=contact_table(loss_factor).law)
         if not creeps:
             without_creep(law)
-        model = CompliantModel(table=law, friction=scene.friction, rate=rate)
+        model = CompliantModel(tabulated_law=law, friction=scene.friction, rate=rate)
         start = [
             0,
             np.radians(scene.release.inclination_deg),
@@ -279,7 +281,9 @@ def relative_inclination(loss_factor: float, creeps: bool) -> Answer:
 def relative_energy(beta: float, rate: float = 4e5) -> Answer:
     """Return the ratio of final energy plus losses to initial energy in 0.01 s of
     smooth steady motion."""
-    model = CompliantModel(table=contact_table(), friction=ROLLING_FRICTION, rate=rate)
+    model = CompliantModel(
+        tabulated_law=contact_table(), friction=ROLLING_FRICTION, rate=rate
+    )
     y = preloaded_compliant_state(model, steady_state(contact_table().law, beta))
     first = energy(model, y[None])[0]
     *_, last = model.run(y, 1, 0.01, beta / 2)

@@ -12,7 +12,7 @@ import numpy as np
 from modal import eigenmodes
 from sonify.scene import load_scene
 from sonify.sound.oscillators import Knots
-from sonify.sound.radiation import directivity_table, listener_of
+from sonify.sound.radiation import listener_of, tabulated_directivity
 
 SAMPLE_RATE = 48000
 """Sample rate of the pressure [Hz]."""
@@ -119,7 +119,7 @@ def sound_case(name: str, duration: float, with_jumps: bool) -> SoundCase:
         omega=2 * np.pi * modes.frequency,
         decay=modes.decay_rate,
         drive=-modes.participation[:, 2],
-        radiated=directivity_table(modes, listener, 512)[0].real,
+        radiated=tabulated_directivity(modes, listener, 512)[0].real,
         jumps=(swing + 0.37 + 0.1 * np.sin(swing)) / NUTATION_FREQUENCY
         if with_jumps
         else np.zeros(0),

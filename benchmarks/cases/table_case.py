@@ -15,14 +15,14 @@ from numba import njit
 from benchmarks.cases.contact_case import without_creep
 from benchmarks.cases.table_halt import steady_state
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
 from dynamics.observables import precession_rate
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify.scene import load_scene
 from sonify.sound.oscillators import OscillatorBank
 
@@ -184,14 +184,14 @@ def two_way_disk(
         damping_ratio=DAMPING_RATIO,
         modal_mass=heavier * disk.mass,
     )
-    table = LawTable(law=contact_law(scene))
+    table = TabulatedLaw(law=contact_law(scene))
     without_creep(table)
-    known = table_modes_from_numbers(
+    known = table_modes_listed_in_scene(
         ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
     )
     steps = rate * w / MODE_OMEGA
     model = CompliantModel(
-        table=table,
+        tabulated_law=table,
         friction=Friction(mu_static=10.0, mu_dynamic=10.0),
         modes=known,
         rate=steps,
@@ -199,7 +199,7 @@ def two_way_disk(
     y = preloaded_compliant_state(model, start)
     waves = model.supporting_modes(y)
     n = round(DURATION * rate)
-    *_, last = model.run(y, n, n / steps, waves=waves)
+    *_, last = model.run(y, n, n / steps, modes=waves)
     found = columns(model, last.state[-1:])
     omega = float(precession_rate(found)[0])
     z = waves.amplitude @ [1, 1j] * mode.modal_mass**-0.5

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import inclination, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
@@ -19,7 +19,7 @@ from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import inclination_at_rate
 from dynamics.steady_motion import steady_omega
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify.scene import Scene, load_scene
 
 START_INCLINATION_RATIO = 0.7
@@ -123,14 +123,14 @@ def simulate_halt(
         damping_ratio=damping,
         modal_mass=modal_mass_ratio * disk.mass,
     )
-    known = table_modes_from_numbers(ModesSurface(modes=(mode,)), disk, 1e6)
+    known = table_modes_listed_in_scene(ModesSurface(modes=(mode,)), disk, 1e6)
     model = CompliantModel(
-        table=LawTable(law=contact_law(scene)),
+        tabulated_law=TabulatedLaw(law=contact_law(scene)),
         friction=scene.friction,
         modes=known,
         rate=rate,
     )
-    y = preloaded_compliant_state(model, steady_state(model.table.law, beta))
+    y = preloaded_compliant_state(model, steady_state(model.tabulated_law.law, beta))
     friction = scene_constants(scene)
     rigid = time_to_flat(beta, disk, friction, None) - time_to_flat(
         FLAT_INCLINATION, disk, friction, None

@@ -19,14 +19,14 @@ from benchmarks.timed_runs import (
     works_over,
 )
 from dynamics.compliant.law.linearised import inertias
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.disk import Friction
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -56,9 +56,9 @@ LATE_WINDOW = (0.7, 0.95)
 
 
 @cache
-def contact_table() -> LawTable:
+def contact_table() -> TabulatedLaw:
     """Return the tabulated contact law of the published scene, without loss."""
-    return LawTable(law=contact_law(load_scene("published")), damping=0.0)
+    return TabulatedLaw(law=contact_law(load_scene("published")), damping=0.0)
 
 
 def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
@@ -70,11 +70,11 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     disk = contact_table().law.disk
     smooth = Friction(mu_static=0.0, mu_dynamic=0.0)
     _, (omega,), (beta,), (values,) = campbell_diagram(disk, mode, x)
-    modes = table_modes_from_numbers(
+    modes = table_modes_listed_in_scene(
         ModesSurface(modes=(mode,)), disk, 2 * mode.frequency
     )
     model = CompliantModel(
-        table=contact_table(), friction=smooth, modes=modes, rate=rate
+        tabulated_law=contact_table(), friction=smooth, modes=modes, rate=rate
     )
     y = preloaded_compliant_state(
         model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0])
@@ -86,7 +86,7 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     y[STATE.angular_momentum : STATE.angular_momentum + 2] += (
         inertias(disk)[0] * kick * np.array([d[1], -d[0]])
     )
-    pieces = list(model.run(y, 4, REVOLUTIONS * 2 * np.pi / omega, waves=waves))
+    pieces = list(model.run(y, 4, REVOLUTIONS * 2 * np.pi / omega, modes=waves))
     t = np.concatenate([piece.t for piece in pieces])
     state = np.concatenate([piece.state for piece in pieces])
     nutation = columns(model, state)[:, 5]

@@ -14,7 +14,8 @@ from numba.extending import register_jitable
 
 from benchmarks.cases.motion_case import Case, answer_of
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.equations import equations_of_motion
+from dynamics import equations
+from dynamics.equations import ContactState, equations_of_motion
 from dynamics.kinematics import (
     centre_velocity,
     contact_arms,
@@ -47,7 +48,17 @@ def moreau(case: Case, step: float) -> Answer:
 def stepper():
     """Return the time-stepping function, compiled once per process."""
     # `solve` calls them
-    for function in (contact_arms, contact_place, centre_velocity, precession_rate):
+    for function in (
+        contact_arms,
+        contact_place,
+        centre_velocity,
+        precession_rate,
+        equations.disk_motion,
+        equations.solve_nutation,
+        equations.slip_drift,
+        equations.rotation_balance,
+        equations.solve_rotation,
+    ):
         register_jitable(function)
     solve = njit(equations_of_motion(math.sin, math.cos))
 
@@ -60,9 +71,8 @@ def stepper():
         """Return the velocities at the end of a step and the normal force from
         accelerations at mid-step."""
         beta, w1, w2, w3, u1, u2 = middle
-        a = solve(
-            beta, w1, w2, w3, u1, u2, c, s, True, False, False, False, s1, s2, s3, law
-        )
+        contact = ContactState(True, (c, s), (False, False, False), (s1, s2, s3))
+        a = solve(beta, (w1, w2, w3), (u1, u2), contact, law)
         return (
             state[1] + h * a.domega1,
             state[2] + h * a.domega2,

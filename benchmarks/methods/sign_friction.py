@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.cases.motion_case import Case, answer_of
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.equations import DiskConstants
+from dynamics.equations import ContactState, DiskConstants
 from dynamics.regime import FLOAT_FORMULAS, contact_axis_rates
 
 ROLLING = False
@@ -46,9 +46,9 @@ def angular_rates(state) -> tuple[float, float, float]:
 def solve_sign_contact(state, sliding: bool, direction, senses, law: DiskConstants):
     """Solve the balance laws (4.1), (4.2) for given slip direction and senses of the
     moments; nothing sticks."""
-    return FLOAT_FORMULAS.solve(
-        *state, *direction, sliding, *NOTHING_STICKS, *senses, law
-    )
+    beta, *velocities = state
+    contact = ContactState(sliding, direction, NOTHING_STICKS, senses)
+    return FLOAT_FORMULAS.solve(beta, velocities[:3], velocities[3:], contact, law)
 
 
 def rates(state, solved) -> list[float]:

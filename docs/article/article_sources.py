@@ -554,7 +554,7 @@ LIMITS = {
     "film_share": ("dynamics.solver_settings", "MIN_RELEVANT_SHARE", ""),
     "rolling_curvature": (
         "dynamics.compliant.model_selection",
-        "MAX_ROLLING_CURVATURE_NUMBER",
+        "MAX_RELATIVE_CURVATURE_FOR_ROLLING",
         "",
     ),
     "table_frequency": (

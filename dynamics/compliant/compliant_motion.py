@@ -122,7 +122,7 @@ class CompliantMotion(MotionBase):
     @property
     def disk(self) -> Disk:
         """The disk."""
-        return self.model.table.law.disk
+        return self.model.tabulated_law.law.disk
 
     @property
     def film(self) -> Film | None:
@@ -132,7 +132,7 @@ class CompliantMotion(MotionBase):
     @property
     def rolling_fillet(self) -> float:
         """Radius [m] of the edge on which the disk rolls; 0 for a sharp edge."""
-        return self.model.table.law.rolling_fillet
+        return self.model.tabulated_law.law.rolling_fillet
 
     @property
     def events(self) -> tuple[MotionEvent, ...]:
@@ -152,10 +152,10 @@ class CompliantMotion(MotionBase):
     @cached_property
     def vibration_crossover(self) -> float:
         """Half the contact resonance [Hz] under the weight at the release."""
-        table = self.plan.law_table
-        assert table is not None  # the contact is elastic
+        tabulated = self.plan.tabulated_law
+        assert tabulated is not None  # the contact is elastic
         first = self.state[:1, 1]
-        resonance = table.contact_resonance(first, self.disk.weight, 0.0)
+        resonance = tabulated.contact_resonance(first, self.disk.weight, 0.0)
         return float(resonance.frequency[0]) / 2
 
     @property
@@ -249,8 +249,10 @@ class CompliantMotion(MotionBase):
 
         The load is the weight.
         """
-        springs = self.model.table.springs(inclination, self.disk.weight)[0]
-        W = mobility(self.disk, inclination, self.model.table.law.rolling_fillet)
+        springs = self.model.tabulated_law.springs(inclination, self.disk.weight)[0]
+        W = mobility(
+            self.disk, inclination, self.model.tabulated_law.law.rolling_fillet
+        )
         return np.sqrt(springs.kn * W[:, 2, 2]) / (2 * np.pi)
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
@@ -290,7 +292,7 @@ class CompliantMotion(MotionBase):
         """Return the energy (k,) [J] of coupled disk modes at times t (k,) [s]."""
         return self._stored_at(t)[:, DISK_ENERGY_COLUMN]
 
-    def largest_regain(self) -> float:
+    def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the energy lost to one cause; see `Motion`."""
         lost = self.rows[:, LOSS_COLUMNS]
         return float((np.maximum.accumulate(lost, axis=0) - lost).max())
@@ -497,7 +499,7 @@ def simulate_from(
     y = preloaded_compliant_state(model, state, force)
     dt = steps_per_row / FORCES_PER_ROW / model.rate
     row_duration = FORCES_PER_ROW * dt
-    waves = model.supporting_modes(y)
+    modes = model.supporting_modes(y)
     limit_energy(model, y, max_energy)
     stored = _stored_columns(model, y[None])
     impulse = np.zeros((1, 3))
@@ -511,7 +513,7 @@ def simulate_from(
         max(stop, 2 * row_duration),
         final_inclination,
         FORCES_PER_ROW,
-        waves,
+        modes,
     ):
         steps = np.vstack([0 * impulse[-1:], piece.force * dt])
         impulse = impulse[-1] + np.cumsum(steps, axis=0)
@@ -562,8 +564,8 @@ def compliant_model(plan: "MotionPlan") -> CompliantModel:
     disk = scene.disk
     bends = modes is not None  # the modes of the disk are coupled as well
     return CompliantModel(
-        table=replace(
-            plan.series_law_table,
+        tabulated_law=replace(
+            plan.series_tabulated_law,
             max_moving_frequency=MAX_MOVING_MODE_FREQUENCY * bends,
         ),
         friction=scene.friction,
@@ -575,7 +577,7 @@ def compliant_model(plan: "MotionPlan") -> CompliantModel:
         and scene.roughness.loss == "fitted",
         modes=modes,
         disk_modes=moving_rim_modes(
-            plan.series_law_table.edge,
+            plan.series_tabulated_law.edge,
             scene.material.loss_factor,
         )
         if bends

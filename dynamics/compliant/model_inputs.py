@@ -6,7 +6,7 @@ import numpy as np
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw
 from dynamics.compliant.law.linearised import required_step_rate
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
@@ -20,11 +20,11 @@ def contact_law(scene: "MotionScene") -> ContactLaw:
     return scene.contact.contact_law(scene.disk, scene.material)
 
 
-def contact_law_table(
+def tabulated_contact_law(
     scene: "MotionScene",
-    kind: type[LawTable] = LawTable,
+    kind: type[TabulatedLaw] = TabulatedLaw,
     max_moving_frequency: float = 0.0,
-) -> LawTable:
+) -> TabulatedLaw:
     """Return the tabulated contact law of a scene.
 
     If the disk is elastic, it includes the flexibility of the edge without the modes
@@ -32,12 +32,12 @@ def contact_law_table(
     """
     return kind(
         law=contact_law(scene),
-        edge=edge_flexibility(scene),
+        edge=scene_edge_flexibility(scene),
         max_moving_frequency=max_moving_frequency,
     )
 
 
-def edge_flexibility(scene: "MotionScene") -> Any:
+def scene_edge_flexibility(scene: "MotionScene") -> Any:
     """Return the `modal.Edge` of the disk if its body is elastic, else None."""
     return scene.elastic_edge if scene.contact.body == "elastic" else None
 

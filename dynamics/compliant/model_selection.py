@@ -21,19 +21,19 @@ from dynamics.steady_motion import steady_precession
 from dynamics.switching import ImpossibleContactError, contact_at_release
 
 if TYPE_CHECKING:
-    from dynamics.compliant.law.tabulated import LawTable
+    from dynamics.compliant.law.tabulated import TabulatedLaw
     from dynamics.motion_plan import ContactModel, MotionBasis
     from dynamics.sections import MotionScene
 
 LIFT_OFF_FORCE_RMS = 0.3
 """Rms of N'/weight above which a Gaussian vibration causes a loss of contact."""
-MAX_ROLLING_CURVATURE_NUMBER = 0.25
+MAX_RELATIVE_CURVATURE_FOR_ROLLING = 0.25
 """Rms curvature of the unevenness, divided by that of the tilted rim, above which
 rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
 
 
 def choose_contact_model(
-    basis: "MotionBasis", table: "LawTable"
+    basis: "MotionBasis", tabulated: "TabulatedLaw"
 ) -> tuple["ContactModel", str]:
     """Select the model of an elastic contact on a plane table, with the reason.
 
@@ -45,7 +45,7 @@ def choose_contact_model(
     max_friction_use = 0.8
     scene = basis.scene
     kappa, rattles_at = greatest_curvature_number(basis)
-    uneven = kappa > MAX_ROLLING_CURVATURE_NUMBER
+    uneven = kappa > MAX_RELATIVE_CURVATURE_FOR_ROLLING
     if uneven:
         bumpy = (
             f"the curvature of the heights is {kappa:.2g} times that of the rim at "
@@ -56,7 +56,7 @@ def choose_contact_model(
             return "many", bumpy
     if scene.surface.action == "motion":
         return "full", "surface.action = 'motion': the table is coupled to the disk"
-    beta, share = predicted_vibration(basis, table)
+    beta, share = predicted_force_rms(basis, tabulated)
     above = share > LIFT_OFF_FORCE_RMS
     predicted = float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
@@ -74,7 +74,7 @@ def choose_contact_model(
             f"{expected}, more than {LIFT_OFF_FORCE_RMS:g} below {below:.2g} rad, "
             "where contact is lost"
         )
-    elif (takes := roughness_energy_share(basis, table)) > min_roughness_share:
+    elif (takes := roughness_energy_share(basis, tabulated)) > min_roughness_share:
         reason = f"{expected}; roughness dissipates {takes:.0%} of the energy, in addition to friction"
     elif (used := friction_utilisation(basis)) > max_friction_use:
         reason = (
@@ -110,8 +110,8 @@ def greatest_curvature_number(basis: "MotionBasis") -> tuple[float, float]:
     return found[greatest], float(inclinations[greatest])
 
 
-def predicted_vibration(
-    basis: "MotionBasis", table: "LawTable"
+def predicted_force_rms(
+    basis: "MotionBasis", tabulated: "TabulatedLaw"
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in steady motion.
 
@@ -122,11 +122,11 @@ def predicted_vibration(
     if scene.roughness is None:
         return beta, np.zeros(len(beta))
     weight = scene.disk.weight
-    rms = predicted_rms(table, scene.roughness, beta, weight, speed)
+    rms = predicted_rms(tabulated, scene.roughness, beta, weight, speed)
     return beta, rms / weight
 
 
-def roughness_energy_share(basis: "MotionBasis", table: "LawTable") -> float:
+def roughness_energy_share(basis: "MotionBasis", tabulated: "TabulatedLaw") -> float:
     """Return the fraction of the energy dissipated by roughness in quasi-steady motion.
 
     It is 0 if the friction was measured on the rough surface and already includes this
@@ -141,7 +141,7 @@ def roughness_energy_share(basis: "MotionBasis", table: "LawTable") -> float:
     exists = np.array([steady_precession_rate(scene, b) for b in beta]) != flat
     beta = beta[exists]
     speed = speed[exists]
-    rough = predicted_power(table, scene.roughness, beta, disk.weight, speed)
+    rough = predicted_power(tabulated, scene.roughness, beta, disk.weight, speed)
     friction = (
         np.array([steady_power(b, basis.constants, basis.loads) for b in beta])
         * disk.mass
@@ -205,10 +205,10 @@ def release_force(basis: "MotionBasis") -> np.ndarray:
     balance laws.
     """
     disk = basis.scene.disk
-    law = basis.constants
+    constants = basis.constants
     loads = basis.loads
     system = RollingDisk(
-        law=law,
+        constants=constants,
         loads=loads,
         r_end=0.0,
         integrate=lambda *arguments: None,
@@ -218,8 +218,8 @@ def release_force(basis: "MotionBasis") -> np.ndarray:
         start = system.begin(initial_state(disk, basis.scene.release))
     except ImpossibleContactError:
         return np.array([0.0, 0.0, disk.weight])
-    branch = Branch.of(start.regime, law, loads)
-    contact = contact_at_release(start.state, start.regime, branch, law)
+    branch = Branch.of(start.regime, constants, loads)
+    contact = contact_at_release(start.state, start.regime, branch, constants)
     return (
         np.array([contact.F1, contact.F2, contact.Phi])
         * disk.mass

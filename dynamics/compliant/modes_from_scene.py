@@ -6,6 +6,7 @@ from math import ceil, pi
 import numpy as np
 from scipy.interpolate import NdBSpline, make_interp_spline
 
+from dynamics.compliant.law.table_receptance import shapes_on_circle
 from dynamics.surface import ModesSurface
 
 MAX_TABLE_FREQUENCY = 24e3  # Hz; `modal.surface_modes` has the same limit
@@ -61,9 +62,8 @@ class TableModes:
 
     def compliance(self, radius: float = 0.0) -> float:
         """Return the largest static deflection [m/N] on a circle of `radius` [m]."""
-        angle = np.arange(16) * pi / 8
-        x, y = self.place[:, None] + radius * np.array([np.cos(angle), np.sin(angle)])
-        deflection = (self.at(x, y) ** 2 / (2 * pi * self.frequency) ** 2).sum(axis=1)
+        shapes = shapes_on_circle(self, self.place, radius, count=16)
+        deflection = (shapes**2 / (2 * pi * self.frequency) ** 2).sum(axis=1)
         return float(deflection.max(initial=0.0))
 
 

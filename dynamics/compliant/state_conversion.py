@@ -43,23 +43,20 @@ def preloaded_compliant_state(
     (STATE_SIZE,) array
         State in the layout of state_layout.py.
     """
-    law = model.table.law
-    theta = state[0]
+    law = model.tabulated_law.law
     beta = state[1]
     slip = state[8:10]
-    f1, f2, N = (0.0, 0.0, law.disk.weight) if force is None else force
-    R = law.disk.radius
+    if force is None:
+        force = np.array([0.0, 0.0, law.disk.weight])
+    N = force[2]
     place = law.place(beta)
     J1, J2 = inertias(law.disk)
-    c = model.table.columns(np.array([beta]))[0]
-    a1 = np.array([np.cos(theta), np.sin(theta), 0.0])
-    a2 = np.array([-np.sin(theta), np.cos(theta), 0.0])
-    n = np.sin(beta) * a2 + [0, 0, np.cos(beta)]
-    e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
+    c = model.tabulated_law.columns(np.array([beta]))[0]
+    a1, a2, n, e3 = _axes(state[0], beta)
     w1, w2, w3 = state[5:8]
     speed = abs(place.radius * (w2 - w3 / np.tan(beta)) + slip[0])
     deflection = np.array(
-        [-f1 / c[LAW_COLUMNS.stiffness_1], -f2 / c[LAW_COLUMNS.stiffness_2]]
+        [-force[0] / c[LAW_COLUMNS.stiffness_1], -force[1] / c[LAW_COLUMNS.stiffness_2]]
     )  # along a_1, a_2
     delta = (N / c[LAW_COLUMNS.hertz_stiffness]) ** (2 / 3)
     if not slip.any():
@@ -70,7 +67,7 @@ def preloaded_compliant_state(
         )
     y = np.zeros(STATE_SIZE)
     y[STATE_SLICES.roughness_heights] = [
-        mean_height(p, -R * state[2], c[LAW_COLUMNS.half_length])
+        mean_height(p, -law.disk.radius * state[2], c[LAW_COLUMNS.half_length])
         for p in model.profiles
     ]
     y[:2] = state[3:5]
@@ -94,17 +91,26 @@ def preloaded_compliant_state(
     y[STATE.normal_force] = N
     y[STATE_SLICES.previous_forces] = N
     y[STATE.gap] = -delta
-    y[[STATE.table_path, STATE.edge_path]] = -R * state[2]
-    film = fixed.film
+    y[[STATE.table_path, STATE.edge_path]] = -law.disk.radius * state[2]
     y[STATE.squeezed_air_energy] = squeezed_air_energy(
         np.sin(beta),
         w3 / np.sin(beta),
-        film.number,
-        film.ambient,
-        film.slip,
-        film.bowl,
+        fixed.film.number,
+        fixed.film.ambient,
+        fixed.film.slip,
+        fixed.film.bowl,
     )
     return y
+
+
+def _axes(theta: float, beta: float) -> tuple[np.ndarray, ...]:
+    """Return the unit vectors a_1, a_2, e_2 and e_3 (3,) at precession theta and inclination
+    beta [rad]."""
+    a1 = np.array([np.cos(theta), np.sin(theta), 0.0])
+    a2 = np.array([-np.sin(theta), np.cos(theta), 0.0])
+    n = np.sin(beta) * a2 + [0, 0, np.cos(beta)]
+    e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
+    return a1, a2, n, e3
 
 
 def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> None:
@@ -144,7 +150,7 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     modes, disk modes and squeezed air. It is zero for a disk at rest flat on the table.
     """
     y = np.ascontiguousarray(y.T)
-    disk = model.table.law.disk
+    disk = model.tabulated_law.law.disk
     fixed = model.constants
     v = y[STATE_SLICES.velocity]
     n = y[STATE_SLICES.axis]
@@ -156,7 +162,9 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     )
     x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
     moved += (
-        0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
+        0.8
+        * model.tabulated_law.stiffness(x)
+        * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
     )
     moved += (
         y[STATE_SLICES.spring_stiffness] * y[STATE_SLICES.spring_stretch] ** 2
@@ -178,11 +186,11 @@ def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
 
     The precession is in (-pi, pi].
     """
-    disk = model.table.law.disk
+    disk = model.tabulated_law.law.disk
     J1, J2 = inertias(disk)
     beta = inclination(y)
     y = np.ascontiguousarray(y.T)
-    place = model.table.law.place(beta)
+    place = model.tabulated_law.law.place(beta)
     s = np.sin(beta)
     c = np.cos(beta)
     d0 = y[STATE.axis] / s

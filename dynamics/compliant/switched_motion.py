@@ -120,11 +120,11 @@ class SwitchedMotion(MotionBase):
 
         It is None for a motion that begins on a rigid contact.
         """
-        table = self.plan.law_table
-        if table is None:
+        tabulated = self.plan.tabulated_law
+        if tabulated is None:
             return None
         first = self.state[:1, 1]
-        resonance = table.contact_resonance(first, self.disk.weight, 0.0)
+        resonance = tabulated.contact_resonance(first, self.disk.weight, 0.0)
         return float(resonance.frequency[0]) / 2
 
     @property
@@ -264,12 +264,12 @@ class SwitchedMotion(MotionBase):
         early = self.passive_part.bandwidth(state)
         return np.where(late, self.coupled_part.bandwidth(state), early)
 
-    def largest_regain(self) -> float:
+    def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
         before = self.passive_part.at(self.switch_time)[0, -1]
         return max(
-            self.passive_part.largest_regain(),
-            self.coupled_part.largest_regain(),
+            self.passive_part.largest_energy_gain_error(),
+            self.coupled_part.largest_energy_gain_error(),
             float(before - self._column_offset[-1]),
         )
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dynamics.compliant.law.table_receptance import shapes_on_circle
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.model_selection import steady_precession_rate
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
@@ -90,11 +91,8 @@ def table_shares_by_inclination(
         200,  # inclinations
     )
     rate = np.array([steady_precession_rate(scene, b) for b in beta])[:, None, None]
-    angle = 2 * np.pi * np.arange(rim_point_count) / rim_point_count
     radius = disk.radius - scene.contact.rolling_fillet(disk)
-    shapes = modes.at(
-        *(radius * np.array([np.cos(angle), np.sin(angle)]) + modes.place[:, None])
-    )
+    shapes = shapes_on_circle(modes, modes.place, radius, rim_point_count)
     parts = np.fft.fft(shapes, axis=0) / rim_point_count
     order = np.fft.fftfreq(rim_point_count, 1 / rim_point_count)[:, None]
     stiff = (2 * np.pi * modes.frequency) ** 2

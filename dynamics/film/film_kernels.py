@@ -11,17 +11,7 @@ _squeezed_air_energy = kernel(squeezed_air_energy)
 def film_loads(film, sine, rate):
     """Return the results of `film_moment_parts` at the sine of an inclination and a
     precession rate [rad/s]."""
-    return _moment_parts(
-        sine,
-        rate,
-        film.turning,
-        film.falling,
-        film.inertia,
-        film.number,
-        film.ambient,
-        film.slip,
-        film.bowl,
-    )
+    return _moment_parts(sine, rate, film)
 
 
 @kernel

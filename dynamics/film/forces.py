@@ -17,24 +17,26 @@ For a falling film the increase is half as large.
 """
 
 
-def film_forces(s, nutation, rate, *constants):
+def film_forces(s, nutation, rate, film):
     """Return three dimensionless moments of the film at sin(beta) = s.
 
     They are the moment against e_3, the moment against e_1 about the contact, and the
-    lift times R. `nutation` is omega_1 and `rate` is Omega; the constants are those of
+    lift times R. `nutation` is omega_1 and `rate` is Omega; `film` is that of
     `film_moment_parts`.
     """
-    drag, fall, lever, tip, lift = film_moment_parts(s, rate, *constants)
+    drag, fall, lever, tip, lift = film_moment_parts(s, rate, film)
     return drag, fall * nutation + tip, lever * fall * nutation + lift
 
 
-def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip, bowl):
+def film_moment_parts(s, rate, film):
     """Return the parts of the moments that do not depend on omega_1.
 
     Parameters
     ----------
     s, rate : float
         sin(beta) and Omega.
+    film : tuple
+        The following seven constants.
     turning, falling : float
         12 mu R^3 times I and I_n.
     inertia : float
@@ -65,6 +67,7 @@ def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip,
     """
     # added to (S/6.3)^4, because a fractional power has no series at zero
     series_offset = 1e-12
+    turning, falling, inertia, number, ambient, slip, bowl = film
     square = s * s
     x = 0.0
     if bowl != 0:
@@ -78,8 +81,8 @@ def film_moment_parts(s, rate, turning, falling, inertia, number, ambient, slip,
         slip = slip * share**0.65
     drag = rate / (square + slip * s)
     lam = number * drag
-    layers = square * rate
-    heavy = (1.0 + (inertia * layers * layers + series_offset) ** 0.625) ** 0.4
+    heavy = inertia * (square * rate) * (square * rate) + series_offset
+    heavy = (1.0 + heavy**0.625) ** 0.4
     u = ((1.0 + lam * lam) ** 0.5) ** 0.5 - 1.0
     u2 = u * u
     share = 1.0 / (1.0 + 0.2586 * u + 0.01593 * u2 + 0.00603 * u2 * u)

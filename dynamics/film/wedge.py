@@ -65,7 +65,7 @@ class Film(NamedTuple):
         return (self,)
 
     def __call__(
-        self, beta: Any, omega: Any, slip: Any, law: DiskConstants, flow: Any
+        self, beta: Any, omega: Any, slip: Any, constants: DiskConstants, flow: Any
     ) -> Loads:
         """Return the loads; the arguments are those of `OwnLaw.__call__`.
 
@@ -73,14 +73,14 @@ class Film(NamedTuple):
         film.
         """
         s = flow.sin(beta)
-        drag, tip, lift = film_forces(s, omega[0], precession_rate(omega[2], s), *self)
-        lever = contact_arms(flow.cos(beta), s, law.h, law.fillet)[1]
+        drag, tip, lift = film_forces(s, omega[0], precession_rate(omega[2], s), self)
+        lever = contact_arms(flow.cos(beta), s, constants.h, constants.fillet)[1]
         return Loads(M1=-tip - lever * lift, M3=-drag, G3=lift)
 
     def moments_at(self, beta: Any, omega: Any) -> tuple[Any, Any, Any]:
         """Return the moments of `film_forces` at inclinations and angular velocities."""
         s = np.sin(beta)
-        return film_forces(s, omega[0], precession_rate(omega[2], s), *self)
+        return film_forces(s, omega[0], precession_rate(omega[2], s), self)
 
     def rotation_and_fall_powers(self, beta: Any, omega: Any) -> tuple[Any, Any]:
         """Return the dimensionless powers dissipated by rotation and fall."""

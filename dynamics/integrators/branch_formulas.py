@@ -12,30 +12,30 @@ from dynamics.regime import Branch, FlowFormulas, Regime
 
 
 def flow_constants(
-    regime: Regime, law: DiskConstants, loads, r_end: float
+    regime: Regime, constants: DiskConstants, loads, r_end: float
 ) -> tuple[float, ...]:
     """Return the run-time constants (n,) of a flow, ordered as in `rates_and_guards`."""
     own = loads.runtime_parameters if loads else ()
-    return *law[:-1], *regime.senses, r_end, *law.pivoting, *own
+    return *constants[:-1], *regime.senses, r_end, *constants.pivoting, *own
 
 
-def branch_to_compile(regime: Regime, law: DiskConstants, loads) -> Branch:
+def branch_to_compile(regime: Regime, constants: DiskConstants, loads) -> Branch:
     """Return the branch of a regime without any of the `flow_constants`."""
-    return Branch.of(regime, law, loads and loads.compiled_form)
+    return Branch.of(regime, constants, loads and loads.compiled_form)
 
 
 @lru_cache(64)
 def compiled_flow_and_constants(
     compiled: Callable,
     regime: Regime,
-    law: DiskConstants,
+    constants: DiskConstants,
     loads,
     r_end: float,
     *options,
 ):
     """Return `compiled(branch, *options)` of a regime, and the constants of its flow."""
-    return compiled(branch_to_compile(regime, law, loads), *options), np.array(
-        flow_constants(regime, law, loads, r_end)
+    return compiled(branch_to_compile(regime, constants, loads), *options), np.array(
+        flow_constants(regime, constants, loads, r_end)
     )
 
 
@@ -45,20 +45,20 @@ def rates_and_guards(flow: FlowFormulas, y, branch: Branch, symbol):
     `symbol(i)` is the symbol of run-time constant i.
     """
     following = map(symbol, count())
-    law = DiskConstants(*islice(following, len(DiskConstants._fields) - 1))
+    constants = DiskConstants(*islice(following, len(DiskConstants._fields) - 1))
     senses = tuple(islice(following, 3))
     r_end = next(following)
     if not branch.has_fillet:
-        law = law._replace(fillet=0.0)
+        constants = constants._replace(fillet=0.0)
     if not branch.has_bowl:
-        law = law._replace(bowl=0.0, bowl_x=0.0, bowl_y=0.0)
+        constants = constants._replace(bowl=0.0, bowl_x=0.0, bowl_y=0.0)
     if branch.has_spin_friction:
-        law = law._replace(
+        constants = constants._replace(
             pivoting=tuple(islice(following, 2 * PIVOTING_COEFFICIENT_COUNT))
         )
     if branch.loads:
         branch = branch._replace(loads=branch.loads.with_parameters(following))
-    contact = flow.contact(y, branch, senses, law)
-    return flow.rates(y, contact, branch, law), flow.guards(
-        y, contact, branch, senses, law, r_end
+    contact = flow.contact(y, branch, senses, constants)
+    return flow.rates(y, contact, branch, constants), flow.guards(
+        y, contact, branch, senses, constants, r_end
     )

@@ -13,7 +13,7 @@ from dynamics.regime import Regime, describe_state
 def advance(
     y,
     regime: Regime,
-    law: DiskConstants,
+    constants: DiskConstants,
     loads,
     r_end: float,
     span: float,
@@ -25,7 +25,7 @@ def advance(
     no step is short enough.
     """
     (flow, names), parameters = compiled_flow_and_constants(
-        compile_branch, regime, law, loads, r_end
+        compile_branch, regime, constants, loads, r_end
     )
     times, coefficients, end, fired = compiled_function(
         integrate_dop853, INTEGRATE_SIGNATURE

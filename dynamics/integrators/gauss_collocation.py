@@ -6,6 +6,8 @@ slip is given in polar coordinates: the signed speed divided by r at V1, and the
 direction at V2. The rate at V2 is the rate of the direction times the speed.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 from numba import types
 from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
@@ -42,6 +44,13 @@ for _k in range(ORDER + 1):
 """Matrix from Chebyshev coefficients on [0, 1] to powers of x; T_k(2 x - 1) = T_2k(sqrt
 x)."""
 MAX_STEP = 1.0
+"""Greatest step length in units of r."""
+MIN_STEP_LENGTH = 1e-12
+"""Smallest step length in units of r."""
+FIRST_STEP_FROM_REST = 0.4
+"""Length of the first step of a slide that starts at rest, in units of r."""
+SLOW_SLIDE_HYSTERESIS = 1.5
+"""Factor on the limits of `is_slow_slide` for a slide in progress."""
 STEP_TOLERANCE = 1e-12
 DIFFERENCE_ANGLE = 1e-7
 """Step [rad] of the difference quotient in Newton's method; the iteration removes the
@@ -329,6 +338,32 @@ def step_enters_slide(before, guards, count, grip):
     return leads
 
 
+@njit(cache=True, error_model="numpy")
+def reduced_length(length, error):
+    """Return the length of the next attempt after a step that does not converge."""
+    reduction = 0.3  # if the error is unknown
+    return length * (0.8 * error ** (-1 / ORDER) if 1 <= error < np.inf else reduction)
+
+
+@njit(cache=True, error_model="numpy")
+def next_length(length, error):
+    """Return the length of the step after a successful one."""
+    min_growth = 2.5  # factor within which transients decay
+    return min(max(min_growth, error ** (-1 / 3)) * length, MAX_STEP)
+
+
+class GuardIndices(NamedTuple):
+    """Number of guards of a slow slide, and indices of three of them.
+
+    They are those of slip speed, normal force and reversal of nutation (-1 if absent).
+    """
+
+    guard_count: int
+    grip: int
+    load: int
+    turn: int
+
+
 FLOW_TYPE = types.FunctionType(FLOW_SIGNATURE)
 INDEX_TYPE = types.int64
 NUMBER_TYPE = types.float64
@@ -339,7 +374,7 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
     FLOW_TYPE,
     ARRAY_TYPE,
     ARRAY_TYPE,
-    *[INDEX_TYPE] * 4,
+    types.NamedUniTuple(INDEX_TYPE, len(GuardIndices._fields), GuardIndices),
     NUMBER_TYPE,
     NUMBER_TYPE,
     INDEX_TYPE,
@@ -347,13 +382,12 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 """Signature of `integrate_slow_slide`."""
 
 
-def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_steps):
+def integrate_slow_slide(flow, y, p, indices, mu, span, max_steps):
     """Integrate a slow slide from y (STATE_SIZE,) until a guard falls, or for `span`.
 
     It takes at most `max_steps` steps and ends early if the slide is no longer slow or
-    no step is short enough. `grip`, `load` and `turn` are the indices of slip speed,
-    normal force and reversal of nutation among the `count` guards. After a clear
-    reversal the slide continues with the other sign of nutation.
+    no step is short enough. The `indices` are `GuardIndices`. After a clear reversal the
+    slide continues with the other sign of nutation.
 
     Returns the end times of the steps (n,), their Taylor coefficients (n, ORDER + 1,
     STATE_SIZE), the last state (STATE_SIZE,) with the slip along a_1, a_2, the index of
@@ -361,12 +395,6 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     steps if the slide is not slow, or if it starts at rest and never exceeds
     STOP_SLIP_SPEED; in the latter case the guard is `grip`.
     """
-    min_step = 1e-12
-    # factor on the limits of `is_slow_slide` for a slide in progress
-    slow_slide_hysteresis = 1.5
-    step_reduction = 0.3  # length factor after a step that does not converge
-    min_step_growth = 2.5  # minimum length factor after a successful step, within which transients decay
-    first_step_from_rest = 0.4  # in units of r, like all step lengths
     times = np.empty(max_steps)
     coefficients = np.empty((max_steps, ORDER + 1, STATE_SIZE))
     slope = np.empty(STATE_SIZE)
@@ -383,33 +411,36 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
     flow(y, p, slope, before)
     rests = y[V1] == 0
     slow = rests or is_slow_slide(
-        y[V1], slip_times_acceleration(y, slope), mu * before[load]
+        y[V1], slip_times_acceleration(y, slope), mu * before[indices.load]
     )
-    length = first_step_from_rest if rests else first_step_length(flow, p, y, slope)
-    while n < max_steps and t < span and fired < 0 and slow and length >= min_step:
+    length = FIRST_STEP_FROM_REST if rests else first_step_length(flow, p, y, slope)
+    while (
+        n < max_steps and t < span and fired < 0 and slow and length >= MIN_STEP_LENGTH
+    ):
         dt = min(length * y[R], span - t)
         c, error = collocation_step(flow, p, y, slope, dt, states, rates, guards)
         if not error < 1 or (
-            rests and not step_enters_slide(before, guards, count, grip)
+            rests
+            and not step_enters_slide(before, guards, indices.guard_count, indices.grip)
         ):
-            length *= (
-                0.8 * error ** (-1 / ORDER) if 1 <= error < np.inf else step_reduction
-            )
+            length = reduced_length(length, error)
             continue
-        place, fired = first_guard_crossing(flow, p, c, count, before, guards)
-        if rests and not np.max(guards[:, grip]) > STOP_SLIP_SPEED:
-            fired = grip
+        place, fired = first_guard_crossing(
+            flow, p, c, indices.guard_count, before, guards
+        )
+        if rests and not np.max(guards[:, indices.grip]) > STOP_SLIP_SPEED:
+            fired = indices.grip
             break
         write_cartesian_powers(c, states, rates, dt, place, coefficients[n])
         t = span if fired < 0 and dt == span - t else t + place * dt
         times[n] = t
         n += 1
         rests = False
-        length = min(max(min_step_growth, error ** (-1 / 3)) * length, MAX_STEP)
-        stay = slow_slide_hysteresis
+        length = next_length(length, error)
+        stay = SLOW_SLIDE_HYSTERESIS
         evaluate_polynomial(c, place, y)
-        if fired == turn >= 0 and reverse_nutation(
-            flow, p, y, slope, before, count, turn
+        if fired == indices.turn >= 0 and reverse_nutation(
+            flow, p, y, slope, before, indices.guard_count, indices.turn
         ):
             turns[turned] = n
             turned += 1
@@ -418,12 +449,14 @@ def integrate_slow_slide(flow, y, p, count, grip, load, turn, mu, span, max_step
             stay = 1.0
         flow(y, p, slope, before)
         slow = is_slow_slide(
-            y[V1] / stay, slip_times_acceleration(y, slope) / stay**2, mu * before[load]
+            y[V1] / stay,
+            slip_times_acceleration(y, slope) / stay**2,
+            mu * before[indices.load],
         )
         if (
-            fired < 0 and not slow and before[grip] < STOP_SLIP_SPEED
+            fired < 0 and not slow and before[indices.grip] < STOP_SLIP_SPEED
         ):  # it stops too fast to be slow, and its guards can no longer fall
-            fired = grip
+            fired = indices.grip
     return (
         times[:n].copy(),
         coefficients[:n].copy(),

@@ -22,9 +22,9 @@ def is_slow_slide(speed, product, friction):
     )
 
 
-def is_stiff(y, contact, law) -> bool:
+def is_stiff(y, contact, constants) -> bool:
     """Return True if the slide at state y is slow and its speed changes slowly."""
     product = contact.du1 * y[V1] + contact.du2 * y[V2]
     return is_slow_slide(
-        math.hypot(y[V1], y[V2]), product, law.mu_dynamic * contact.Phi
+        math.hypot(y[V1], y[V2]), product, constants.mu_dynamic * contact.Phi
     )

@@ -19,11 +19,14 @@ from dynamics.integrators.codegen import compile_branch, compiled_function
 from dynamics.integrators.gauss_collocation import (
     INTEGRATE_SIGNATURE,
     REST_SLIP_SPEED,
+    GuardIndices,
     integrate_slow_slide,
 )
 from dynamics.regime import V1, V2, FlowFormulas, R, describe_state
 
 NUTATION_REVERSAL = guard_named("nutation reverses")
+MAX_SLIDE_STEPS = 40
+"""Largest number of steps in one arc of a slow slide."""
 
 
 class PolarSlipFormulas(FlowFormulas):
@@ -34,22 +37,25 @@ class PolarSlipFormulas(FlowFormulas):
     rest.
     """
 
-    def contact(self, y, branch, senses, law):
+    def contact(self, y, branch, senses, constants):
         """Solve the balance laws at state y with its slip direction."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
         speed = y[R] * y[V1]
         slip = (speed * along, speed * across)
         return self.contact_with_friction_along(
-            y, slip, (along, across), branch, senses, law
+            y, slip, (along, across), branch, senses, constants
         )
 
-    def rates(self, y, contact, branch, law):
+    def rates(self, y, contact, branch, constants):
         """Return dy/dtau for the solved contact."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
         rates = super().rates(
-            [*y[:V1], y[V1] * along, y[V1] * across, *y[V2 + 1 :]], contact, branch, law
+            [*y[:V1], y[V1] * along, y[V1] * across, *y[V2 + 1 :]],
+            contact,
+            branch,
+            constants,
         )
         dv1 = rates[V1]
         dv2 = rates[V2]
@@ -63,21 +69,18 @@ class PolarSlipFormulas(FlowFormulas):
 
 
 def compile_polar_slip(branch):
-    """Return the compiled flow of a slow slide, its guards, and three of their indices.
-
-    They are those of grip, lift-off and the reversal of nutation (-1 if absent).
-    """
+    """Return the compiled flow of a slow slide, its guards, and their `GuardIndices`."""
     flow, names = compile_branch(branch, PolarSlipFormulas)
-    return (
-        flow,
-        names,
+    indices = GuardIndices(
+        len(names),
         names.index(GRIP),
         names.index(LIFT_OFF),
         names.index(NUTATION_REVERSAL) if NUTATION_REVERSAL in names else -1,
     )
+    return flow, names, indices
 
 
-def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
+def advance_slow_slide(y, regime, constants, loads, r_end, span) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for at most `span`.
 
     It ends early if the slide is no longer stiff, and continues through clear reversals
@@ -86,14 +89,13 @@ def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
     """
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
-    arc = _integrate_slide(
-        y, speed, direction, regime, law, loads, r_end, span, single_step=False
-    )
+    slip = speed, direction
+    arc = _integrate_slide(y, slip, regime, constants, loads, r_end, span)
     return arc if len(arc.times) else None
 
 
 def advance_grazing_slide(
-    y, nu, regime, law, loads, r_end, single_step: bool
+    y, nu, regime, constants, loads, r_end, single_step: bool
 ) -> Arc | None:
     """Integrate a slide that starts along nu [rad] with almost no acceleration.
 
@@ -101,7 +103,11 @@ def advance_grazing_slide(
     since the contact does not slide then. Raises StalledError if no step length
     converges.
     """
-    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, single_step)
+    max_steps = 1 if single_step else MAX_SLIDE_STEPS
+    slip = 0.0, nu
+    arc = _integrate_slide(
+        y, slip, regime, constants, loads, r_end, math.inf, max_steps
+    )
     if not len(arc.times) and arc.guard is None:
         raise StalledError(
             f"{describe_state(y)}: the slide that starts here cannot be integrated"
@@ -109,16 +115,17 @@ def advance_grazing_slide(
     return arc if len(arc.times) else None
 
 
-def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, single_step):
-    """Integrate a slide with a given slip speed and direction for a few steps, or one."""
-    max_steps = 1 if single_step else 40
-    (flow, names, *of), parameters = compiled_flow_and_constants(
-        compile_polar_slip, regime, law, loads, r_end
+def _integrate_slide(
+    y, slip, regime, constants, loads, r_end, span, max_steps=MAX_SLIDE_STEPS
+):
+    """Integrate a slide with a slip speed and direction [rad] for a few steps."""
+    (flow, names, indices), parameters = compiled_flow_and_constants(
+        compile_polar_slip, regime, constants, loads, r_end
     )
-    start = np.array([*y[:V1], speed, direction, *y[V2 + 1 :]])
+    start = np.array([*y[:V1], *slip, *y[V2 + 1 :]])
     times, powers, end, fired, turns = compiled_function(
         integrate_slow_slide, INTEGRATE_SIGNATURE
-    )(flow, start, parameters, len(names), *of, law.mu_dynamic, span, max_steps)
+    )(flow, start, parameters, indices, constants.mu_dynamic, span, max_steps)
     guard = names[fired] if fired >= 0 else None
     regime_changes = []
     for steps in turns.tolist():

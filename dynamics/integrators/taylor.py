@@ -121,16 +121,16 @@ def compiled_taylor_future(branch: Branch, tolerance: float):
 
 
 def compile_in_background(
-    regime: Regime, law: DiskConstants, loads, tolerance: float
+    regime: Regime, constants: DiskConstants, loads, tolerance: float
 ) -> None:
     """Start a background thread that compiles the flow of a regime."""
-    compiled_taylor_future(branch_to_compile(regime, law, loads), tolerance)
+    compiled_taylor_future(branch_to_compile(regime, constants, loads), tolerance)
 
 
 def advance(
     y,
     regime: Regime,
-    law: DiskConstants,
+    constants: DiskConstants,
     loads,
     r_end: float,
     span: float,
@@ -143,28 +143,22 @@ def advance(
     if a law is not analytic, for example a power law where the precession stops; it
     raises StalledError if its steps are too short.
     """
-    future, parameters = compiled_flow_and_constants(
-        compiled_taylor_future, regime, law, loads, r_end, tolerance
-    )
-    flow = future.result()
+    flow, parameters = _flow_and_constants(regime, constants, loads, r_end, tolerance)
     borrowed = flow.borrow()
     integrator, pars, state, series = borrowed
     pars[:] = parameters[: len(pars)]  # some branches do not use the last ones
     state[:] = y
-    start = y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    branch = Branch.of(regime, law, loads)
     now = regime
     guard = None
-    step = integrator.step
     t = 0.0
     times = []
     kept = []
     regime_changes = []
     lost = [[0.0] * len(STATE_SYMBOLS)]
     for _ in range(MAX_STEPS_PER_ARC):
-        outcome, _ = step(span - t, True)
+        outcome, _ = integrator.step(span - t, True)
         since = t
         t = integrator.time
         times.append(t)
@@ -175,33 +169,56 @@ def advance(
         after = (
             guard
             and t > since
-            and state_after_reversal(state.tolist(), now, branch, guard, law)
+            and state_after_reversal(
+                state.tolist(),
+                now,
+                Branch.of(regime, constants, loads),
+                guard,
+                constants,
+            )
         )
         if not after:
             break
-        y, now = after
+        now = after[1]
         # large components would make the steps longer
-        state[:], origin = restart_quadratures(y, law.bowl > 0)
+        state[:], origin = restart_quadratures(after[0], constants.bowl > 0)
         lost.append(origin)
         parameters = compiled_flow_and_constants(
-            compiled_taylor_future, now, law, loads, r_end, tolerance
+            compiled_taylor_future, now, constants, loads, r_end, tolerance
         )[1]
         pars[:] = parameters[: len(pars)]
         integrator.reset_cooldowns()
         regime_changes.append((len(times), guard, now))
         guard = None
-    coefficients = (
-        np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
-    )
+    coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape)
+    coefficients = coefficients.swapaxes(1, 2)
     if regime_changes:
-        origins = np.cumsum(lost, axis=0)
-        pieces = np.diff([0, *(n for n, *_ in regime_changes), len(times)])
-        coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
-        state += origins[-1]
+        state += _add_origins(coefficients, lost, regime_changes)
     end = state.tolist()
     flow.give_back(borrowed)
     if outcome == NOT_FINITE:
         from dynamics.integrators import dop853  # numba loads slowly
 
-        return dop853.advance(start, regime, law, loads, r_end, span, tolerance)
+        return dop853.advance(y, regime, constants, loads, r_end, span, tolerance)
     return Arc(np.array(times), coefficients, end, guard, tuple(regime_changes))
+
+
+def _flow_and_constants(
+    regime: Regime, constants: DiskConstants, loads, r_end, tolerance
+):
+    """Return the compiled flow of a regime, after waiting for it, and its constants."""
+    future, parameters = compiled_flow_and_constants(
+        compiled_taylor_future, regime, constants, loads, r_end, tolerance
+    )
+    return future.result(), parameters
+
+
+def _add_origins(coefficients, lost, regime_changes) -> np.ndarray:
+    """Add the offsets `lost` at changes of regime to coefficients (n, ORDER + 1, k).
+
+    Returns the sum of all offsets (k,).
+    """
+    origins = np.cumsum(lost, axis=0)
+    pieces = np.diff([0, *(n for n, *_ in regime_changes), len(coefficients)])
+    coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
+    return origins[-1]

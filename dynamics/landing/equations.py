@@ -65,15 +65,15 @@ class LandingState(NamedTuple):
     shearing: float = 0.0
 
 
-class Loads(NamedTuple):
-    """Loads on the disk, with the moments along and across the direction of the high side.
+class LandingLoads(NamedTuple):
+    """LandingLoads on the disk, with the moments along and across the direction of the high side.
 
     Attributes
     ----------
     film, film_along, film_across : float
         Force [N] and moments [N m] of the film.
     stop : StopForces
-        Loads of the asperities.
+        LandingLoads of the asperities.
     """
 
     film: float
@@ -146,11 +146,11 @@ class LandingModel(NamedTuple):
         opening = rise + half * slope * tip / cosine
         return Geometry(slope, ux, uy, tip, ux * ty - uy * tx, gap, opening)
 
-    def loads(self, at: Geometry) -> Loads:
+    def loads(self, at: Geometry) -> LandingLoads:
         """Return the loads of the film and of the stop."""
         stop = self.stop.forces(at.gap, at.slope, at.opening, at.tip, at.turn)
         heave, coupling, along, across = self._film_resistance(at)
-        return Loads(
+        return LandingLoads(
             -heave * at.opening - coupling * at.tip,
             -coupling * at.opening - along * at.tip,
             -across * at.turn,

@@ -208,7 +208,7 @@ class LandingMotion(MotionBase):
         film = rates[:, 12] + rates[:, 13] + rates[:, 15]
         return power | {"contact": rates[:, 14], "film": film}
 
-    def largest_regain(self) -> float:
+    def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
         lost = self.landing.path(self.t)[:, 12:].sum(axis=1)
         return float(np.max(np.maximum.accumulate(lost) - lost))

@@ -51,8 +51,9 @@ def film_load(disk, axis, up_slope, velocity, stored_energy, step):
     rate = abs(turning) / sine + min_rate
     drag, fall, lever, tip, lift = film_loads(disk.film, sine, rate)
     # exponential damping is stable at every gap
-    decay = np.expm1(-step * drag / (rate * sine * disk.diametral_inertia))
-    torque = turning * disk.diametral_inertia / step * decay
+    torque = (turning * disk.diametral_inertia / step) * np.expm1(
+        -step * drag / (rate * sine * disk.diametral_inertia)
+    )
     distance = disk.radius / lever
     place = distance - disk.radius
     speed = normal_speed(disk, axis, up_slope, velocity, place)

@@ -112,7 +112,7 @@ class RattlingDisk(NamedTuple):
     film: Film
 
 
-class Edge(NamedTuple):
+class LowerEdge(NamedTuple):
     """Lower edge of the disk, with p points and d modes.
 
     Attributes

@@ -23,7 +23,7 @@ from dynamics.compliant.law.unevenness import (
     rim_heights,
     static_depth,
 )
-from dynamics.compliant.model_inputs import contact_law, edge_flexibility
+from dynamics.compliant.model_inputs import contact_law, scene_edge_flexibility
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
 from dynamics.compliant.stepping.round_table import greatest_shape_norm, round_table
@@ -34,9 +34,9 @@ from dynamics.kinematics import contact_place
 from dynamics.motion import FindingGroup, Outcome
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.rattling import layout, time_loop
-from dynamics.rattling.body import motion_state
-from dynamics.rattling.layout import RECORD, Edge, RattlingDisk
-from dynamics.rattling.time_loop import step_rattling_disk
+from dynamics.rattling.body import MotionState, motion_state
+from dynamics.rattling.layout import RECORD, LowerEdge, RattlingDisk
+from dynamics.rattling.time_loop import TimeSteps, step_rattling_disk
 from dynamics.rattling.vibration import MovingTable
 from dynamics.switching import ImpossibleContactError
 
@@ -112,14 +112,14 @@ class RattlingModel(NamedTuple):
         """Root mean square of the unevenness [m]."""
         return float(np.std(self.heights))
 
-    def edge(self) -> Edge:
+    def edge(self) -> LowerEdge:
         """Return the heights and the modes of the lower edge of the disk."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
         frequency = np.sqrt(self.rim.squared)
         wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
         wave *= self._mean_factor(frequency)[:, None]
         displacement = abs(self.rim.axial) + abs(self.rim.radial)
-        return Edge(
+        return LowerEdge(
             heights=self.heights,
             block_heights=np.maximum.reduceat(
                 self.heights, np.arange(0, len(self.heights), layout.RIM_BLOCK_POINTS)
@@ -372,7 +372,7 @@ def rattling_model(plan: "MotionPlan") -> RattlingModel:
         constants=constants,
         amplitudes=rim_amplitudes(scene.roughness, disk.radius),
         heights=rim_heights(scene.roughness, scene.imperfection, disk.radius),
-        rim=moving_rim_modes(edge_flexibility(scene), scene.material.loss_factor),
+        rim=moving_rim_modes(scene_edge_flexibility(scene), scene.material.loss_factor),
         film=plan.film,
         modes=plan.moving_modes,
         rate=plan.step_rate,
@@ -538,18 +538,11 @@ def simulate_rattling(
     """
     edge = model.edge()
     table = model.table()
-    disk_modes = len(model.rim.order)
-    table_modes = 0 if table is None else len(table.frequency)
-    ring = np.zeros((2, disk_modes + table_modes))
-    if table is not None:
-        bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
-        state[layout.CENTRE, 2] += bend
-    record = np.zeros(layout.RECORD_SIZE)
-    record[RECORD.flight_start] = -1.0
-    motion = motion_state(state, ring, record, disk_modes)
+    motion = _motion_at_rest(model, table, state, gravity)
     per_sample = round(model.rate / FORCE_SAMPLE_RATE)
+    steps = TimeSteps(1 / model.rate, per_sample, gravity, final_tilt)
     chunk = round(PROGRESS_INTERVAL * FORCE_SAMPLE_RATE)
-    sizes = (state.size, record.size, 2 * disk_modes, 1)
+    sizes = (state.size, motion.record.size, 2 * len(model.rim.order), 1)
     blocks = []
     flights = [np.zeros((0, 3))]
     begin = 0.0
@@ -561,10 +554,7 @@ def simulate_rattling(
             model.constants,
             edge,
             table,
-            gravity,
-            final_tilt,
-            1 / model.rate,
-            per_sample,
+            steps,
             motion,
             begin,
             samples,
@@ -579,14 +569,38 @@ def simulate_rattling(
     count = (len(samples) - 1) // FORCES_PER_ROW * FORCES_PER_ROW + 1
     if count < 2 * FORCES_PER_ROW:
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
-    if record[RECORD.flight_start] >= 0:
-        since = record[RECORD.flight_start]
-        duration = begin + 1 / FORCE_SAMPLE_RATE - since
-        flights.append(np.array([[since, duration, record[RECORD.max_flight_height]]]))
+    flights.append(_unfinished_flight(motion.record, begin + 1 / FORCE_SAMPLE_RATE))
     lost = np.concatenate(flights)
     lost[:, 0] -= 1 / FORCE_SAMPLE_RATE  # the first sample is the start of the motion
     columns = np.split(samples[:count], np.cumsum(sizes[:-1]), axis=1)
     return _motion_of_samples(model, columns, lost, OUTCOME_OF_END[reason], gravity)
+
+
+def _motion_at_rest(
+    model: RattlingModel, table: MovingTable | None, state: np.ndarray, gravity: float
+) -> MotionState:
+    """Return the motion of a state (5, 3) with modes at rest.
+
+    The centre is lowered by the static deflection of the table.
+    """
+    disk_modes = len(model.rim.order)
+    table_modes = 0 if table is None else len(table.frequency)
+    ring = np.zeros((2, disk_modes + table_modes))
+    if table is not None:
+        bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
+        state[layout.CENTRE, 2] += bend
+    record = np.zeros(layout.RECORD_SIZE)
+    record[RECORD.flight_start] = -1.0
+    return motion_state(state, ring, record, disk_modes)
+
+
+def _unfinished_flight(record: np.ndarray, end: float) -> np.ndarray:
+    """Return start [s], duration [s] and height [m] (k, 3) of a flight that lasts until the
+    end [s]; k is 1 or 0."""
+    since = record[RECORD.flight_start]
+    if since < 0:
+        return np.zeros((0, 3))
+    return np.array([[since, end - since, record[RECORD.max_flight_height]]])
 
 
 def static_deflection(

@@ -5,7 +5,7 @@ import numpy as np
 from dynamics.numba_kernels import kernel
 from dynamics.pivoting import (
     PIVOTING_COEFFICIENT_COUNT,
-    SINE_ROOT_DEGREE,
+    SINE_ROOT_INDEX,
     friction_limited_arm,
 )
 from dynamics.rattling.layout import DASHPOT, ELASTIC, RESISTANCE
@@ -41,7 +41,7 @@ def add_resistance(disk, weight, rim, velocity, energy, step, contacts):
     arms = disk.arms
     if disk.spin_friction[0] > 0:
         travel = np.hypot(spin_x, spin_y) / rim.sine
-        root = rim.sine ** (1 / SINE_ROOT_DEGREE)
+        root = rim.sine ** (1 / SINE_ROOT_INDEX)
         unit_arm = 0.0
         creep = 0.0
         for i in range(PIVOTING_COEFFICIENT_COUNT, 0, -1):

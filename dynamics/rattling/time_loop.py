@@ -5,6 +5,8 @@ free flight for the other half. High above the table, all steps except the last 
 the next sample are merged into one.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from dynamics.film.film_kernels import film_capacity
@@ -48,38 +50,41 @@ CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF, IS_AIRBORNE = range(5)
 """Reasons for ending the time steps."""
 
 
+class TimeSteps(NamedTuple):
+    """Constants of the time steps.
+
+    Attributes
+    ----------
+    duration : float
+        Time step [s].
+    per_sample : int
+        Steps between two samples.
+    gravity : float
+        Acceleration of gravity [m/s^2].
+    final_tilt : float
+        `RimGeometry.tilt` [m] below which the disk lies flat.
+    """
+
+    duration: float
+    per_sample: int
+    gravity: float
+    final_tilt: float
+
+
 @outermost
-def step_rattling_disk(
-    disk,
-    edge,
-    table,
-    gravity,
-    final_tilt,
-    step,
-    per_sample,
-    motion,
-    begin,
-    samples,
-    flights,
-):
-    """Advance a rattling disk and write a sample after every `per_sample` steps.
+def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights):
+    """Advance a rattling disk and write a sample after every `steps.per_sample` steps.
 
     Parameters
     ----------
     disk : RattlingDisk
         Disk and contact.
-    edge : Edge
+    edge : LowerEdge
         Lower edge of the disk, with the unevenness.
     table : MovingTable or None
         Modes of the table; None compiles a separate version without them.
-    gravity : float
-        Acceleration of gravity [m/s^2].
-    final_tilt : float
-        `RimGeometry.tilt` [m] below which the disk lies flat.
-    step : float
-        Time step [s].
-    per_sample : int
-        Steps between two samples.
+    steps : TimeSteps
+        Constants of the time steps.
     motion : MotionState
         State of the disk and of its modes, and the sums since the start, updated in
         place.
@@ -96,6 +101,7 @@ def step_rattling_disk(
     tuple of int
         Number of samples and of flights written, and the reason for the end.
     """
+    step, per_sample, gravity, final_tilt = steps
     upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
     mode_count = motion.modes.shape[1]
     disk_modes = motion.mode_loss.size

@@ -224,8 +224,7 @@ def solve_body(
         fine,
         coarse,
         part_nodes,
-        values,
-        shapes,
+        (values, shapes),
         shift,
         edge_error_ratio,
     )

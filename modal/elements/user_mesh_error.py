@@ -34,8 +34,7 @@ def relative_errors(
     fine,
     coarse,
     part_nodes,
-    values,
-    shapes,
+    eigenpairs,
     shift,
     edge_error_ratio,
 ):
@@ -51,10 +50,8 @@ def relative_errors(
         The solved body, and the body on the coarser mesh or with linear elements.
     part_nodes : ndarray, shape (q, 3, n)
         Nodes of the fine cells in reference coordinates of their coarse cell.
-    values : ndarray, shape (k,)
-        Eigenvalues [1/s^2] of the fine body.
-    shapes : ndarray, shape (k, p, 3)
-        Shapes of the fine body.
+    eigenpairs : pair of ndarrays, shapes (k,) and (k, p, 3)
+        Eigenvalues [1/s^2] and shapes of the fine body.
     shift : float
         Shift of the eigenvalue problem [1/s^2].
     edge_error_ratio : float
@@ -65,6 +62,7 @@ def relative_errors(
         1 / 4
     )  # elsewhere; refinement reduces the energy by a factor of 5
     safety = 1.5
+    values, shapes = eigenpairs
     from_coarse = prolongation(fine.solid, coarse, part_nodes)[
         :, np.repeat(~coarse.held, 3)
     ]

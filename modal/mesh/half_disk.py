@@ -221,6 +221,17 @@ def rim_blocks(angles, depth):
     ]
 
 
+def square_outline(directions, depth):
+    """Return the corners and the middles of the sides (5, 2) of half the central square.
+
+    They are within pi/4 of equally spaced directions, towards `directions` (5,) [rad].
+    """
+    even = np.linspace(0, pi, 5)
+    directions = np.clip(directions, even - pi / 4, even + pi / 4)
+    distance = np.array([0.5, 0.6, 0.5, 0.6, 0.5])[:, None] * (1 - depth)
+    return distance * np.stack([np.cos(directions), np.sin(directions)], axis=1)
+
+
 def core_blocks(angles, depth, layers=1):
     """Return the blocks inside the rim ring: layers around a central square of two
     macro cells.
@@ -231,12 +242,7 @@ def core_blocks(angles, depth, layers=1):
     half = (len(angles) - 1) // 2
     m = ceil(half / 2)
     n = half // 2
-    even = np.linspace(0, pi, 5)
-    directions = np.clip(
-        angles[[0, m, half, half + n, 2 * half]], even - pi / 4, even + pi / 4
-    )
-    distance = np.array([0.5, 0.6, 0.5, 0.6, 0.5])[:, None] * (1 - depth)
-    outline = distance * np.stack([np.cos(directions), np.sin(directions)], axis=1)
+    outline = square_outline(angles[[0, m, half, half + n, 2 * half]], depth)
     sides = zip(pairwise(outline), (m, n, n, m), strict=True)
     points = np.vstack(
         [outline[:1], *[np.linspace(a, b, k + 1)[1:] for (a, b), k in sides]]

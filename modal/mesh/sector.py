@@ -104,7 +104,7 @@ def cartesian_nodes(nodes, radius, bottom):
     return points[:, i, j, k]
 
 
-def low_patch_cells(radius, bottom, top, angle, height, size):
+def disk_cells_with_low_patch(radius, bottom, top, angle, height, size):
     """Return the cell nodes (c, 27, 3) [m] of a disk held on an arc of its rim that covers
     only part of the thickness.
 
@@ -174,7 +174,9 @@ def sector(radius, thickness, support, size):
         plane_cells = half_disk(angle, size) * radius
         nodes = extrude(plane_cells, layer_heights(bottom, half, size, radius))
     else:
-        nodes = low_patch_cells(radius, bottom, half, angle, meshed_height, size)
+        nodes = disk_cells_with_low_patch(
+            radius, bottom, half, angle, meshed_height, size
+        )
     patch = (
         None
         if is_free

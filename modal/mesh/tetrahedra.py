@@ -94,12 +94,20 @@ def tetrahedra_of_cells(points, blocks):
         numbers[:, :count] for numbers, count in zip(cells, corner_counts, strict=True)
     ]
     tetrahedra = np.concatenate(list(map(corner_tetrahedra, corners, shapes)))
-    is_linear = blocks[0][0] == shapes[0]
     sides = points[tetrahedra[:, 1:]] - points[tetrahedra[:, :1]]
     left_handed = np.linalg.det(sides) < 0
     tetrahedra[left_handed] = tetrahedra[left_handed][:, [0, 2, 1, 3]]
-    if is_linear:
+    if blocks[0][0] == shapes[0]:
         return points, tetrahedra
+    return with_middle_nodes(points, tetrahedra, cells, corners, shapes)
+
+
+def with_middle_nodes(points, tetrahedra, cells, corners, shapes):
+    """Return the points and tetrahedra (t, 10) of second order for linear ones (t, 4).
+
+    `cells`, `corners` and `shapes` are lists of the nodes, the corners and the shapes of
+    the cells by type.
+    """
     ends = []
     middles = []
     for numbers, corner, shape in zip(cells, corners, shapes, strict=True):

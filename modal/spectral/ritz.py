@@ -94,6 +94,26 @@ def functions_on_grid(plate, term, size, rho, zeta):
     return radial, np.stack([axial_value, axial_slope * 2 / plate.thickness])
 
 
+def elasticity_matrix(material):
+    """Return the stresses (6, 6) [Pa] due to unit strains, shear strains not doubled."""
+    lam, mu = lame_constants(material)
+    elasticity = np.diag([2 * mu] * 3 + [mu] * 3)
+    elasticity[:3, :3] += lam
+    return elasticity
+
+
+def products_of_functions(plate, p, size):
+    """Return the integrals of products of two radial and of two axial functions."""
+    rho, zeta, radial_weight, axial_weight = gauss_grid(plate, p.n, size)
+    on_grid = [functions_on_grid(plate, t, size, rho, zeta) for t in p.terms]
+    r = np.stack([radial for radial, _ in on_grid])
+    z = np.stack([axial for _, axial in on_grid])
+    return (
+        np.einsum("siak,tjbk->stijab", r * radial_weight, r),
+        np.einsum("sxcl,tydl->stxycd", z * axial_weight, z),
+    )
+
+
 def stiffness_and_mass(plate, p, size):
     """Return stiffness and mass (N, N) of one `RitzProblem`.
 
@@ -101,15 +121,8 @@ def stiffness_and_mass(plate, p, size):
     the indices of terms, i and j those of radial factors, x and y those of axial
     factors of `functions_on_grid`.
     """
-    rho, zeta, radial_weight, axial_weight = gauss_grid(plate, p.n, size)
-    lam, mu = lame_constants(plate.material)
-    elasticity = np.diag([2 * mu] * 3 + [mu] * 3)
-    elasticity[:3, :3] += lam
-    on_grid = [functions_on_grid(plate, t, size, rho, zeta) for t in p.terms]
-    r = np.stack([radial for radial, _ in on_grid])
-    z = np.stack([axial for _, axial in on_grid])
-    radial_products = np.einsum("siak,tjbk->stijab", r * radial_weight, r)
-    axial_products = np.einsum("sxcl,tydl->stxycd", z * axial_weight, z)
+    elasticity = elasticity_matrix(plate.material)
+    radial_products, axial_products = products_of_functions(plate, p, size)
     strain = np.stack([strain_coefficients(t, p.n) for t in p.terms])
     share = np.array([t.component_factors for t in p.terms], float)
     energy = np.einsum(

@@ -42,10 +42,7 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
     frequency [Hz].
 
     The rim is evaluated at angles (n,) [rad]."""
-    orders = {}
-    for (n, parity, torsional), order in disk.solved_orders.items():
-        if parity == even and (n > 0 or torsional == (y < 0)):
-            orders[n] = order
+    orders = orders_of_class(disk, y, even)
     through = patch.axial_work(even)[patch.held]
     held_rows = np.ravel(
         np.array(patch.held)[:, None] * disk.axial_count + np.arange(disk.axial_count),
@@ -72,13 +69,23 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
     parts = np.split(modes, np.cumsum([work.shape[1] for work in works])[:-1])
     rim: Any = 0.0
     for (n, o), b, q in zip(orders.items(), nodal, parts, strict=True):
-        coefficients = (
-            o.shapes @ q - o.omitted_flexibility[0][:, held_rows] @ b.T @ tractions
-        )
-        top = coefficients.reshape(3, disk.axial_count, -1).sum(axis=1)
+        static = o.omitted_flexibility[0][:, held_rows] @ b.T @ tractions
+        top = (o.shapes @ q - static).reshape(3, disk.axial_count, -1).sum(axis=1)
         rim = rim + displacement_at_angles(top[..., None], n, angle, odd=y < 0)
-    error = error_estimates(patch, free, square, tractions, limit)
-    return HeldSymmetryClass(frequency=np.sqrt(square) / (2 * pi), error=error, rim=rim)
+    return HeldSymmetryClass(
+        frequency=np.sqrt(square) / (2 * pi),
+        error=error_estimates(patch, free, square, tractions, limit),
+        rim=rim,
+    )
+
+
+def orders_of_class(disk, y, even):
+    """Return by number the orders with symmetries `y` in y and `even` in z."""
+    return {
+        n: order
+        for (n, parity, torsional), order in disk.solved_orders.items()
+        if parity == even and (n > 0 or torsional == (y < 0))
+    }
 
 
 def traction_work_on_order(around, through):

@@ -76,8 +76,6 @@ def solve_free_order(
     is a multiple of this contribution; it decreases slowly with the size of the basis,
     because rim and faces meet at a corner.
     """
-    # ratio of the flexibility beyond the basis to that of the highest polynomials
-    omitted_flexibility_ratio = 2.6
     is_highest = np.zeros((len(p.terms), *size), bool)
     is_highest[:, -1] = True
     is_highest[:, :, -1] = True
@@ -99,19 +97,32 @@ def solve_free_order(
     shapes = rim @ vectors
     highest = half[-np.count_nonzero(is_highest) :]
     weighted = shapes / np.where(values > 0, values, limit)
-    from_highest = highest.T @ highest
-    static = (
-        half.T @ half - weighted @ shapes.T + omitted_flexibility_ratio * from_highest
-    )
     other_modes = (
         solve_triangular(factor, half, lower=True, trans=1) - vectors @ weighted.T
     )
+    static = half.T @ half - weighted @ shapes.T
     slope = other_modes.T @ m @ other_modes
     return FreeOrder(
         values=values,
         shapes=shapes,
-        omitted_flexibility=np.stack([static, slope, from_highest]),
+        omitted_flexibility=with_flexibility_beyond_basis(
+            static, slope, highest.T @ highest
+        ),
     )
+
+
+def with_flexibility_beyond_basis(
+    static: np.ndarray, slope: np.ndarray, from_highest: np.ndarray
+) -> np.ndarray:
+    """Return the flexibility of omitted modes (3, n, n), its `slope`, and the
+    contribution of the highest polynomials.
+
+    The `static` flexibility is increased by that of the polynomials beyond the basis.
+    """
+    # ratio of the flexibility beyond the basis to that of the highest polynomials
+    omitted_flexibility_ratio = 2.6
+    static = static + omitted_flexibility_ratio * from_highest
+    return np.stack([static, slope, from_highest])
 
 
 @dataclass(frozen=True, kw_only=True)

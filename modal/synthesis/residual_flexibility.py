@@ -42,10 +42,10 @@ class Edge:
 
     Examples
     --------
-    >>> from modal import Material, Plate, yielding_edge
+    >>> from modal import Material, Plate, edge_flexibility
     >>> steel = Material(name="steel")
     >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
-    >>> edge = yielding_edge(plate)
+    >>> edge = edge_flexibility(plate)
     >>> len(edge.squared) == len(edge.shapes)
     True
     """
@@ -56,7 +56,7 @@ class Edge:
     order: np.ndarray
 
 
-def yielding_edge(plate: Plate) -> Edge:
+def edge_flexibility(plate: Plate) -> Edge:
     """Compute the flexibility of a free disk at its edge.
 
     Parameters
@@ -76,14 +76,18 @@ def yielding_edge(plate: Plate) -> Edge:
 
     Examples
     --------
-    >>> from modal import Material, Plate, yielding_edge
+    >>> from modal import Material, Plate, edge_flexibility
     >>> steel = Material(name="steel")
     >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
-    >>> edge = yielding_edge(plate)
+    >>> edge = edge_flexibility(plate)
     >>> f"{edge.flexibility[2, 2]:.2g} m/N"
     '2.8e-07 m/N'
     """
     return _cached_edge(plate)
+
+
+yielding_edge = edge_flexibility
+"""Former name of `edge_flexibility`."""
 
 
 @lru_cache(maxsize=32)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from modal.accuracy import ACCURACY_LEVELS, AccuracyLevel
+from modal.accuracy import ACCURACY_LEVELS, ModesAccuracyLevel
 from modal.blas_threads import one_blas_thread
 from modal.elements.elastic import bending_wave_number, estimated_mode_count
 from modal.modes import DEFAULT_HIGHEST_FREQUENCY, UnsolvableError
@@ -62,10 +62,12 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
         return table_on_mesh(surface, disk.radius, below, level.max_table_unknowns)
     if surface.kind == "plate":
         return round_plate_modes(surface, below, level)
-    return table_modes_from_numbers(surface, disk, below)
+    return table_modes_listed_in_scene(surface, disk, below)
 
 
-def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> SurfaceModes:
+def round_plate_modes(
+    surface: Any, below: float, level: ModesAccuracyLevel
+) -> SurfaceModes:
     """Return the `SurfaceModes` of a round plate, computed by the Ritz method.
 
     The shapes are w(r) cos n theta and w(r) sin n theta.
@@ -141,7 +143,7 @@ def round_plate_modes(surface: Any, below: float, level: AccuracyLevel) -> Surfa
     )
 
 
-def table_modes_from_numbers(surface: Any, disk: Any, below: float) -> SurfaceModes:
+def table_modes_listed_in_scene(surface: Any, disk: Any, below: float) -> SurfaceModes:
     """Return the `SurfaceModes` specified in the scene, or no modes for other kinds of
     table.
 

@@ -104,7 +104,7 @@ def rattling_energy_balance(motion: Motion):
 def dissipation_never_falls(motion: Motion):
     """The largest decrease of the dissipated energy between two instants, relative to
     the initial energy."""
-    return motion.largest_regain() / float(motion.energy(0.0)[0])
+    return motion.largest_energy_gain_error() / float(motion.energy(0.0)[0])
 
 
 @check(

@@ -16,7 +16,7 @@ from dynamics.compliant.law.linear_response import (
 )
 from dynamics.compliant.law.roughness import shift_of_contact
 from dynamics.compliant.law.statistical_linearisation import effective_load_factor
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_selection import LIFT_OFF_FORCE_RMS
 from sonify.claims.finding import (
     Finding,
@@ -46,7 +46,7 @@ class PredictedVibration(NamedTuple):
 
     Attributes
     ----------
-    table : LawTable
+    tabulated_law : TabulatedLaw
         Tabulated law of the contact.
     t : array (k,)
         Times [s].
@@ -66,7 +66,7 @@ class PredictedVibration(NamedTuple):
         vibrating one; 1 along a rigid motion.
     """
 
-    table: LawTable
+    tabulated_law: TabulatedLaw
     t: np.ndarray
     inclination: np.ndarray
     load: np.ndarray
@@ -81,26 +81,26 @@ class PredictedVibration(NamedTuple):
 def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
     """Return the predicted vibration along a motion while the contact is a single
     ellipse."""
-    table = tabulated_law_of(scene, motion)
+    tabulated = tabulated_law_of(scene, motion)
     t = vibration_times(motion)
     inclination, load, speed, rolls = contact_conditions(motion, t)
     rms, power, shift = np.zeros((3, len(t)))
     if scene.roughness is not None:
-        rms = predicted_rms(table, scene.roughness, inclination, load, speed)
-        power = predicted_power(table, scene.roughness, inclination, load, speed)
-        half = table.law.semi_axes(inclination, load)[0]
+        rms = predicted_rms(tabulated, scene.roughness, inclination, load, speed)
+        power = predicted_power(tabulated, scene.roughness, inclination, load, speed)
+        half = tabulated.law.semi_axes(inclination, load)[0]
         shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
     load_factor = effective_load_factors(scene, motion, t)
     return PredictedVibration(
-        table, t, inclination, load, speed, rolls, rms, power, shift, load_factor
+        tabulated, t, inclination, load, speed, rolls, rms, power, shift, load_factor
     )
 
 
-def tabulated_law_of(scene: Scene, motion: Motion) -> LawTable:
+def tabulated_law_of(scene: Scene, motion: Motion) -> TabulatedLaw:
     """Return the tabulated contact law that the motion of a scene uses."""
     plan = motion.plan
-    assert plan.law_table is not None  # the contact is elastic
-    return plan.series_law_table if motion.solves_contact else plan.law_table
+    assert plan.tabulated_law is not None  # the contact is elastic
+    return plan.series_tabulated_law if motion.solves_contact else plan.tabulated_law
 
 
 def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
@@ -110,8 +110,8 @@ def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
         return np.ones(len(t))
     some = np.linspace(t[0], t[-1], 12)
     inclination, load, speed, _ = contact_conditions(motion, some)
-    table = tabulated_law_of(scene, motion)
-    factor = effective_load_factor(table, scene.roughness, inclination, load, speed)
+    tabulated = tabulated_law_of(scene, motion)
+    factor = effective_load_factor(tabulated, scene.roughness, inclination, load, speed)
     return np.interp(t, some, factor)
 
 
@@ -253,7 +253,9 @@ def radiated_bands(
         )
         softened_load = load * np.interp(t, expected.t, expected.load_factor)
         force = [
-            predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r)
+            predicted_spectrum(
+                expected.tabulated_law, scene.roughness, b, N, V, f, rolls=r
+            )
             for b, N, V, r in zip(inclination, softened_load, *rest, strict=True)
         ]
         louder = np.ones((len(t), len(f)))
@@ -390,7 +392,7 @@ def loss_begins_at(rms: float, expected: PredictedVibration):
 
     It is extrapolated in proportion to the heights.
     """
-    most = expected.rms.max() / expected.table.law.disk.weight
+    most = expected.rms.max() / expected.tabulated_law.law.disk.weight
     certain_loss_rms = 0.4  # above it, contact is lost in every motion
     margin = rms * (certain_loss_rms - LIFT_OFF_FORCE_RMS) / most
     return Measured(rms * LIFT_OFF_FORCE_RMS / most, margin)
@@ -451,13 +453,13 @@ def contact_resonance_curve(
     t = single_ellipse_times(motion, point_count)
     inclination, load, speed, _ = contact_conditions(motion, t)
     soft = effective_load_factors(scene, motion, t) * load
-    table = tabulated_law_of(scene, motion)
-    return t + delay, table.contact_resonance(inclination, soft, speed).frequency
+    tabulated = tabulated_law_of(scene, motion)
+    return t + delay, tabulated.contact_resonance(inclination, soft, speed).frequency
 
 
 def contact_resonance_frequency(expected: PredictedVibration) -> np.ndarray:
     """Return the frequency of the contact resonance (k,) [Hz] along a motion."""
-    return expected.table.contact_resonance(
+    return expected.tabulated_law.contact_resonance(
         expected.inclination, expected.load_factor * expected.load, expected.speed
     ).frequency
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.model_inputs import contact_law_table
+from dynamics.compliant.model_inputs import tabulated_contact_law
 from dynamics.compliant.model_selection import steady_precession_rate
 from modal import eigenmodes
 from modal.tabletop.solve import surface_modes
@@ -61,4 +61,4 @@ def _contact_resonances(scene):
     )
     speed = np.array([steady_precession_rate(scene, b) for b in beta]) * disk.radius
     weight = np.full(inclination_count, disk.weight)
-    return contact_law_table(scene).contact_resonance(beta, weight, speed).frequency
+    return tabulated_contact_law(scene).contact_resonance(beta, weight, speed).frequency

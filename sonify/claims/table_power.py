@@ -104,7 +104,7 @@ def _contact_force(scene: Scene, motion: Motion):
 
     The force includes the vibration that the sound superposes on a rigid motion."""
     is_smooth = scene.roughness is None or scene.contact.law == "rigid"
-    law = motion.plan.law_table
+    law = motion.plan.tabulated_law
     if is_smooth or law is None or motion.vibration_crossover is not None:
         return lambda t: motion.force(t)[:, 2]
     heights = profiles(scene.roughness, scene.disk.radius)

@@ -13,7 +13,7 @@ from dynamics.compliant.law.linear_response import predicted_rms
 from dynamics.compliant.model_inputs import reason_against_rattling
 from dynamics.compliant.model_selection import (
     LIFT_OFF_FORCE_RMS,
-    MAX_ROLLING_CURVATURE_NUMBER,
+    MAX_RELATIVE_CURVATURE_FOR_ROLLING,
     greatest_curvature_number,
 )
 from dynamics.motion_plan import motion_basis
@@ -44,7 +44,9 @@ def simplest_scene(scene: Scene) -> Scene:
     if even.numerics.contact == "many":
         return even
     curvature = greatest_curvature_number(motion_basis(even))[0]
-    if curvature > MAX_ROLLING_CURVATURE_NUMBER and not reason_against_rattling(even):
+    if curvature > MAX_RELATIVE_CURVATURE_FOR_ROLLING and not reason_against_rattling(
+        even
+    ):
         return replace(even, numerics=replace(even.numerics, contact="many"))
     return replace(
         scene,
@@ -102,8 +104,8 @@ def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
     if scene.roughness is None or not predicts:
         return 0.0
     inclination, load, speed, _ = contact_conditions(motion, vibration_times(motion))
-    table = tabulated_law_of(scene, motion)
-    rms = predicted_rms(table, scene.roughness, inclination, load, speed)
+    tabulated = tabulated_law_of(scene, motion)
+    rms = predicted_rms(tabulated, scene.roughness, inclination, load, speed)
     return float(inclination[rms > LIFT_OFF_FORCE_RMS * load].max(initial=0.0))
 
 
@@ -137,6 +139,6 @@ def resonance_rises(scene: Scene, motion: Motion):
     last = last_single_ellipse_time(motion)
     inclination, load, speed, _ = contact_conditions(motion, np.array([0.0, last]))
     weight = np.full_like(load, scene.disk.weight)
-    table = tabulated_law_of(scene, motion)
-    frequency = table.contact_resonance(inclination, weight, speed).frequency
+    tabulated = tabulated_law_of(scene, motion)
+    frequency = tabulated.contact_resonance(inclination, weight, speed).frequency
     return float(frequency[1] / frequency[0])

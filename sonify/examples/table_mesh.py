@@ -85,15 +85,25 @@ def write_table_mesh(path: Path) -> Path:
         [number(corner, FOOT_LAYER_HEIGHTS[0]) for corner in corners]
         for corners in within
     ]
-    tags = [np.full(len(top) + len(legs), 1), np.full(len(stand), 2)]
+    _write_gmsh(path, [*numbers], top + legs, stand)
+    return path
+
+
+def _write_gmsh(
+    path: Path,
+    points: list[tuple[float, float, float]],
+    solid: list[list[int]],
+    feet: list[list[int]],
+) -> None:
+    """Write points [m], the hexahedra of a solid and the quadrilaterals of its feet."""
+    tags = [np.full(len(solid), 1), np.full(len(feet), 2)]
     mesh = meshio.Mesh(
-        [*numbers],
-        [("hexahedron", top + legs), ("quad", stand)],
+        points,
+        [("hexahedron", solid), ("quad", feet)],
         cell_data={"gmsh:physical": tags, "gmsh:geometrical": tags},
         field_data={"wood": np.array([1, 3]), "feet": np.array([2, 2])},
     )
     mesh.write(path, file_format="gmsh22", binary=False)
-    return path
 
 
 if __name__ == "__main__":

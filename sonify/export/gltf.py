@@ -173,12 +173,14 @@ def rim_sides(radius: float) -> int:
     return min(max(ceil(wanted), 96), 4096)
 
 
-def disk_mesh(disk: Disk, fillet: float = 0.0) -> Mesh:
-    """Return a disk or hoop centred at the origin, with its axis along y and a mark on
-    face and rim.
+Strip = tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+"""Points (k, 3) [m] and normals (k, 3) or (3,) of the two rings that bound a strip."""
 
-    The outer edges are rounded with the radius `fillet` [m]."""
-    sides = rim_sides(disk.radius)
+
+def _surface_strips(disk: Disk, fillet: float, sides: int) -> list[Strip]:
+    """Return the strips of the surface, each bounded by two rings (sides + 1, 3).
+
+    The first two are the cylindrical side and the upper face."""
     angle = np.arange(sides + 1) % sides * 2 * np.pi / sides
     outward = np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
     up = np.array([0.0, disk.thickness / 2, 0.0])
@@ -192,9 +194,8 @@ def disk_mesh(disk: Disk, fillet: float = 0.0) -> Mesh:
     ]
     face = (disk.radius - fillet) * outward
     below = [(ring * [1, -1, 1], normal * [1, -1, 1]) for ring, normal in rounded]
-    side = (below[-1][0], outward), (rounded[-1][0], outward)
-    strips = [  # bounded by two rings, each with its normals
-        side,
+    strips = [
+        ((below[-1][0], outward), (rounded[-1][0], outward)),
         ((face + up, axis), (inner + up, axis)),
         ((inner - up, -axis), (face - up, -axis)),
         *pairwise(below),
@@ -202,6 +203,16 @@ def disk_mesh(disk: Disk, fillet: float = 0.0) -> Mesh:
     ]
     if disk.inner_radius > 0:
         strips.append(((inner + up, -outward), (inner - up, -outward)))
+    return strips
+
+
+def disk_mesh(disk: Disk, fillet: float = 0.0) -> Mesh:
+    """Return a disk or hoop centred at the origin, with its axis along y and a mark on
+    face and rim.
+
+    The outer edges are rounded with the radius `fillet` [m]."""
+    sides = rim_sides(disk.radius)
+    strips = _surface_strips(disk, fillet, sides)
     count = sides + 1
     points = np.concatenate([ring for strip in strips for ring, _ in strip])
     normals = np.concatenate(

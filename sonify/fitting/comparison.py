@@ -10,7 +10,7 @@ from scipy.stats import t as student
 
 from dynamics.observables import precession_frequency
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Source, loudest_channel, read_samples
+from sonify.hearing.audio_source import AudioSource, loudest_channel, read_samples
 from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.spectrogram import spectrogram
@@ -78,7 +78,7 @@ def _numbers_of_bursts(run, span):
     }
 
 
-def numbers_of_run(source: Source, run: SettlingRun) -> dict:
+def numbers_of_run(source: AudioSource, run: SettlingRun) -> dict:
     """Return rate, exponent, bursts and turns, band levels, lines, decays and levels
     over time.
 

@@ -12,13 +12,18 @@ import numpy as np
 from dynamics.disk import GRAVITY
 from sonify.fitting.decay_model import LAWS, DecayModel, has_film, neglected_parts
 from sonify.fitting.least_squares import Fit, LineRates
-from sonify.fitting.line_selection import Judged, Sound, fit_same_disk, with_model_error
+from sonify.fitting.line_selection import (
+    Judged,
+    RecordedRun,
+    fit_same_disk,
+    with_model_error,
+)
 from sonify.fitting.settings import FIT
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.settling.settings import SETTLING
 
 
-def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
+def judge_sound(decay: DecayModel, sound: RecordedRun) -> Judged:
     """Return the result for a sound, from the phase of a tone or from the law of its
     bursts.
 
@@ -33,7 +38,7 @@ def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
             raise
         return judge_bursts(decay, sound)
     own_law = judged.values().get("law")
-    explained = own_law is not None and own_law.low <= 1.0 <= own_law.high
+    explained = own_law is not None and own_law.inner[0] <= 1.0 <= own_law.inner[1]
     if has_bursts and not explained:
         bursts = judge_bursts(decay, sound)
         if bursts.verdict != "cannot tell":
@@ -41,7 +46,7 @@ def judge_sound(decay: DecayModel, sound: Sound) -> Judged:
     return with_model_error(judged)
 
 
-def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
+def judge_bursts(decay: DecayModel, sound: RecordedRun) -> Judged:
     """Return the result of a fit of the law of impacts to the run of a sound.
 
     The limits of the other laws are those at which one of them would dissipate all of the
@@ -52,21 +57,11 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     line = decay.line_models[name]
     fall = np.sqrt(GRAVITY / decay.disk.radius)
 
-    def inclination(rate):
-        return np.interp(-rate, -line.rate, line.beta)
-
     def loss_coefficient(rate, exponent):
-        return 2 * exponent * inclination(rate) / (run.reference_time * fall)
+        beta = _inclination_at_rate(line, rate)
+        return 2 * exponent * beta / (run.reference_time * fall)
 
-    with_impacts = copy(line)
-    with_impacts.third_share_name = "impacts"
-    power = line.powers.copy()
-    beyond = line.beta / inclination(region.best_rate)
-    steepness = 1 - 1 / (2 * region.best_exponent)
-    power[2] = (
-        line.energy_slope / line.beta * beyond**steepness * fall * decay.disk.time_unit
-    )
-    with_impacts.powers = power
+    with_impacts = _line_with_impacts(decay, line, region)
     best = loss_coefficient(region.best_rate, region.best_exponent)
     shares = np.array([0.0, 0.0, best])
     cells = loss_coefficient(region.rates, region.exponents)
@@ -78,27 +73,18 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
     draws[:, 0] = _draws(region.best_end, run.t_end.low, run.t_end.high, random)
     draws[:, 3] = _draws(best, low, high, random)
     ridge = sound.ridges[0]
-    heard = LineRates(with_impacts, ridge, ridge.frequency)
     remaining = np.maximum(region.best_end - ridge.time, FIT.unused_end_duration)
     fitted = Fit(
         free=(2,),
         ends=np.array([region.best_end]),
         shares=shares,
         draws=draws,
-        heard=(heard,),
+        heard=(LineRates(with_impacts, ridge, ridge.frequency),),
         residual=np.log(ridge.frequency / with_impacts.frequency(remaining, shares)),
         sigma=ridge.error / ridge.frequency,
     )
-    last = run.t_end.high - run.t_end.low  # earlier rates do not depend on the end
-    heard_rates = ridge.frequency[remaining > last]
-    covered = (line.beta >= inclination(heard_rates.max())) & (
-        line.beta <= inclination(heard_rates.min())
-    )
-    limits = {
-        name: float(high * np.min(power[2, covered] / power[number, covered]))
-        for number, name in enumerate(LAWS[:2])
-        if name == "rolling" or has_film(decay.scene)
-    }
+    # earlier rates do not depend on the end
+    heard_rates = ridge.frequency[remaining > run.t_end.high - run.t_end.low]
     verdict, reason = _verdict(decay, run.exponent)
     return Judged(
         run=run,
@@ -111,8 +97,46 @@ def judge_bursts(decay: DecayModel, sound: Sound) -> Judged:
         explained=True,
         verdict=verdict,
         reason=reason,
-        limits=limits,
+        limits=_limits(decay.scene, with_impacts, heard_rates, high),
     )
+
+
+def _inclination_at_rate(line, rate):
+    """Return the inclinations [rad] of a line at its frequencies [Hz]."""
+    return np.interp(-rate, -line.rate, line.beta)
+
+
+def _line_with_impacts(decay, line, region):
+    """Return a copy of a line whose third power is that of the best law of impacts of a
+    joint region."""
+    fall = np.sqrt(GRAVITY / decay.disk.radius)
+    with_impacts = copy(line)
+    with_impacts.third_share_name = "impacts"
+    power = line.powers.copy()
+    beyond = line.beta / _inclination_at_rate(line, region.best_rate)
+    steepness = 1 - 1 / (2 * region.best_exponent)
+    power[2] = (
+        line.energy_slope / line.beta * beyond**steepness * fall * decay.disk.time_unit
+    )
+    with_impacts.powers = power
+    return with_impacts
+
+
+def _limits(scene, line, rates, coefficient):
+    """Return by law the limit at which it would dissipate all of the power.
+
+    Impacts dissipate the power at the `coefficient`; `rates` [Hz] are those heard.
+    """
+    covered = (line.beta >= _inclination_at_rate(line, rates.max())) & (
+        line.beta <= _inclination_at_rate(line, rates.min())
+    )
+    return {
+        name: float(
+            coefficient * np.min(line.powers[2, covered] / line.powers[number, covered])
+        )
+        for number, name in enumerate(LAWS[:2])
+        if name == "rolling" or has_film(scene)
+    }
 
 
 def _draws(value, low, high, random):

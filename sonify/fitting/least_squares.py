@@ -254,27 +254,15 @@ def _with_intervals(problem, x):
     """Return the fit for unknowns x, with bootstrap draws from runs of residuals and a
     linearised solution.
 
-    The runs are longer than a block, because adjacent blocks are correlated. The draws
-    are enlarged by `_enlargement`.
+    The draws are enlarged by `_enlargement`.
     """
-    min_run_length = 4  # blocks
-    max_run_count = 8
     draw_count = FIT.bootstrap_draws
     residual = problem.residual(x)
     scale = max(_robust_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
     sigma = _relative_error(problem.heard.rates)
-    random = np.random.default_rng(0)
     count = len(sigma)
-    run = max(min_run_length, count // max_run_count)
-    independent_count = count / FIT.block_overlap
-    leverage = np.sqrt(independent_count / max(independent_count - len(x), 1))
-    runs = -(-count // run)
-    drawn = (random.integers(0, count, (draw_count, runs, 1)) + np.arange(run)) % count
-    signs = random.choice([-1.0, 1.0], (draw_count, runs, 1))
-    noise = leverage * residual[drawn] * signs
-    corner = random.standard_normal((draw_count, len(residual) - count))
-    noise = np.hstack([noise.reshape(draw_count, -1)[:, :count], corner])
+    noise = _bootstrap_noise(residual, count, len(x))
     jacobian = _jacobian(problem.residual, x)
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (
         jacobian.T * weight
@@ -298,6 +286,28 @@ def _with_intervals(problem, x):
         residual=residual[:count] * sigma,
         sigma=sigma,
     )
+
+
+def _bootstrap_noise(residual, count, unknown_count):
+    """Return bootstrap draws (d, k) of the noise of residuals (k,), from runs of the first
+    `count` with random signs.
+
+    The runs are longer than a block, because adjacent blocks are correlated. The other
+    residuals are normally distributed.
+    """
+    min_run_length = 4  # blocks
+    max_run_count = 8
+    draw_count = FIT.bootstrap_draws
+    random = np.random.default_rng(0)
+    run = max(min_run_length, count // max_run_count)
+    independent_count = count / FIT.block_overlap
+    leverage = np.sqrt(independent_count / max(independent_count - unknown_count, 1))
+    runs = -(-count // run)
+    drawn = (random.integers(0, count, (draw_count, runs, 1)) + np.arange(run)) % count
+    signs = random.choice([-1.0, 1.0], (draw_count, runs, 1))
+    noise = leverage * residual[drawn] * signs
+    corner = random.standard_normal((draw_count, len(residual) - count))
+    return np.hstack([noise.reshape(draw_count, -1)[:, :count], corner])
 
 
 def _jacobian(function, x):

@@ -22,7 +22,7 @@ from sonify.fitting.least_squares import (
 )
 from sonify.fitting.phase_demodulation import Rates
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Source
+from sonify.hearing.audio_source import AudioSource
 from sonify.hearing.recording import (
     MIN_ENVELOPE_FREQUENCY_HZ,
     RecordingError,
@@ -40,7 +40,7 @@ MAIN_LINES = ("precession", "its double", "nutation")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sound:
+class RecordedRun:
     """A recording, the time `end` [s] at which its disk comes to rest, and candidate
     `ridges` of its rate.
 
@@ -100,8 +100,8 @@ class Judged:
 
 
 def detect_run(
-    source: Source, name: str, recorded: bool = True, begin: float = 0.0
-) -> Sound:
+    source: AudioSource, name: str, recorded: bool = True, begin: float = 0.0
+) -> RecordedRun:
     """Return the sound of a source with the detected run of a disk.
 
     `begin` is the time [s] of the first sample in its file. Raises RecordingError with
@@ -138,13 +138,13 @@ def detect_run(
     ]
     _check_not_clipped(samples, name)
     run = runs[0].later(begin)
-    return Sound(
+    return RecordedRun(
         name=name,
         samples=samples,
         rate=rate,
         start=start + begin,
         end=run.region.best_end,
-        ridges=tuple(_ridge_of(event) for event in same_disk),
+        ridges=tuple(_rates_of_event(event) for event in same_disk),
         recorded=recorded,
         run=run,
     )
@@ -172,7 +172,9 @@ def _check_not_clipped(samples, name):
         )
 
 
-def fit_same_disk(decay: DecayModel, sound: Sound, correct: bool = True) -> Judged:
+def fit_same_disk(
+    decay: DecayModel, sound: RecordedRun, correct: bool = True
+) -> Judged:
     """Return the result for a sound.
 
     Raises RecordingError if no line can be tracked. With `correct`, the steady motion
@@ -222,7 +224,7 @@ def fit_same_disk(decay: DecayModel, sound: Sound, correct: bool = True) -> Judg
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Track:
+class LineFit:
     """Fit of a decay to one line in one of the `streams` of a sound, by signal."""
 
     signal: str
@@ -341,7 +343,7 @@ def _track(decay, streams, signal, line, end, shares):
         return None
     if abs(one.ends[0] - end) > max_end_distance:
         return None
-    return Track(
+    return LineFit(
         signal=signal,
         line=line,
         model="steady",
@@ -364,7 +366,7 @@ def _fitted_laws(decay):
     return tuple(free)
 
 
-def tone_signal(sound: Sound, signal: str) -> ToneSignal:
+def tone_signal(sound: RecordedRun, signal: str) -> ToneSignal:
     """Return the signal of a sound in which a tone is demodulated."""
     tone_rate = 4000  # Hz
     if signal == "envelope":
@@ -381,7 +383,7 @@ def tone_signal(sound: Sound, signal: str) -> ToneSignal:
     )
 
 
-def _ridge_of(event):
+def _rates_of_event(event):
     """Return the rates of an event, along its ridge or at 200 times of its law."""
     relative_error = 0.03
     if event.ridge:

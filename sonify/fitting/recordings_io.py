@@ -1,6 +1,11 @@
 """Recordings as the fit reads them."""
 
-from sonify.hearing.audio_source import Recording, SoundFile, Source, source_of_file
+from sonify.hearing.audio_source import (
+    AudioSource,
+    Recording,
+    SoundFile,
+    source_of_file,
+)
 from sonify.hearing.recording_files import recording_files
 
 __all__ = ["Recording", "is_recording", "recording_files", "source_of_file"]
@@ -10,7 +15,7 @@ OWN_SOFTWARE_NOTE = "eulers-disk-sonify"
 (`sonify.sound.wav`)."""
 
 
-def is_recording(source: Source) -> bool:
+def is_recording(source: AudioSource) -> bool:
     """Return False for files written by this program, whose sounds have no high-pass
     filter."""
     if not isinstance(source, SoundFile):

@@ -334,6 +334,17 @@ def _interval(estimate):
     return f"{value} ({estimate['low']:.3g} to {estimate['high']:.3g})"
 
 
+def _fitted_rate(numbers: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the remaining times (k,) [s] and the fitted turns per second (k,)."""
+    remaining = np.array(numbers["loudness"]["time_left"])
+    remaining = remaining[remaining > FIT.unused_end_duration]
+    exponent = numbers["exponent"]
+    steepness = exponent["value"] or (exponent["low"] + exponent["high"]) / 2
+    reference = min(1.0, remaining.max())
+    rate = numbers["turns_at_1s"]["value"] * (remaining / reference) ** -steepness
+    return remaining, rate
+
+
 def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
     """Draw measured and simulated turns, band levels, decays of lines, and levels over
     time."""
@@ -345,15 +356,7 @@ def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
                 "label": name,
                 "color": "k" if name == "simulated" else f"C{offset}",
             }
-            remaining = np.array(numbers["loudness"]["time_left"])
-            remaining = remaining[remaining > FIT.unused_end_duration]
-            exponent = numbers["exponent"]
-            steepness = exponent["value"] or (exponent["low"] + exponent["high"]) / 2
-            reference = min(1.0, remaining.max())
-            rate = (
-                numbers["turns_at_1s"]["value"] * (remaining / reference) ** -steepness
-            )
-            rates.plot(remaining, rate, **style)
+            rates.plot(*_fitted_rate(numbers), **style)
             # frequencies of lines are compared, so only the bands are set apart
             places = [(1 + 0.03 * offset) * row["from"] for row in numbers["bands"]]
             _draw_intervals(bands, places, numbers["bands"], style)

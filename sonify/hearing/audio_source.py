@@ -39,7 +39,7 @@ UNRECOGNISED_FORMAT = 1
 """Code of the error of libsndfile for a file of unknown format."""
 
 
-class Source(Protocol):
+class AudioSource(Protocol):
     """An audio source with `frames` samples at `sample_rate` [Hz].
 
     Each call of `blocks` is independent; a caller may stop reading at any time.
@@ -287,7 +287,7 @@ def ends_with_last_page(file: BinaryIO) -> bool:
     return whole and bool(tail[at + 5] & 4)
 
 
-def source_of(sound: Source | str | Path) -> Source:
+def source_of(sound: AudioSource | str | Path) -> AudioSource:
     """Return `sound` itself if it is a source, otherwise the source in the file at this
     path.
 
@@ -330,7 +330,7 @@ def source_of_file(path: str | Path) -> SoundFile | Recording:
 class Excerpt:
     """Part of a source from frame `first` up to frame `last`, as a source."""
 
-    source: Source
+    source: AudioSource
     first: int
     last: int
 
@@ -356,7 +356,7 @@ class Excerpt:
                 return
 
 
-def excerpt(source: Source, begin: float, end: float) -> Source:
+def excerpt(source: AudioSource, begin: float, end: float) -> AudioSource:
     """Return the part of a source between two times [s], or the source itself if they
     include all of it.
 
@@ -379,7 +379,7 @@ def excerpt(source: Source, begin: float, end: float) -> Source:
     )
 
 
-def read_samples(source: Source, start: int, stop: int) -> np.ndarray:
+def read_samples(source: AudioSource, start: int, stop: int) -> np.ndarray:
     """Return the samples (stop - start, channels) from `start` up to `stop` or the last
     sample."""
     parts = list(Excerpt(source, start, stop).blocks())
@@ -392,7 +392,7 @@ def loudest_channel(samples: np.ndarray) -> np.ndarray:
 
 
 def overlapping_pieces(
-    source: Source, step: int, overlap: int = 0, start: int = 0
+    source: AudioSource, step: int, overlap: int = 0, start: int = 0
 ) -> Iterator[np.ndarray]:
     """Yield the samples from `start` on in overlapping pieces (step + overlap,
     channels).
@@ -411,13 +411,13 @@ def overlapping_pieces(
         held = held[step:]
 
 
-def truncation_of(sound: Source | str | Path) -> Truncation | None:
+def truncation_of(sound: AudioSource | str | Path) -> Truncation | None:
     """Return the `truncation` of a sound file, or None for any other source."""
     source = source_of(sound)
     return source.truncation if isinstance(source, SoundFile) else None
 
 
-def name_of(source: Source) -> str:
+def name_of(source: AudioSource) -> str:
     """Return the path of a source in a file, or the name of a recording in memory."""
     if isinstance(source, Excerpt):
         return name_of(source.source)

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.signal import resample_poly
 
 from dynamics.a_weighting import a_weighting_db
-from sonify.hearing.audio_source import Source, read_samples, source_of
+from sonify.hearing.audio_source import AudioSource, read_samples, source_of
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, Spectrogram, spectrogram
 
 # fmt: off
@@ -52,7 +52,7 @@ class Audibility:
     above_threshold: np.ndarray
 
 
-def audibility(pressure: Source | str | Path) -> Audibility:
+def audibility(pressure: AudioSource | str | Path) -> Audibility:
     """Return the audibility of a pressure [Pa] in successive windows, for frequencies
     above 20 Hz."""
     spectrum = spectrogram(pressure, LEVEL_WINDOW_S, columns=600)
@@ -88,7 +88,7 @@ def level_db(mean_square) -> np.ndarray:
     )
 
 
-def loudness_lufs(sound: Source | str | Path) -> float:
+def loudness_lufs(sound: AudioSource | str | Path) -> float:
     """Return the integrated loudness [LUFS] of a source or file by ITU-R BS.1770
     (pyloudnorm).
 
@@ -115,7 +115,7 @@ def omitted_analyses() -> list[str]:
 
 
 def roughness(
-    pressure: Source | str | Path, end: float
+    pressure: AudioSource | str | Path, end: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa] before `end`
     [s].

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import median_filter
 
-from sonify.hearing.audio_source import Source
+from sonify.hearing.audio_source import AudioSource
 from sonify.hearing.spectrogram import spectrogram
 
 
@@ -21,7 +21,7 @@ class NoiseBand(NamedTuple):
 
 
 def noise_band(
-    sound: Source, start: float, stop: float, length: float, lines=()
+    sound: AudioSource, start: float, stop: float, length: float, lines=()
 ) -> NoiseBand:
     """Return the noise band in intervals of `length` [s] from `start` to `stop` [s].
 
@@ -57,20 +57,29 @@ def noise_band(
         ]
     )
     peak = (level - np.percentile(level, background_percentile, axis=0)).argmax(axis=1)
-    median_level = np.median(level, axis=1)
-    audible = median_level > 0  # digital silence has no noise band
-    prominence = np.zeros(len(peak))
-    peak_level = level[audible, peak[audible]]
-    prominence[audible] = 10 * np.log10(peak_level / median_level[audible])
-    at_lower_limit = peak < median_filter_size  # flank of a peak outside the range
-    at_upper_limit = peak >= len(grid) - median_filter_size
-    prominence[at_lower_limit | at_upper_limit] = 0.0
+    prominence = peak_prominence_db(level, peak, median_filter_size)
     centroids = np.full(len(peak), np.nan)
     for i in np.flatnonzero(prominence > min_prominence):
         centroids[i] = band_centroid(spectrum.frequency, power[i], grid[peak[i]])
     for line in lines:
         centroids[np.abs(centroids / line - 1) < max_line_distance] = np.nan
     return NoiseBand(edges + length / 2, centroids, prominence)
+
+
+def peak_prominence_db(level, peak, margin: int):
+    """Return the levels (k,) [dB] of peaks above the median of the spectra (k, n).
+
+    The prominence of a peak less than `margin` from a limit of the range is 0.
+    """
+    median_level = np.median(level, axis=1)
+    audible = median_level > 0  # digital silence has no noise band
+    prominence = np.zeros(len(peak))
+    peak_level = level[audible, peak[audible]]
+    prominence[audible] = 10 * np.log10(peak_level / median_level[audible])
+    at_lower_limit = peak < margin  # flank of a peak outside the range
+    at_upper_limit = peak >= level.shape[1] - margin
+    prominence[at_lower_limit | at_upper_limit] = 0.0
+    return prominence
 
 
 def band_centroid(frequency, power, near: float) -> float:

@@ -9,7 +9,7 @@ import soundfile
 from scipy.signal import butter, resample_poly, sosfiltfilt
 
 from sonify.hearing.audio_source import (
-    Source,
+    AudioSource,
     Truncation,
     loudest_channel,
     name_of,
@@ -109,7 +109,7 @@ class Heard:
 
 
 def listen(
-    sound: Source | str | Path,
+    sound: AudioSource | str | Path,
     end: float | None = None,
     tones: bool = True,
     begin: float = 0.0,
@@ -120,7 +120,7 @@ def listen(
 
     Parameters
     ----------
-    sound : Source, str or Path
+    sound : AudioSource, str or Path
         A source, or a file of any sample rate and format that libsndfile reads, or an
         export of the app phyphox.
     end : float, optional
@@ -162,7 +162,9 @@ def listen(
     return replace(heard, runs=[run.later(begin) for run in runs])
 
 
-def listen_to_known_disk(sound: Source | str | Path, end: float | None = None) -> Heard:
+def listen_to_known_disk(
+    sound: AudioSource | str | Path, end: float | None = None
+) -> Heard:
     """Analyse the sound of a disk that is known to come to rest, as in a simulation.
 
     Its strongest rising tone need not exceed the thresholds of the detector, and no
@@ -196,7 +198,7 @@ def _with_spectral_lines(source, part, begin=0.0, tone=None):
     )
 
 
-def read(sound: Source | str | Path, end: float | None = None):
+def read(sound: AudioSource | str | Path, end: float | None = None):
     """Return samples (n,) of the loudest channel, their rate [Hz] and start [s], and
     the duration [s].
 

@@ -209,12 +209,22 @@ def _merge_noise_bands(tracks, level, bin_width):
     return tracks
 
 
+def _octave_medians(grid):
+    """Return the running median (t, c) over an octave of levels (t, c) on the grid."""
+    background_width = 1200.0  # cents
+    background_step = 10  # columns
+    size = background_width / BAND_GRID_SPACING_CENTS / background_step
+    background = _running_medians(grid[:, ::background_step], int(size) + 1)
+    places = np.arange(0, grid.shape[1], background_step)
+    return make_interp_spline(places, background, 1, axis=1)(
+        np.clip(np.arange(grid.shape[1]), 0, places[-1])
+    )
+
+
 def _find_noise_bands(level, bin_width):
     """Return the tracks of the noise bands in levels (t, f)."""
     smoothing_width = 120.0  # cents
     averaged_frames = 5
-    background_width = 1200.0  # cents
-    background_step = 10  # columns
     min_level = 5.0  # dB
     max_half_width = 400.0  # cents
     octaves = np.log2(0.9 * level.shape[1] * bin_width / MIN_LINE_FREQUENCY_HZ)
@@ -222,12 +232,7 @@ def _find_noise_bands(level, bin_width):
     frequency = MIN_LINE_FREQUENCY_HZ * 2 ** (cents / 1200)
     size = int(smoothing_width / BAND_GRID_SPACING_CENTS) + 1
     grid = _running_medians(level[:, np.round(frequency / bin_width).astype(int)], size)
-    background_size = background_width / BAND_GRID_SPACING_CENTS / background_step
-    background = _running_medians(grid[:, ::background_step], int(background_size) + 1)
-    places = np.arange(0, grid.shape[1], background_step)
-    grid -= make_interp_spline(places, background, 1, axis=1)(
-        np.clip(np.arange(grid.shape[1]), 0, places[-1])
-    )
+    grid -= _octave_medians(grid)
     grid = uniform_filter1d(grid, size, axis=1)
     mean = uniform_filter1d(grid, averaged_frames, axis=0)
     frame, column, offset = local_maxima(mean, min_level)
@@ -368,26 +373,31 @@ def _continue_track(seed, frames, in_frame, cents, level, free, max_step):
     return track[1:]
 
 
+def _jackknife_errors(t, cents):
+    """Return the jackknife errors (2,) of the line fitted to cents (k,) at times (k,)."""
+    max_jackknife_parts = 8
+    min_frames_per_part = 3  # because the frames overlap
+    part_count = min(max_jackknife_parts, max(len(t) // min_frames_per_part, 2))
+    part = np.arange(len(t)) * part_count // len(t)
+    others = [part != i for i in range(part[-1] + 1)]
+    estimates = np.array(
+        [_robust_linear_fit(t[other], cents[other]) for other in others]
+    )
+    count = len(estimates)
+    deviation = estimates - estimates.mean(axis=0)
+    return np.sqrt((count - 1) / count * np.square(deviation).sum(axis=0))
+
+
 def _fit_line(track, start, hop, bin_width):
     """Return the line with linear drift [cents/s] that fits a track, with jackknife
     errors."""
-    max_jackknife_parts = 8
-    min_frames_per_part = 3  # because the frames overlap
     min_peak_error = 0.02  # bins
     t = start + (track.frame + 1) * hop
     since_middle = t - (t[0] + t[-1]) / 2
     median_frequency = np.median(track.frequency)
     cents = 1200 * np.log2(track.frequency / median_frequency)
     intercept, drift = _robust_linear_fit(since_middle, cents)
-    part_count = min(max_jackknife_parts, max(len(t) // min_frames_per_part, 2))
-    part = np.arange(len(t)) * part_count // len(t)
-    others = [part != i for i in range(part[-1] + 1)]
-    estimates = np.array(
-        [_robust_linear_fit(since_middle[other], cents[other]) for other in others]
-    )
-    count = len(estimates)
-    deviation = estimates - estimates.mean(axis=0)
-    error = np.sqrt((count - 1) / count * np.square(deviation).sum(axis=0))
+    error = _jackknife_errors(since_middle, cents)
     min_error = BAND_GRID_SPACING_CENTS
     if not track.half_width:
         cents_per_ratio = 1200 / np.log(2)

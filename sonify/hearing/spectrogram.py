@@ -10,7 +10,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sonify.hearing.audio_source import (
     BLOCK_SIZE,
-    Source,
+    AudioSource,
     overlapping_pieces,
     source_of,
 )
@@ -61,7 +61,7 @@ class Spectrogram:
 
 
 def spectrogram(
-    sound: Source | str | Path,
+    sound: AudioSource | str | Path,
     window: float,
     columns: int = 1600,
     span=(0.0, inf),

@@ -66,8 +66,8 @@ def unevenness_clause(motion: MotionPlan) -> str:
     """Return a clause on the unevenness of table and edge at the release and near the
     end."""
     scene = motion.scene
-    assert motion.law_table is not None  # the contact is elastic
-    law = motion.law_table.law
+    assert motion.tabulated_law is not None  # the contact is elastic
+    law = motion.tabulated_law.law
     release = radians(scene.release.inclination_deg)
     late = release / 10
     first = unevenness(scene.disk, law, scene.roughness, release)
@@ -115,7 +115,8 @@ def bending_sentence(motion: MotionPlan) -> str:
     """
     late_inclination = 0.01  # rad
     scene = motion.scene
-    assert motion.law_table is not None  # the contact is elastic
+    law = motion.tabulated_law
+    assert law is not None  # the contact is elastic
     if scene.elastic_edge is None:
         return sentences.SHELL_BENDING_NEGLECTED
     steep = np.radians(scene.release.inclination_deg)
@@ -123,7 +124,7 @@ def bending_sentence(motion: MotionPlan) -> str:
     beta = np.array([steep, min(late_inclination, steep / 2)])
     speed = disk.radius * np.array([steady_precession_rate(scene, b) for b in beta])
     with_edge, without = (
-        replace(motion.law_table, edge=edge)
+        (law if edge is law.edge else replace(law, edge=edge))
         .contact_resonance(beta, disk.weight, speed)
         .frequency
         for edge in (scene.elastic_edge, None)

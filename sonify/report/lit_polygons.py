@@ -67,7 +67,7 @@ def view_coordinates(points):
     return points @ axes.T
 
 
-def projected_polygons(body: Body, polygons, i, factor):
+def projected_mode_shape(body: Body, polygons, i, factor):
     """Return the polygons (k, n) of a body displaced by `factor` times mode i, farthest
     first.
 

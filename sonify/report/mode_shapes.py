@@ -9,7 +9,7 @@ from matplotlib.patches import Arc, Circle
 from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
-from sonify.report.lit_polygons import projected_polygons, surface_polygons
+from sonify.report.lit_polygons import projected_mode_shape, surface_polygons
 from sonify.report.mode_names import mode_caption
 
 MODES_PER_ROW = 5
@@ -18,6 +18,13 @@ TOP_VIEW_HEIGHT = 2.5
 CAPTION_HEIGHT = 0.6
 MAX_DRAWN_DISPLACEMENT = 0.16
 PICTURE_WIDTH = MODE_WIDTH * MODES_PER_ROW
+
+
+def draw_colour_bars(axis, y, scales):
+    """Draw the colour bars of scales side by side, each with its minimum and colours."""
+    for column, (label, (minimum, name)) in enumerate(scales.items()):
+        place = 2.4 * MODE_WIDTH * (column - (len(scales) - 1) / 2)
+        draw_colour_bar(axis, (PICTURE_WIDTH / 2 + place, y), label, minimum, name)
 
 
 def draw_modes(
@@ -83,10 +90,9 @@ def draw_modes(
     if moving:
         x, y = cell_position(len(modes), 0.0, mode_height)
         write(axis, x, y - 0.05, moving)
-    middle = PICTURE_WIDTH / 2
     if not len(modes):
         text = "There are no modes below the upper frequency limit."
-        axis.text(middle, -mode_height / 2, text, ha="center")
+        axis.text(PICTURE_WIDTH / 2, -mode_height / 2, text, ha="center")
     if table:
         draw_table_modes(axis, *table, -rows_height)
     write_heading(axis, CAPTION_HEIGHT / 2, picture_explanation(slanted, support))
@@ -95,9 +101,7 @@ def draw_modes(
         scales["oblique view: displacement / its maximum"] = (0, "viridis")
     if table or len(modes):
         scales["from above: axial displacement / maximum"] = (-1, "RdBu_r")
-    for column, (label, (minimum, name)) in enumerate(scales.items()):
-        x = middle + 2.4 * MODE_WIDTH * (column - (len(scales) - 1) / 2)
-        draw_colour_bar(axis, (x, bottom + 0.62), label, minimum, name)
+    draw_colour_bars(axis, bottom + 0.62, scales)
     figure.savefig(path)
 
 
@@ -168,7 +172,7 @@ def draw_oblique_view(axis, modes: Modes, polygons, i, at):
     """Draw the oblique view of mode i with its centre `at` (x, y) [disk radii]."""
     radius, _ = outer_and_hole_radius(modes)
     stretch = MAX_DRAWN_DISPLACEMENT * radius / np.abs(modes.body.displacement[i]).max()
-    places, far, light = projected_polygons(modes.body, polygons, i, stretch)
+    places, far, light = projected_mode_shape(modes.body, polygons, i, stretch)
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
     axis.add_collection(

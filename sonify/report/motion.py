@@ -40,28 +40,29 @@ def draw_motion(path, motion: dict, paper: dict | None = None):
             _draw_paper(axes[3:], **paper)
 
 
-def _draw_si(
-    axes, *, time, inclination, energy, force, weight, centre, rates, before_end
-):
+def _draw_range(panel, time, curve, colour):
+    """Draw the running range and mean of a curve (k,) over the time (k,) [s]."""
+    averaging_share = 0.015  # window, as a fraction of the duration
+    mean, lower, upper = running_range(curve, averaging_share)
+    at = np.linspace(time[0], time[-1], len(mean))
+    panel.fill_between(at, lower, upper, fc="#9bd1f0", ec=colour, lw=0.8, label="range")
+    label = f"mean over {averaging_share * np.ptp(time):.2g} s"
+    panel.plot(at, mean, color=colour, lw=1.0, label=label)
+
+
+def _draw_si(axes, *, time, inclination, energy, force, centre, rates, before_end):
     """Draw the curves over `time` (k,) [s] and the path of the `centre` (2, k) [mm].
 
-    The curves are inclination [degrees], energy [J] and force [N]; `weight` [N] is
+    The curves are inclination [degrees], energy [J], and force and weight [N], which is
     drawn as a reference for the force. The rows of `rates` and `before_end` (3, q) are
     times [s], precession [Hz] and nutation [Hz].
     """
-    # Window of running range and mean, as a fraction of the duration
-    averaging_share = 0.015
     blue = "#0072b2"
     (tilt, held, load) = axes[:, 0]
+    force, weight = force
     (hertz, end, path) = axes[[1, 2, 0], 1]
-    for panel, curve in ((tilt, inclination), (load, force)):
-        mean, lower, upper = running_range(curve, averaging_share)
-        at = np.linspace(time[0], time[-1], len(mean))
-        panel.fill_between(
-            at, lower, upper, fc="#9bd1f0", ec=blue, lw=0.8, label="range"
-        )
-        label = f"mean over {averaging_share * np.ptp(time):.2g} s"
-        panel.plot(at, mean, color=blue, lw=1.0, label=label)
+    _draw_range(tilt, time, inclination, blue)
+    _draw_range(load, time, force, blue)
     load.axhline(weight, color="k", lw=1.0, ls="--", label="weight")
     size = next((size for size in ENERGY_UNITS if energy.max() >= size), 1e-9)
     held.plot(time, energy / size, color="k", lw=1.2)

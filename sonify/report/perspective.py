@@ -146,6 +146,24 @@ def draw_trace(camera, image, path) -> Image.Image:
     )
 
 
+def _draw_sides(pen, camera, body, mark_colours):
+    """Draw the sides between successive rings of the body that face the camera.
+
+    The first sides of each strip have the `mark_colours`.
+    """
+    corners = camera.project(body)
+    for ring in range(len(body) - 1):
+        lower, upper = body[ring : ring + 2]
+        outward = np.cross(np.roll(lower, -1, axis=0) - lower, upper - lower)
+        facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
+        colours = face_grey_levels(outward)
+        colours[: len(mark_colours)] = mark_colours
+        for i in np.flatnonzero(facing):
+            j = (i + 1) % len(lower)
+            side = np.concatenate([corners[ring, [i, j]], corners[ring + 1, [j, i]]])
+            pen.polygon((side * SUPERSAMPLING).ravel().tolist(), colours[i])
+
+
 def _draw_body(pen, camera, body, hole):
     """Draw the shadow directly below the body and the surfaces that face the camera.
 
@@ -156,17 +174,7 @@ def _draw_body(pen, camera, body, hole):
     marked_sides = 5  # they make the rotation visible
     for rim in body:
         pen.polygon(image_polygon(camera, rim * [1.0, 1.0, 0.0]), shadow_colour)
-    corners = camera.project(body)
-    for ring in range(len(body) - 1):
-        lower, upper = body[ring : ring + 2]
-        outward = np.cross(np.roll(lower, -1, axis=0) - lower, upper - lower)
-        facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
-        colours = face_grey_levels(outward)
-        colours[:marked_sides] = [mark_colour] * marked_sides
-        for i in np.flatnonzero(facing):
-            j = (i + 1) % len(lower)
-            side = np.concatenate([corners[ring, [i, j]], corners[ring + 1, [j, i]]])
-            pen.polygon((side * SUPERSAMPLING).ravel().tolist(), colours[i])
+    _draw_sides(pen, camera, body, [mark_colour] * marked_sides)
     lower, upper = body[[0, -1]]
     middle = body[[0, -1]].mean(axis=1)
     axis = middle[1] - middle[0]

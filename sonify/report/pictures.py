@@ -142,8 +142,7 @@ def spectrogram_data(found):
     time, *rates = plotted_rates(motion)
     delay = sound.source_end - motion.t[-1]
     return {
-        "low": low,
-        "high": high,
+        "bands": (low, high),
         "spans": [(0.0, sound.duration), end],
         "frequencies": found.modes.frequency,
         "table": table.frequency if table else [],
@@ -180,8 +179,7 @@ def _time_histories(motion):
         "time": t,
         "inclination": np.degrees(state[:, 1]),
         "energy": motion.energy(t),
-        "force": force[:, 2],
-        "weight": motion.disk.weight,
+        "force": (force[:, 2], motion.disk.weight),
         "centre": 1e3 * state[:, 3:5].T,
         "rates": rates,
         "before_end": np.vstack([motion.t_end - rates[:1], rates[1:]]),

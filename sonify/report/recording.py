@@ -85,6 +85,24 @@ def _failure_sentence(path, error):
     return str(error) if str(error).startswith(str(path)) else f"{path}: {error}"
 
 
+def _write_pictures(folder, whole_sound, span, part, runs):
+    """Write spectrogram.png of the `part` of a sound in a span [s], and settling.png of
+    the runs in it, if there are any."""
+    from sonify.report.sound import draw_recording, draw_settling
+
+    low = spectrogram(whole_sound, CONTACT_RATE_WINDOW_S, span=span).band(
+        *CONTACT_RATE_BAND_HZ
+    )
+    high = spectrogram(whole_sound, MODE_WINDOW_S, span=span)
+    begin = max(span[0], 0.0)
+    duration = part.frames / part.sample_rate
+    with atomic_write(folder / "spectrogram.png") as temporary:
+        draw_recording(temporary, low, high, (begin, begin + duration), runs)
+    if runs:
+        with atomic_write(folder / "settling.png") as temporary:
+            draw_settling(temporary, part, begin, runs)
+
+
 def write_recording_report(
     recording: str | Path,
     out: str | Path | None = None,
@@ -123,18 +141,9 @@ def _write_report(recording, out, known, stages, span):
     samples, rate, _, _ = read(part)
     ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = create_folder(out or default_report_folder(recording))
-    from sonify.report.sound import draw_recording, draw_settling
     from sonify.report.write import json_safe, write_json
 
-    low = spectrogram(whole_sound, CONTACT_RATE_WINDOW_S, span=span).band(
-        *CONTACT_RATE_BAND_HZ
-    )
-    high = spectrogram(whole_sound, MODE_WINDOW_S, span=span)
-    with atomic_write(folder / "spectrogram.png") as temporary:
-        draw_recording(temporary, low, high, (begin, begin + heard.duration), runs)
-    if runs:
-        with atomic_write(folder / "settling.png") as temporary:
-            draw_settling(temporary, part, begin, runs)
+    _write_pictures(folder, whole_sound, span, part, runs)
     content = {
         "recording": absolute_path_text(recording),
         **analysis_record(heard, known),

@@ -34,8 +34,7 @@ DARK_OUTLINE = [withStroke(linewidth=2.5, foreground="k")]
 
 def draw_spectrogram(
     path,
-    low: Spectrogram,
-    high: Spectrogram,
+    bands: tuple[Spectrogram, Spectrogram],
     spans,
     time,
     rates,
@@ -49,7 +48,7 @@ def draw_spectrogram(
     ----------
     path : path or file
         Destination of the PNG.
-    low, high : Spectrogram
+    bands : tuple of two Spectrograms
         Bands of the contact rates and of the modes.
     spans : sequence of two tuples
         Time spans of the two columns of panels [s].
@@ -66,7 +65,7 @@ def draw_spectrogram(
     """
     with png_figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
-            images = draw_bands((top, bottom), low, high, span)
+            images = draw_bands((top, bottom), *bands, span)
             draw_rate_lines(top, time, rates, 1.0)
             bottom.hlines(
                 np.unique(np.round(frequencies)) / 1e3,
@@ -141,6 +140,24 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
             draw_legend(axes[0])
 
 
+def levels_by_turn(source, begin, run):
+    """Return the turns left (k,) of a settling run and the levels (k, 129) [dB] during
+    two turns each, relative to their median.
+
+    The source starts at the time `begin` [s].
+    """
+    burst_window = 0.004  # s, separates the bursts
+    span = (run.start - begin - 1.0, run.heard_until - begin + 0.1)
+    seen = spectrogram(source, burst_window, 1 << 20, (max(span[0], 0.0), span[1]))
+    level = 10 * np.log10(seen.band(*run.bands[0]).power.sum(axis=0) + 1e-14)
+    first, last = run.turns_left(np.array([run.start, run.heard_until - 0.02]))
+    turns = np.arange(int(first), max(int(last), 0), -1)
+    wanted = turns[:, None] - np.linspace(0, 2, 129)
+    rows = np.interp(-wanted, -run.turns_left(begin + seen.time), level)
+    rows -= np.median(rows, axis=1, keepdims=True)
+    return turns, uniform_filter(rows, (3, 7))
+
+
 def draw_settling(path, source, begin, runs):
     """Draw the settling runs in a source turn by turn, with the scores of rival laws.
 
@@ -152,25 +169,13 @@ def draw_settling(path, source, begin, runs):
     size = (max(5.5 * len(shown), 7), 9)
     with png_figure(path, 2, len(shown), size, squeeze=False) as (_, axes):
         for (above, below), run in zip(axes.T, shown, strict=True):
-            burst_window = 0.004  # s, separates the bursts
             low, high = run.bands[0]
-            span = (run.start - begin - 1.0, run.heard_until - begin + 0.1)
-            seen = spectrogram(
-                source, burst_window, 1 << 20, (max(span[0], 0.0), span[1])
-            )
-            level = 10 * np.log10(seen.band(low, high).power.sum(axis=0) + 1e-14)
-            first, last = run.turns_left(np.array([run.start, run.heard_until - 0.02]))
-            turns = np.arange(int(first), max(int(last), 0), -1)
-            fractions = np.linspace(0, 2, 129)
-            wanted = turns[:, None] - fractions
-            rows = np.interp(-wanted, -run.turns_left(begin + seen.time), level)
-            rows = uniform_filter(rows - np.median(rows, axis=1, keepdims=True), (3, 7))
-            extent = (0, 2, turns[-1], turns[0])
+            turns, rows = levels_by_turn(source, begin, run)
             above.imshow(
                 np.clip(rows[::-1], -4, 6),
                 aspect="auto",
                 origin="lower",
-                extent=extent,
+                extent=(0, 2, turns[-1], turns[0]),
                 cmap="magma",
             )
             above.set(

@@ -8,7 +8,7 @@ from modal import Modes, SurfaceModes
 from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
 from sonify.sound.modal_forcing import forcing_per_newton
-from sonify.sound.radiation import directivity_table, listener_of
+from sonify.sound.radiation import listener_of, tabulated_directivity
 
 RING_DOWN_DB = 60.0
 """Level [dB] below the loudest mode at which a ringing mode becomes inaudible."""
@@ -60,7 +60,7 @@ def response_to_unit_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.nd
     directions, and its radiation the root mean square of Rayleigh's integral over 64
     azimuths."""
     forcing2 = np.square(forcing_per_newton(modes, scene)).sum(axis=0)
-    radiation = directivity_table(modes, listener_of(scene), count=64)
+    radiation = tabulated_directivity(modes, listener_of(scene), count=64)
     return loudness_and_energy(modes, forcing2, np.mean(np.abs(radiation) ** 2, axis=0))
 
 

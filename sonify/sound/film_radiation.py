@@ -32,7 +32,7 @@ TABULATED_WAVENUMBERS = np.concatenate(
 outside the range the nearest value applies."""
 RIM_ORDERS = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(1, MAX_RIM_ORDER + 1))
 """Azimuthal orders of the cosine waves, followed by those of the sine waves."""
-FACE_WAVES = [0, 1, MAX_RIM_ORDER + 1]
+FACE_WAVE_INDICES = [0, 1, MAX_RIM_ORDER + 1]
 """Indices of the waves excited by the face velocities 1, x and y: heave, tilt about y
 and tilt about x. The exterior solution of a wave of order 0 is that of heave, and that
 of a wave of order 1 is that of tilt."""
@@ -100,8 +100,8 @@ class RadiatedMultipoles:
             listener, disk, TABULATED_WAVENUMBERS, MAX_RIM_ORDER + 1
         )
         pressure = self.rim_flow * np.hstack([rim, rim[:, 1:]])[:, :, None]
-        pressure[:, :, FACE_WAVES, range(len(FACE_WAVES))] += face[
-            :, RIM_ORDERS[FACE_WAVES]
+        pressure[:, :, FACE_WAVE_INDICES, range(len(FACE_WAVE_INDICES))] += face[
+            :, RIM_ORDERS[FACE_WAVE_INDICES]
         ]
         return pressure
 
@@ -189,8 +189,10 @@ def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
     order = RIM_ORDERS
     norm = pi * np.where(order == 0, 2.0, 1.0)
     blocked = np.zeros((len(order), 3), complex)
-    face_order = order[FACE_WAVES]
-    blocked[FACE_WAVES, range(len(FACE_WAVES))] = rim[face_order, face_order]
+    face_order = order[FACE_WAVE_INDICES]
+    blocked[FACE_WAVE_INDICES, range(len(FACE_WAVE_INDICES))] = rim[
+        face_order, face_order
+    ]
     impedance = (
         np.diag(rim[order, 2] - 2 / pi * log(gap))
         - 2 / pi * wedge * WEDGE_COUPLING / norm[:, None]
@@ -208,8 +210,10 @@ def multipoles_of(flow, exterior) -> np.ndarray:
     the multipoles due to heave, tilt and flow."""
     order = RIM_ORDERS
     out = np.zeros((len(order), exterior.shape[1], 3), complex)
-    face_order = order[FACE_WAVES]
-    out[FACE_WAVES, :, range(len(FACE_WAVES))] = exterior[face_order, :, face_order]
+    face_order = order[FACE_WAVE_INDICES]
+    out[FACE_WAVE_INDICES, :, range(len(FACE_WAVE_INDICES))] = exterior[
+        face_order, :, face_order
+    ]
     return out + exterior[order, :, 2][:, :, None] * flow[:, None]
 
 

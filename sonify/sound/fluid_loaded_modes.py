@@ -19,10 +19,10 @@ from sonify.sound.film_radiation import MAX_RIM_ORDER
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import (
-    directivity_table,
     listener_of,
     listener_position,
     rayleigh,
+    tabulated_directivity,
 )
 from sonify.sound.response import DrivenModes
 
@@ -113,34 +113,20 @@ def fluid_loaded_modes(
     more than 0.1, the film dominates the mode, and `_phase_resonance` determines the
     rate. The film model includes the inertia of the air and heat conduction to both
     faces; the pressure vanishes at the rim."""
-    from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
-
     air = scene.air
     radius = scene.disk.radius
     natural = 2 * pi * modes.frequency
     lowest = 0.05 * natural
     highest = 2 * pi * 0.45 * scene.audio.sample_rate
-    cells = mesh_cells(natural * radius / air.sound_speed)
-    half_meshes = {
-        count: [
-            FilmMesh(count, nearest=FILM_MESH_GRADING, parity=parity)
-            for parity in (1, -1)
-        ]
-        for count in set(cells)
-    }
-    shapes = [
-        _parity_parts(modes, i, half_meshes[count], radius)
-        for i, count in enumerate(cells)
-    ]
+    shapes = _parity_parts_of_modes(
+        modes, mesh_cells(natural * radius / air.sound_speed), radius
+    )
     rate = natural
     previous_rate = natural
     frequencies = []
     film_decay_rate = []
     flows = []
-    spare_gaps = 2
-    gaps = TABULATED_GAPS[
-        : max(np.count_nonzero(smallest_gap < TABULATED_GAPS) + spare_gaps, 4)
-    ]
+    gaps = _gaps_down_to(smallest_gap)
     for gap in gaps:
         extrapolated = np.clip(rate * rate / previous_rate, lowest, highest)
         responses = [
@@ -151,8 +137,7 @@ def fluid_loaded_modes(
             np.array([response.drag for response in responses], complex)
             + modes.decay_rate
         )
-        root = np.sqrt(drag**2 - natural**2)
-        eigenvalue = -drag + np.where(root.imag < 0, -root, root)
+        eigenvalue = _eigenvalues(drag, natural)
         previous_rate = rate
         rate = np.clip(eigenvalue.imag, lowest, highest)
         decay = -eigenvalue.real
@@ -165,17 +150,17 @@ def fluid_loaded_modes(
         frequencies.append(rate / (2 * pi))
         film_decay_rate.append(np.maximum(decay - modes.decay_rate, 0.0))
         flows.append([response.rim for response in responses])
-    rim_flows = np.reshape(flows, (len(gaps), len(modes), 2 * MAX_RIM_ORDER + 1))
+    flows = np.reshape(flows, (len(gaps), len(modes), 2 * MAX_RIM_ORDER + 1))
     return FluidLoadedModes(
         log_gap=np.log(gaps),
         frequency=np.array(frequencies),
         film_decay_rate=np.array(film_decay_rate),
         decay_rate=modes.decay_rate,
-        gain=radiation_gain(modes, scene, rim_flows),
+        gain=radiation_gain(modes, scene, flows),
     )
 
 
-class FilmResponse(NamedTuple):
+class ModeFilmResponse(NamedTuple):
     """Response of the film to a mode of unit modal mass.
 
     `drag` is half the impedance of the film [1/s]; `rim` (2 MAX_RIM_ORDER + 1,)
@@ -187,7 +172,7 @@ class FilmResponse(NamedTuple):
 
 def _phase_resonance(
     parts, gap, natural, limits, radius, air
-) -> tuple[float, FilmResponse]:
+) -> tuple[float, ModeFilmResponse]:
     """Return the phase-resonance rate [rad/s] of a mode, and the film response at this
     rate.
 
@@ -246,7 +231,7 @@ def _parity_parts(modes, i, half_meshes, radius):
     return [(mesh, part) for mesh, part in parts if np.abs(part).max() > negligible]
 
 
-def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
+def _film_response(parts, gap, rate, radius, air) -> ModeFilmResponse:
     """Return the response of a film of mean gap `gap` [m] to a mode vibrating at `rate`
     [rad/s]."""
     sigma = 12 * air.viscosity * rate * radius**2 / (air.pressure * gap**2)
@@ -265,7 +250,7 @@ def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
         )[0]
         work += response.works[0]
         rim = rim + response.rim
-    return FilmResponse(-6 * air.viscosity * radius**4 / gap**3 * work, rim)
+    return ModeFilmResponse(-6 * air.viscosity * radius**4 / gap**3 * work, rim)
 
 
 def raised_disk_pressure_ratios(
@@ -303,6 +288,68 @@ def bottom_shape(modes: Modes, i: int, points, radius: float) -> np.ndarray:
     return (along * turn).real.sum(axis=1).reshape(points.shape)
 
 
+def _gaps_down_to(smallest_gap):
+    """Return the TABULATED_GAPS (n,) [m] down to a gap, and two narrower ones."""
+    spare_gaps = 2
+    return TABULATED_GAPS[
+        : max(np.count_nonzero(smallest_gap < TABULATED_GAPS) + spare_gaps, 4)
+    ]
+
+
+def _parity_parts_of_modes(modes, cells, radius):
+    """Return the `_parity_parts` of each mode on a mesh with its number of cells (m,)."""
+    from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
+
+    half_meshes = {
+        count: [
+            FilmMesh(count, nearest=FILM_MESH_GRADING, parity=parity)
+            for parity in (1, -1)
+        ]
+        for count in set(cells)
+    }
+    return [
+        _parity_parts(modes, i, half_meshes[count], radius)
+        for i, count in enumerate(cells)
+    ]
+
+
+def _eigenvalues(drag, natural):
+    """Return the solutions (m,) of lambda^2 + 2 drag lambda + natural^2 = 0 that rotate
+    forwards."""
+    root = np.sqrt(drag**2 - natural**2)
+    return -drag + np.where(root.imag < 0, -root, root)
+
+
+def _rim_pressure(scene, listener, azimuths, wavenumber, factors):
+    """Return the pressures (v, m, h) of unit harmonics of the rim flow at the azimuths (v,).
+
+    Harmonics of order 0 and of higher orders are multiplied by the two `factors`.
+    """
+    angle_count = 64
+    zeroth, other = factors
+    signed_order = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(-MAX_RIM_ORDER, 0))
+    order = np.abs(signed_order)
+    radius = scene.disk.radius
+    angle = 2 * pi * np.arange(angle_count) / angle_count
+    turn = np.exp(1j * np.outer(signed_order, angle + pi))
+    waves = np.where(order == 0, zeroth, other)[:, None] * turn * radius / (2 * pi)
+    ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    weight = np.full(angle_count, radius * angle[1])
+    return np.array(
+        [
+            rayleigh(
+                waves,
+                ring,
+                weight,
+                wavenumber[:, None],
+                listener_position(listener, azimuth),
+                listener.air.density,
+            )
+            for azimuth in azimuths
+        ]
+    )
+
+
 def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
     """Return the ratio (a, m) of the total pressure to that of the upper face alone.
 
@@ -319,8 +366,6 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
         scene.disk.thickness, scene.disk.radius
     )
     listener = listener_of(scene)
-    signed_order = np.append(np.arange(MAX_RIM_ORDER + 1), np.arange(-MAX_RIM_ORDER, 0))
-    order = np.abs(signed_order)
     wave = np.fft.rfft(modes.face_shape, axis=3)
     wave[..., 0] *= a0
     wave[..., 1] *= a1
@@ -328,30 +373,18 @@ def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
         modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3)
     )
     closed, top = (
-        directivity_table(m, listener, count=azimuth_count) for m in (modes, raised)
+        tabulated_directivity(m, listener, count=azimuth_count) for m in (modes, raised)
     )
-    radius = scene.disk.radius
-    angle = 2 * pi * np.arange(64) / 64
-    turn = np.exp(1j * np.outer(signed_order, angle + pi))
-    waves = np.where(order == 0, b0, b1)[:, None] * turn * radius / (2 * pi)
-    ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
-    weight = np.full(64, radius * angle[1])
     k = 2 * pi * modes.frequency / listener.air.sound_speed
-    listeners = [
-        listener_position(listener, azimuth)
-        for azimuth in 2 * pi * np.arange(azimuth_count) / azimuth_count
-    ]
-    rim_pressure = [
-        rayleigh(waves, ring, weight, k[:, None], place, listener.air.density)
-        for place in listeners
-    ]
-    rim = np.einsum("amn,vmn->avm", flows, np.array(rim_pressure))
+    azimuths = 2 * pi * np.arange(azimuth_count) / azimuth_count
+    rim_pressure = _rim_pressure(scene, listener, azimuths, k, (b0, b1))
+    rim = np.einsum("amn,vmn->avm", flows, rim_pressure)
     alone = np.mean(np.abs(closed) ** 2, axis=0)
     power = np.mean(np.abs(top + rim) ** 2, axis=1)
     level = np.divide(
         power, alone, out=np.ones_like(power), where=alone > 0
     )  # torsional modes do not radiate
-    return np.where(k * radius > max_wavenumber, 1.0, np.sqrt(level))
+    return np.where(k * scene.disk.radius > max_wavenumber, 1.0, np.sqrt(level))
 
 
 class GapTunedOscillators(DrivenModes):
@@ -363,7 +396,7 @@ class GapTunedOscillators(DrivenModes):
 
     Parameters
     ----------
-    table : FluidLoadedModes
+    tabulated : FluidLoadedModes
     sample_rate : float
         [Hz]
     settled : ndarray, shape (m,)
@@ -373,20 +406,20 @@ class GapTunedOscillators(DrivenModes):
     """
 
     def __init__(
-        self, table: FluidLoadedModes, sample_rate: float, settled, gap: float
+        self, tabulated: FluidLoadedModes, sample_rate: float, settled, gap: float
     ):
-        self._table = table
+        self._tabulated = tabulated
         self._rate = sample_rate
         self._banks_of_levels: dict[int, list[OscillatorBank]] = {}
-        self._level = int(table.tuning_level(gap))
-        super().__init__(*table.nearest_tuning(gap), sample_rate, settled)
+        self._level = int(tabulated.tuning_level(gap))
+        super().__init__(*tabulated.nearest_tuning(gap), sample_rate, settled)
 
     def advance(self, force: ContactForce, gap) -> np.ndarray:
         """Return the accelerations (2, k, m) due to smooth force and jumps in one
         block.
 
         `gap` (k + 1,) is the logarithm of the mean gap."""
-        levels = self._table.tuning_level(gap[:-1])
+        levels = self._tabulated.tuning_level(gap[:-1])
         changes = np.flatnonzero(np.diff(levels, prepend=self._level))
         out = np.empty((2, len(levels), force.smooth.shape[1]))
         parts = force.parts
@@ -402,7 +435,7 @@ class GapTunedOscillators(DrivenModes):
     def _retune(self, level, forces):
         """Change the tuning to a level at force samples (m,), one for each bank."""
         if level not in self._banks_of_levels:
-            tuning = self._table.tuning_at_level(level)
+            tuning = self._tabulated.tuning_at_level(level)
             self._banks_of_levels[level] = [
                 OscillatorBank(*tuning, self._rate) for _ in forces
             ]

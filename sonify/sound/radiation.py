@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from modal import Modes
-from modal.radiation import AIR_DENSITY, STANDARD_AIR, Air
+from modal.radiation import AIR_DENSITY, STANDARD_AIR, AirConstants
 from modal.radiation import SOUND_SPEED as SOUND_SPEED
 from sonify.scene import ListenerPosition
 from sonify.sound.head import Ear
@@ -31,7 +31,7 @@ class Listener:
     distance: float
     elevation: float
     azimuth: float = 0.0
-    air: Air = STANDARD_AIR
+    air: AirConstants = STANDARD_AIR
     face_height: float = 0.0
     ear: Ear | None = None
 
@@ -140,7 +140,7 @@ def rayleigh(
     return density / (2 * np.pi) * np.sum(face * wave * weights, axis=-1)
 
 
-def directivity_table(
+def tabulated_directivity(
     modes: Modes, listener: Listener, count: int, at_zero_frequency: bool = False
 ) -> np.ndarray:
     """Return Rayleigh's integral (count, m) over the top face of each mode.
@@ -184,8 +184,8 @@ def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarra
         0.06  # sine at 2 % below the Nyquist frequency, where the taps would diverge
     )
     turn = 2 * np.pi * modes.frequency / sample_rate
-    at_mode = directivity_table(modes, listener, azimuth_count)
-    at_rest = directivity_table(
+    at_mode = tabulated_directivity(modes, listener, azimuth_count)
+    at_rest = tabulated_directivity(
         modes, listener, azimuth_count, at_zero_frequency=True
     ).real
     even = (at_rest - at_mode.real) / (1 - np.cos(turn))

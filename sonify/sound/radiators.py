@@ -54,14 +54,14 @@ class RigidFace:
         def advance(samples, knots, jump):
             nonlocal in_flight
             count = len(samples) - 1
-            out = self._convolved(extend(samples[:-1]), knots, jump)
+            out = self._convolve_with_kernels(extend(samples[:-1]), knots, jump)
             out[: len(in_flight)] += in_flight
             in_flight = out[count:]
             return self._strength * out[:count]
 
         return advance
 
-    def _convolved(self, source, knots, jump):
+    def _convolve_with_kernels(self, source, knots, jump):
         """Return the convolution (k + 2 reach + 1, c) with the kernels, corrected for
         jumps between samples."""
         count = len(source) - 2 * self.reach

@@ -3,6 +3,7 @@
 from collections import defaultdict, deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import islice
@@ -29,7 +30,7 @@ from sonify.sound.sources.protocol import (
     FADE_IN,
     FADE_OUT,
     ElasticDisk,
-    Source,
+    SoundSource,
     SourceGroup,
 )
 
@@ -59,12 +60,10 @@ class Renderer:
     turn : float, optional
         Azimuth [rad] from the listener to a second ear; its pressure is an additional
         column.
-    sharing : Renderer, optional
-        Renderer of the same modes for another listener; its modes and film are reused.
 
     Attributes
     ----------
-    sources : list of Source
+    sources : list of SoundSource
     names : tuple of str
         Names of the stems.
     samples : int
@@ -85,15 +84,25 @@ class Renderer:
         table=None,
         listener: Listener | None = None,
         turn: float | None = None,
-        sharing: "Renderer | None" = None,
     ):
         self.scene = scene
         self.motion = motion
         self.sample_rate = scene.audio.sample_rate
-        self.listener = listener or listener_of(scene)
         self.chosen = modes_below_nyquist(modes, self.sample_rate, wanted)
-        self.modes = sharing.modes if sharing else modes.select(self.chosen)
+        self.modes = modes.select(self.chosen)
         self.table = table
+        self._max_contact_turn = max_contact_turn
+        self._set_listener(listener or listener_of(scene), turn)
+
+    def for_listener(self, listener: Listener) -> "Renderer":
+        """Return a renderer for another listener that reuses the modes and their film."""
+        other = copy(self)
+        other._set_listener(listener, None)
+        return other
+
+    def _set_listener(self, listener: Listener, turn: float | None) -> None:
+        """Prepare the sources and the sampler of the force for a listener."""
+        self.listener = listener
         self._has_second_ear = turn is not None
         elastic, self.sources = self._sources_at(self.listener)
         if turn is not None:
@@ -113,12 +122,12 @@ class Renderer:
         start -= self._lead / self.sample_rate
         rest, fade = self._group.channel_ends.T
         self.sampler = ForceSampler(
-            motion,
+            self.motion,
             self.sample_rate,
             start,
             self._group.input_channels,
             rest,
-            max_contact_turn,
+            self._max_contact_turn,
             fade,
         )
         self.ringing = elastic.ringing
@@ -126,7 +135,7 @@ class Renderer:
         duration = self.source_end + self._group.tail_duration
         self.samples = ceil(duration * self.sample_rate)
 
-    def _sources_at(self, listener) -> tuple[ElasticDisk, list[Source]]:
+    def _sources_at(self, listener) -> tuple[ElasticDisk, list[SoundSource]]:
         """Return the elastic disk and the list of all sources for one listener."""
         face = RigidFace(self.scene.disk, listener, 1 / self.sample_rate)
         rigid, elastic = disk_sources(
@@ -250,20 +259,11 @@ def render_sound(
     pressure at the first listener. A single listener has a second ear for audible.wav."""
     listeners = listeners_of(scene)
     turn = np.pi / 2 if len(listeners) == 1 else None
-    renderers: list[Renderer] = []
-    for listener in listeners:
-        renderer = Renderer(
-            scene,
-            motion,
-            modes,
-            wanted,
-            max_contact_turn,
-            table,
-            listener,
-            turn,
-            renderers[0] if renderers else None,
-        )
-        renderers.append(renderer)
+    first, *others = listeners
+    renderer = Renderer(
+        scene, motion, modes, wanted, max_contact_turn, table, first, turn
+    )
+    renderers = [renderer, *(renderer.for_listener(other) for other in others)]
     samples = max(renderer.samples for renderer in renderers)
 
     def ignore(block, sample_rate, samples):

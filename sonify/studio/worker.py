@@ -143,6 +143,7 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     The sound is written to `session` before the other files.
     """
     from sonify import pipeline
+    from sonify.hearing.recording import listen_to_known_disk
     from sonify.plan.unused import unused_keys_notice
     from sonify.report.pictures import Pictures
     from sonify.runtime.files import claimed_folder
@@ -154,13 +155,15 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
         stages.notice(notice)
     with claimed_folder(out) as folder, background_threads() as threads:
         pictures = Pictures(threads)
-        result = pipeline.solve(
-            scene,
-            stages=stages,
-            eigenmodes=known_disk_modes(),
-            begin=_callback_with_preview(pictures.begin, stages, session),
+        tools = pipeline.Tools(
             executor=threads,
+            stages=stages,
+            begin=_callback_with_preview(pictures.begin, stages, session),
+            eigenmodes=known_disk_modes(),
+            listen=listen_to_known_disk,
+            dynamics="compressed",
         )
+        result = pipeline.solve_stages(scene, motion_plan, tools)
         pipeline.write(result, folder, stages, pictures, threads)
     return {
         "outcome": result.motion.outcome.sentence,

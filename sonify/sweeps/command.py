@@ -125,19 +125,19 @@ def sweep(
         open_executor(scheduler, processes) as (submit, capacity),
         RunStore(
             folder, sweep_spec.identity, sweep_spec.points.keys, count, retry
-        ) as table,
+        ) as store,
         stages.stage("runs") as watch,
     ):
-        for rows in solved_rows(sweep_spec, table, submit, capacity):
-            table.add(rows)
+        for rows in solved_rows(sweep_spec, store, submit, capacity):
+            store.add(rows)
             note = (
-                f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
+                f"{store.done.sum()} of {len(store.done)}, {store.failed} with an error"
             )
             watch(
-                table.done.mean(),
+                store.done.mean(),
                 note if capacity() else f"{note}, waiting for workers",
             )
-    found, _ = read_table(table.path)
+    found, _ = read_table(store.path)
     if len(found) < count:
         raise OutputError(
             f"{folder}: contains {len(found)} of {count} rows: its files were changed during the sweep"
@@ -151,7 +151,7 @@ def sweep(
     if sentences := conclusion(sweep_spec, found):
         with atomic_write(folder / "conclusion.md") as temporary:
             temporary.write_text("\n".join(sentences) + "\n", "utf-8")
-    return table.path
+    return store.path
 
 
 def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
@@ -162,26 +162,26 @@ def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
     return sweep_spec
 
 
-def conclusion(sweep_spec: Sweep, table: pa.Table) -> list[str]:
+def conclusion(sweep_spec: Sweep, rows: pa.Table) -> list[str]:
     """Return the lines of the conclusions from the table of a sweep, possibly none."""
     if "verdict" in sweep_spec.stages:
-        return verdict_conclusion(table, sweep_spec)
+        return verdict_conclusion(rows, sweep_spec)
     if sweep_spec.name in CONCLUSIONS:
-        return CONCLUSIONS[sweep_spec.name](table)
+        return CONCLUSIONS[sweep_spec.name](rows)
     return []
 
 
 def summarize(path: str | Path) -> tuple[str, bool]:
     """Return a one-line summary of a table, and True if no self-check failed."""
-    table = read_table(path)[0].to_pydict()
-    parts = outcome_counts(table.get("outcome", []))
-    if errors := sum(error is not None for error in table["error"]):
+    columns = read_table(path)[0].to_pydict()
+    parts = outcome_counts(columns.get("outcome", []))
+    if errors := sum(error is not None for error in columns["error"]):
         parts.append(f"{errors} with an error")
-    if failed := table.get("passed", []).count(False):
+    if failed := columns.get("passed", []).count(False):
         parts.append(f"{failed} with a FAILED self-check")
-    if (versions := len(set(table["version"]))) > 1:
+    if (versions := len(set(columns["version"]))) > 1:
         parts.append(f"by {versions} versions of the program")
-    return f"{len(table['run'])} runs: {', '.join(parts)}", not failed
+    return f"{len(columns['run'])} runs: {', '.join(parts)}", not failed
 
 
 def plan(
@@ -310,15 +310,15 @@ def task_of_run(sweep_spec, run, folder):
 
 
 def solved_rows(
-    sweep_spec: Sweep, table: RunStore, submit: Submit, capacity: Callable[[], int]
+    sweep_spec: Sweep, store: RunStore, submit: Submit, capacity: Callable[[], int]
 ) -> Iterator[list[dict]]:
     """Solve the runs that are not in the table, and yield lists of finished rows.
 
     The rows include the values of the axes."""
-    folder = table.folder.absolute()
+    folder = store.folder.absolute()
     tasks = (
         (run, task_of_run(sweep_spec, run, folder))
-        for run in map(int, np.flatnonzero(~table.done))
+        for run in map(int, np.flatnonzero(~store.done))
     )
     for found in solve_tasks(tasks, sweep_spec.limit, submit, capacity):
         yield [

@@ -8,13 +8,13 @@ import pyarrow as pa
 from dynamics.air import STANDARD_PRESSURE
 
 
-def friction_conclusion(table: pa.Table) -> list[str]:
+def friction_conclusion(rows: pa.Table) -> list[str]:
     """Return sentences on end time and number of slips, over Coulomb friction and
     rolling arm."""
     mu, arm, end, slips = numeric_columns(
-        table, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips"
+        rows, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips"
     )
-    settled = text_mask(table, "outcome", "SETTLED")
+    settled = text_mask(rows, "outcome", "SETTLED")
     (by_arm, by_mu), deviation = fit_power_law(end[settled], arm[settled], mu[settled])
     often = settled & (slips > 0)
     (slips_by_arm, slips_by_mu), _ = fit_power_law(slips[often], arm[often], mu[often])
@@ -40,7 +40,7 @@ def friction_conclusion(table: pa.Table) -> list[str]:
     ]
 
 
-def halt_conclusion(table: pa.Table) -> list[str]:
+def halt_conclusion(rows: pa.Table) -> list[str]:
     """Return sentences on the final energy loss and the loss of contact of a steel disk
     on glass.
 
@@ -50,12 +50,12 @@ def halt_conclusion(table: pa.Table) -> list[str]:
     # numerically
     max_verified_compressibility = 100.0
     pressure, moment, squeezed = numeric_columns(
-        table, "air.pressure", "dissipation.contour_moment", "film_squeezed"
+        rows, "air.pressure", "dissipation.contour_moment", "film_squeezed"
     )
     unverified = ~(squeezed < max_verified_compressibility)
     known = pressure > pressure[unverified].max(initial=-np.inf)
-    airborne = text_mask(table, "outcome", "AIRBORNE")
-    by_air = text_mask(table, "ended_by", "the film of air")
+    airborne = text_mask(rows, "outcome", "AIRBORNE")
+    by_air = text_mask(rows, "ended_by", "the film of air")
     still = by_air & ~known
     outside = (
         f"At lower pressures {(~known).sum()} runs are inconclusive. There the compressibility "
@@ -78,21 +78,21 @@ def halt_conclusion(table: pa.Table) -> list[str]:
     ]
 
 
-def halt_table_conclusion(table: pa.Table) -> list[str]:
+def one_mode_table_conclusion(rows: pa.Table) -> list[str]:
     """Return sentences on the end of the motion on a table with one mode, over mass and
     pressure."""
     mass, pressure, kept, end, returned = numeric_columns(
-        table,
+        rows,
         "surface.modes.0.modal_mass",
         "air.pressure",
         "contact_kept",
         "t_end",
         "dissipation_never_falls",
     )
-    air = text_mask(table, "ended_by", "the film of air")
+    air = text_mask(rows, "ended_by", "the film of air")
     solved = ~np.isnan(kept)
-    waves = text_mask(table, "ended_by", "the table")
-    failed = table["passed"].to_pylist().count(False)
+    by_table = text_mask(rows, "ended_by", "the table")
+    failed = rows["passed"].to_pylist().count(False)
     light, heavy = (np.nanmedian(end[mass == m]) for m in (mass.min(), mass.max()))
     over_air = max(np.ptp(end[solved & (mass == m)]) for m in np.unique(mass[solved]))
     gains = (
@@ -106,19 +106,19 @@ def halt_table_conclusion(table: pa.Table) -> list[str]:
         f"atmospheres, the air changes this time by {over_air:.2g} s at most.",
         f"Vibration breaks the contact before the end in {(kept == 0).sum()} of {solved.sum()} "
         "runs. At the end the air carries the disk in "
-        f"{text_mask(table, 'outcome', 'AIRBORNE').sum()}{gains if failed else ''}.",
+        f"{text_mask(rows, 'outcome', 'AIRBORNE').sum()}{gains if failed else ''}.",
         f"Most of the last tenth of the energy goes into the air film in {air.sum()} runs, at "
         f"{pressure[air].min(initial=np.inf) / STANDARD_PRESSURE:.2g} atmospheres and above; into the "
-        f"table in {waves.sum()} runs, with modes up to {mass[waves].max(initial=0.0):.2g} kg; and "
+        f"table in {by_table.sum()} runs, with modes up to {mass[by_table].max(initial=0.0):.2g} kg; and "
         "into friction and impacts in the other runs.",
     ]
 
 
-def pitch_conclusion(table: pa.Table) -> list[str]:
+def pitch_conclusion(rows: pa.Table) -> list[str]:
     """Return sentences on the source of the rising tone, over plate thickness and
     distance."""
     thickness, distance, table_level = numeric_columns(
-        table, "surface.thickness", "audio.distance", "table_carries_the_tone"
+        rows, "surface.thickness", "audio.distance", "table_carries_the_tone"
     )
     heard = ~np.isnan(table_level)
     plate = heard & (table_level > 0)
@@ -136,14 +136,14 @@ def pitch_conclusion(table: pa.Table) -> list[str]:
     ]
 
 
-def text_mask(table: pa.Table, name: str, text: str) -> np.ndarray:
+def text_mask(rows: pa.Table, name: str, text: str) -> np.ndarray:
     """Return a mask (n,) of the rows in which column `name` equals `text`."""
-    return table[name].to_numpy() == text
+    return rows[name].to_numpy() == text
 
 
-def numeric_columns(table: pa.Table, *names: str) -> list[np.ndarray]:
+def numeric_columns(rows: pa.Table, *names: str) -> list[np.ndarray]:
     """Return numeric columns as arrays (n,), with NaN for missing values."""
-    return [table[name].cast("float64").to_numpy() for name in names]
+    return [rows[name].cast("float64").to_numpy() for name in names]
 
 
 def fit_power_law(
@@ -163,7 +163,7 @@ def fit_power_law(
 CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {
     "friction": friction_conclusion,
     "halt": halt_conclusion,
-    "halt-table": halt_table_conclusion,
+    "halt-table": one_mode_table_conclusion,
     "pitch": pitch_conclusion,
 }
 """Functions that return the conclusions from the table of a shipped sweep, by name."""

@@ -174,7 +174,7 @@ class RunStore:
                 ) from None
             raise OutputError(f"{self.database_path}: {error}") from None
 
-    def _write(self, table):
+    def _write(self, rows):
         leading = [
             "run",
             *self.axes,
@@ -186,14 +186,14 @@ class RunStore:
             "version",
         ]
         rest = sorted(
-            set(table.column_names) - set(leading),
+            set(rows.column_names) - set(leading),
             key=lambda name: (name.startswith("seconds_"), name),
         )
-        present = [name for name in leading if name in table.column_names]
-        table = table.select(present + rest)
-        table = table.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
+        present = [name for name in leading if name in rows.column_names]
+        rows = rows.select(present + rest)
+        rows = rows.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
         with atomic_write(self.path) as temporary, open(temporary, "wb") as written:
-            pq.write_table(table, written, compression="zstd")
+            pq.write_table(rows, written, compression="zstd")
             written.flush()
             os.fsync(written.fileno())
         _sync_folder(self.folder)
@@ -207,8 +207,8 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
     if not Path(path).is_file():
         raise InputError(f"{path}: no such file")
     try:
-        table = _read_parquet(pq.read_table, path)
-        return table, json.loads(table.schema.metadata[IDENTITY_KEY])
+        rows = _read_parquet(pq.read_table, path)
+        return rows, json.loads(rows.schema.metadata[IDENTITY_KEY])
     except (OSError, pa.ArrowInvalid) as error:
         raise InputError(
             f"{path}: cannot be read: {' '.join(str(error).split())}"

@@ -87,22 +87,22 @@ def _largest_first(names, found, kind) -> list[SensitivityIndex]:
     return sorted(indices, key=lambda index: -index.value)
 
 
-def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
+def verdict_conclusion(rows: pa.Table, sweep: Sweep) -> list[str]:
     """Return one sentence for each claim, and sentences on outcomes and failed
     draws."""
     samples = sweep.points.samples
     if samples is None:
         return ["The shares require sampled points, but this sweep is a grid."]
-    runs = table["run"].to_numpy()
+    runs = rows["run"].to_numpy()
     width = np.array([samples.width(int(run)) for run in runs])
     names = [axis.keys[0] for axis in sweep.points.axes]
-    ranks = np.array([value_ranks(table, name) for name in names]).T
-    errors = table["error"].drop_null()
+    ranks = np.array([value_ranks(rows, name) for name in names]).T
+    errors = rows["error"].drop_null()
     sentences = []
     for key, text in VERDICT_TEXTS.items():
-        if f"{key}_holds" not in table.column_names:
+        if f"{key}_holds" not in rows.column_names:
             continue
-        holds = table[f"{key}_holds"]
+        holds = rows[f"{key}_holds"]
         known = holds.is_valid().to_numpy()
         yes = holds.fill_null(False).to_numpy()
         nominal = known & (width == 1.0)
@@ -128,12 +128,12 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
             if (known & (width == factor)).any()
         ]
         sentences.append("; ".join([words, *others]) + ".")
-    sentences.append(outcomes_in_words(table, width == 1.0))
+    sentences.append(outcomes_in_words(rows, width == 1.0))
     if len(errors):
         sentences.append(
             f"Draws without a result: {len(errors)} of {len(runs)}. The first error is: {errors[0]}."
         )
-    passed = table["passed"].to_pylist() if "passed" in table.column_names else []
+    passed = rows["passed"].to_pylist() if "passed" in rows.column_names else []
     if unsound := passed.count(False):
         sentences.append(f"Draws included although a self-check failed: {unsound}.")
     sentences.append(
@@ -142,9 +142,9 @@ def verdict_conclusion(table: pa.Table, sweep: Sweep) -> list[str]:
     return sentences
 
 
-def value_ranks(table: pa.Table, name: str) -> np.ndarray:
+def value_ranks(rows: pa.Table, name: str) -> np.ndarray:
     """Return the ranks (n,) of the values of an axis, which may be text."""
-    return np.unique(table[name].to_numpy(), return_inverse=True)[1].astype(float)
+    return np.unique(rows[name].to_numpy(), return_inverse=True)[1].astype(float)
 
 
 def dependence_clause(indices: list[SensitivityIndex]) -> str:
@@ -165,12 +165,12 @@ def dependence_clause(indices: list[SensitivityIndex]) -> str:
     return f"depends most on {', '.join(others)}{' and ' if others else ''}{last}"
 
 
-def outcomes_in_words(table: pa.Table, nominal: np.ndarray) -> str:
+def outcomes_in_words(rows: pa.Table, nominal: np.ndarray) -> str:
     """Return a sentence on the outcomes and durations of the `nominal` draws (n,)."""
-    counts = ", ".join(outcome_counts(table["outcome"].to_numpy()[nominal]))
+    counts = ", ".join(outcome_counts(rows["outcome"].to_numpy()[nominal]))
     ends = [
         t
-        for t, use in zip(table["t_end"].to_pylist(), nominal, strict=True)
+        for t, use in zip(rows["t_end"].to_pylist(), nominal, strict=True)
         if use and t
     ]
     low, middle, high = np.percentile(ends, [0, 50, 100])

@@ -99,6 +99,7 @@ def falling_film_share(motion, air):
     return float(np.max(lift / (motion.steady_load(t) + lift)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "changes", "share"),
     [

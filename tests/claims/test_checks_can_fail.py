@@ -368,6 +368,7 @@ def test_checks_are_made_by_the_decorator_alone():
     assert sorted(found) == ["claims/checks.py", "serve.py"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mutant", MUTANTS, ids=str)
 def test_a_check_fails_where_its_object_is_broken(mutant, monkeypatch):
     monkeypatch.setattr(rattling_motion, "PROGRESS_INTERVAL", 5e-4)

@@ -90,6 +90,7 @@ def dropped(scene, restitution, viscosity_factor=1e-12):
     return solve_landing_motion(model, start, 0.0, "dropped", 0.5, clearance=20e-6)
 
 
+@pytest.mark.slow
 def test_a_thin_film_does_not_catch_the_disk(scene):
     caught = air_catches_disk(dropped(scene, 0.79))
     assert caught.value > 0
@@ -97,6 +98,7 @@ def test_a_thin_film_does_not_catch_the_disk(scene):
     assert air_catches_disk(dropped(scene, 0.79, 1.0)).verdict == "yes"
 
 
+@pytest.mark.slow
 def test_an_impact_can_end_the_motion(scene):
     # a level impact loses 1 - e^2 of the energy
     plastic = one_impact_ends_it(dropped(scene, 0.1))

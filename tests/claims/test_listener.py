@@ -6,6 +6,7 @@ Oracle: `listen_to_known_disk` in this process; the worker may have died.
 from dataclasses import asdict
 
 import numpy as np
+import pytest
 
 from sonify.claims.listener import listen_in_worker, listener
 from sonify.hearing.recording import listen_to_known_disk
@@ -22,6 +23,7 @@ def two_listeners_with_stems():
     return Track(sample_rate=rate, columns=columns, column=0, others=(other,))
 
 
+@pytest.mark.slow
 def test_the_worker_hears_the_same_also_once_it_has_died():
     sound = two_listeners_with_stems()
     here = listen_to_known_disk(sound, 3.0)

@@ -68,6 +68,7 @@ def on_table(name, *changes):
     return scene, simulate(scene), surface_modes(scene, 20e3)
 
 
+@pytest.mark.slow
 def test_a_steady_force_loses_the_wave_drag():
     """The disk is released in steady rolling, so that its force hardly varies.
 
@@ -132,6 +133,7 @@ def test_the_mirror_would_take_more_power_than_its_disk_loses():
     assert violated_balance([calm]) == ""
 
 
+@pytest.mark.slow
 def test_a_violated_balance_is_named_first():
     scene, motion, table = on_table("glass-plate", "numerics.accuracy=draft")
     found = disk_supplies_table(scene, motion, table, listener_of(scene))

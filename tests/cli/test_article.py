@@ -136,6 +136,7 @@ def test_a_typed_number_fails_the_build(monkeypatch, tmp_path):
     assert "12.3" in str(error)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wrong", ["[@nobody1999]", "@fig:nothing", "@tbl:nothing"])
 def test_an_unresolved_reference_fails_the_build(monkeypatch, tmp_path, wrong):
     error = fail_to_build(monkeypatch, tmp_path, "air", f"See {wrong}.")
@@ -179,6 +180,7 @@ def test_a_quoted_value_needs_a_source_that_contains_it(tmp_path):
             quoted_numbers(file)
 
 
+@pytest.mark.slow
 def test_an_interrupted_measurement_continues(monkeypatch, tmp_path):
     """From nothing the time is printed first; what is stored is not measured again."""
     file = tmp_path / "numbers.json"

@@ -121,6 +121,7 @@ def check_same(scene, modes, *ways):
     assert difference.max() < PARTED_DB
 
 
+@pytest.mark.slow
 def test_both_integrators_sound_the_same(scene, modes):
     """The motion changes its regime about one hundred times."""
     pytest.importorskip(

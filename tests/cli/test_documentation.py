@@ -80,6 +80,7 @@ def test_the_api_page_lists_every_public_name():
         assert listed == sorted(import_module(name).__all__)
 
 
+@pytest.mark.slow
 def test_the_lines_of_python_in_the_readme_run(tmp_path, monkeypatch, capsys):
     (code,) = blocks(README, "python")
     monkeypatch.chdir(tmp_path)

@@ -174,6 +174,7 @@ def test_the_commands_of_a_block_run_one_after_the_other(block, folder):
             assert json.loads((folder / line.split()[-1]).read_text("utf-8"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "line", [block[0] for block in BLOCKS if is_server(block)], ids=str
 )

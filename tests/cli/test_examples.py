@@ -87,6 +87,7 @@ def test_a_law_of_ones_own_is_the_built_in_one_of_its_power(capsys):
     np.testing.assert_allclose(motion.at(t)[:, 1:3], same.at(t)[:, 1:3], rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_a_loop_over_scenes(capsys):
     rows, lines = told("many_scenes", capsys)
     assert all(row["passed"] and row["outcome"] == "SETTLED" for row in rows)

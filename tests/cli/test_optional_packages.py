@@ -25,6 +25,7 @@ def without_optional_packages(*arguments, cwd):
     )
 
 
+@pytest.mark.slow
 def test_a_run_and_a_table_as_text_need_no_optional_package(tmp_path):
     short = ("--accuracy", "draft", "--set", "numerics.time_limit=0.2")
     ran = without_optional_packages(

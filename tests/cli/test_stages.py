@@ -72,6 +72,7 @@ def test_an_error_in_the_analysis_of_the_sound_is_raised():
         solve(BRIEF, listen=fail)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("place", "name"),
     [

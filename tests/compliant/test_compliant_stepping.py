@@ -28,7 +28,7 @@ from dynamics.compliant.law.linear_response import (
 from dynamics.compliant.law.linearised import linear_contact, mobility
 from dynamics.compliant.law.roughness import edge_profile, ellipse_window, table_profile
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 from dynamics.compliant.state_conversion import (
     columns,
     energy,
@@ -59,7 +59,7 @@ def motion(scene):
 
 def table(stiffer=1.0, creeps=True, damping=None):
     """Return the law with all springs stiffer by a factor, with or without creep."""
-    out = LawTable(law=LAW, damping=damping)
+    out = TabulatedLaw(law=LAW, damping=damping)
     scale = np.ones(len(LAW_COLUMNS))
     scale[
         [
@@ -129,7 +129,9 @@ def test_impact(loss):
     v = 0.02
     rate = 1.6e6
     model = CompliantModel(
-        table=table(damping=loss * LAW.disk.weight), friction=FRICTIONLESS, rate=rate
+        tabulated_law=table(damping=loss * LAW.disk.weight),
+        friction=FRICTIONLESS,
+        rate=rate,
     )
     vars(model)["constants"] = model.constants._replace(weight=0.0)
     start = np.zeros(11)
@@ -160,7 +162,9 @@ def test_impact(loss):
 
 def test_explicit_steps_gain_what_these_keep():
     """An explicit leap-frog at 100 kHz changes the energy of the same impact by 1e-5."""
-    model = CompliantModel(table=table(damping=0.0), friction=FRICTIONLESS, rate=1e5)
+    model = CompliantModel(
+        tabulated_law=table(damping=0.0), friction=FRICTIONLESS, rate=1e5
+    )
     y = preloaded_compliant_state(model, steady(0.3))
     y[5] -= 0.02
     y[9] = 0.0
@@ -194,7 +198,9 @@ def test_energy_never_rises_and_every_loss_has_its_cause(profiles):
         arm_pivoting=3e-4,
     )
     more = {"powers": ((1e-4, 1.0), (1e-9, 4.0)), "rate": 1e5}
-    model = CompliantModel(table=table(), friction=friction, profiles=profiles, **more)
+    model = CompliantModel(
+        tabulated_law=table(), friction=friction, profiles=profiles, **more
+    )
     y = preloaded_compliant_state(model, steady(0.2, nutation=2.0))
     before = energy(model, y[None])[0]
     _, state, _, _, _, _ = run(model, y, 1, 0.1)
@@ -212,7 +218,7 @@ def test_energy_never_rises_and_every_loss_has_its_cause(profiles):
 def test_steady_precession_is_kept():
     """Without losses the energy is constant for 2 s; nutation has an error of second order."""
     model = CompliantModel(
-        table=table(creeps=False, damping=0.0), friction=GRIPS, rate=1e5
+        tabulated_law=table(creeps=False, damping=0.0), friction=GRIPS, rate=1e5
     )
     y = preloaded_compliant_state(model, steady(0.1))
     _, state, _, _, _, _ = run(model, y, 50, 2.0)
@@ -220,7 +226,7 @@ def test_steady_precession_is_kept():
     assert np.ptp(inclination(state)) < 1e-5
     ends = []
     for rate in (2.5e4, 5e4, 1e5, 8e5):
-        model = CompliantModel(table=table(), friction=GRIPS, rate=rate)
+        model = CompliantModel(tabulated_law=table(), friction=GRIPS, rate=rate)
         _, state, _, _, _, _ = run(
             model,
             preloaded_compliant_state(model, steady(0.1, nutation=0.3)),
@@ -239,7 +245,9 @@ def test_rigid_limit(scene, motion):
     force = motion.force([0.0])[0]
     difference = []
     for stiffer in (1.0, 10.0, 100.0):
-        model = CompliantModel(table=table(stiffer), friction=scene.friction, rate=8e5)
+        model = CompliantModel(
+            tabulated_law=table(stiffer), friction=scene.friction, rate=8e5
+        )
         t, state, _, _, slips, _ = run(
             model, preloaded_compliant_state(model, start, force), 400, 0.25
         )
@@ -250,7 +258,7 @@ def test_rigid_limit(scene, motion):
 
 def test_first_slip_is_that_of_the_rigid_disk(scene, motion):
     """Without creep, granite slips and grips again within 0.1 ms of the rigid contact."""
-    model = CompliantModel(table=table(creeps=False), friction=scene.friction)
+    model = CompliantModel(tabulated_law=table(creeps=False), friction=scene.friction)
     y = preloaded_compliant_state(model, motion.at([0.0])[0], motion.force([0.0])[0])
     _, _, _, _, slips, _ = run(model, y, 400, 0.5)
     slides = [
@@ -268,7 +276,7 @@ def test_filter_and_full_model_agree_wave_by_wave(beta):
     A row of the full model is a mean over 10 us, as is the mean of two samples of the filter.
     """
     profiles = rough(1e-8)
-    model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles)
+    model = CompliantModel(tabulated_law=table(), friction=GRIPS, profiles=profiles)
     _, _, force, _, _, _ = run(
         model, preloaded_compliant_state(model, steady(beta)), 4, 0.0496
     )
@@ -289,9 +297,9 @@ def test_filter_and_full_model_agree_wave_by_wave(beta):
         0 * t,
         np.zeros(2),
     )
-    filtered = next(linear_contact_force_blocks(model.table, [motion], 1e5, profiles))[
-        :, 1
-    ]
+    filtered = next(
+        linear_contact_force_blocks(model.tabulated_law, [motion], 1e5, profiles)
+    )[:, 1]
     whole = force[1 : len(filtered), 2] - LAW.disk.weight
     assert np.std(
         whole - (filtered[1 : len(force)] + filtered[: len(force) - 1]) / 2
@@ -303,7 +311,9 @@ def test_filter_and_full_model_agree_wave_by_wave(beta):
 def test_steady_rough_precession(beta):
     """Above 200 Hz the force power equals the sum of |gain|^2 over all waves within 6 %."""
     profiles = rough(1e-9)
-    model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles, rate=2e5)
+    model = CompliantModel(
+        tabulated_law=table(), friction=GRIPS, profiles=profiles, rate=2e5
+    )
     _, _, force, losses, _, _ = run(
         model, preloaded_compliant_state(model, steady(beta)), 4, 0.6
     )
@@ -314,7 +324,7 @@ def test_steady_rough_precession(beta):
     found = 2 * power[np.fft.rfftfreq(len(force) - 5000, 4 / model.rate) > 200].sum()
     weight = np.array([LAW.disk.weight])
     speed = steady_speed(LAW, beta)
-    springs, a, c = model.table.springs(np.array([beta]), weight)
+    springs, a, c = model.tabulated_law.springs(np.array([beta]), weight)
     system = linear_contact(
         LAW.disk, beta, springs, np.array([speed]), c, fillet=LAW.rolling_fillet
     )
@@ -360,7 +370,7 @@ def test_vanishing_roughness_is_smooth():
         ends = []
         for profiles in (BOTH_SMOOTH, rough(rms)):
             model = CompliantModel(
-                table=table(), friction=GRIPS, profiles=profiles, rate=2e5
+                tabulated_law=table(), friction=GRIPS, profiles=profiles, rate=2e5
             )
             ends.append(
                 run(
@@ -390,7 +400,7 @@ def test_mirror_and_rotation():
         (start, BOTH_SMOOTH),
     ):
         model = CompliantModel(
-            table=table(), friction=SLIPPERY, profiles=profiles, rate=2e5
+            tabulated_law=table(), friction=SLIPPERY, profiles=profiles, rate=2e5
         )
         _, y, force, losses, slips, _ = run(
             model, preloaded_compliant_state(model, state), 20, 0.02
@@ -410,7 +420,7 @@ def test_mirror_and_rotation():
 
 def test_columns_are_those_of_a_motion(motion):
     """`columns` inverts `preloaded_compliant_state`; the contact yields only by the static creep."""
-    model = CompliantModel(table=table(), friction=GRIPS)
+    model = CompliantModel(tabulated_law=table(), friction=GRIPS)
     t = np.array([1.5])
     state = motion.at(t)[0]
     y = preloaded_compliant_state(model, state, motion.force(t)[0])
@@ -424,7 +434,9 @@ def test_columns_are_those_of_a_motion(motion):
 
 def test_flights_are_noted():
     """After a lossless bounce at v the flight is a parabola of height v/4 times its duration."""
-    model = CompliantModel(table=table(damping=0.0), friction=FRICTIONLESS, rate=4e5)
+    model = CompliantModel(
+        tabulated_law=table(damping=0.0), friction=FRICTIONLESS, rate=4e5
+    )
     start = np.zeros(11)
     start[1] = 0.3
     y = preloaded_compliant_state(model, start, (0.0, 0.0, 1e-9))
@@ -443,7 +455,7 @@ def test_block_size_changes_no_byte(monkeypatch):
     for steps in (full.STEPS_PER_CALL, 140):
         monkeypatch.setattr(full, "STEPS_PER_CALL", steps)
         model = CompliantModel(
-            table=table(), friction=SLIPPERY, profiles=rough(1e-7), rate=2e5
+            tabulated_law=table(), friction=SLIPPERY, profiles=rough(1e-7), rate=2e5
         )
         t, state, force, losses, slips, _ = run(
             model, preloaded_compliant_state(model, steady(0.2, nutation=2.0)), 20, 0.03
@@ -454,7 +466,9 @@ def test_block_size_changes_no_byte(monkeypatch):
 
 def test_energy_where_roughness_throws_the_disk():
     """At 2e-4 rad the contact oscillates on a very rough surface; the energy balances."""
-    model = CompliantModel(table=table(), friction=SLIPPERY, profiles=rough(1e-7))
+    model = CompliantModel(
+        tabulated_law=table(), friction=SLIPPERY, profiles=rough(1e-7)
+    )
     y = preloaded_compliant_state(model, steady(2e-4))
     before = energy(model, y[None])[0]
     _, state, _, losses, _, _ = run(model, y, 1, 0.02)
@@ -472,7 +486,7 @@ def test_energy_where_roughness_throws_the_disk():
 def test_how_it_ends():
     """Runs end flat, at the time limit or upright; too low a rate is an error."""
     heavy = Friction(mu_static=0.5, mu_dynamic=0.3, arm_rolling=1e-3)
-    model = CompliantModel(table=table(), friction=heavy, rate=2e5)
+    model = CompliantModel(tabulated_law=table(), friction=heavy, rate=2e5)
     _, state, _, _, _, why = run(
         model,
         preloaded_compliant_state(model, steady(0.01)),
@@ -486,7 +500,7 @@ def test_how_it_ends():
         run(model, preloaded_compliant_state(model, steady(0.2)), 20, 0.01)[5]
         == EndReason.CONTINUES
     )
-    falls = CompliantModel(table=table(), friction=GRIPS, rate=2e5)
+    falls = CompliantModel(tabulated_law=table(), friction=GRIPS, rate=2e5)
     upright = np.zeros(11)
     upright[1] = 1.5
     upright[5] = -20.0
@@ -494,6 +508,6 @@ def test_how_it_ends():
         run(falls, preloaded_compliant_state(falls, upright), 20, 1.0)[5]
         == EndReason.STANDS_UPRIGHT
     )
-    slow = CompliantModel(table=table(), friction=GRIPS, rate=1e4)
+    slow = CompliantModel(tabulated_law=table(), friction=GRIPS, rate=1e4)
     with pytest.raises(ValueError, match="at least"):
         run(slow, preloaded_compliant_state(slow, steady(0.1)), 1, 0.1)

@@ -33,7 +33,7 @@ from dynamics.compliant.law.linearised import (
     rigid_mode_shapes,
     stiffness_matrix,
 )
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 
 
 def column(name):
@@ -87,7 +87,7 @@ def test_one_resonance_rings_and_rises():
     """
     contact = granite(loss_factor=0.0)
     beta = column("inclination")
-    found = LawTable(law=contact).contact_resonance(
+    found = TabulatedLaw(law=contact).contact_resonance(
         beta, contact.disk.weight, column("speed")
     )
     rounded = mobility(contact.disk, beta, contact.fillet)[:, 2, 2]

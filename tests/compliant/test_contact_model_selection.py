@@ -14,7 +14,7 @@ from paths import REFERENCES
 
 from dynamics import plan_motion, simulate
 from dynamics.compliant.model_selection import (
-    predicted_vibration,
+    predicted_force_rms,
     release_force,
 )
 from dynamics.motion_plan import motion_basis
@@ -32,7 +32,7 @@ GENTLE = (
 def vibration_of(scene):
     """Return inclinations [rad] and the predicted rms of N'/weight of a scene."""
     plan = plan_motion(scene)
-    return predicted_vibration(plan, plan.law_table)
+    return predicted_force_rms(plan, plan.tabulated_law)
 
 
 @pytest.fixture(scope="module")

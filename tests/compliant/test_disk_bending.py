@@ -15,8 +15,8 @@ from table_models import GRIPS, TABLE, run, standing, steady
 from dynamics import plan_motion
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.law.linearised import inertias, mobility
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, SeriesLawTable
-from dynamics.compliant.model_inputs import contact_law, contact_law_table
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedSeriesLaw
+from dynamics.compliant.model_inputs import contact_law, tabulated_contact_law
 from dynamics.compliant.state_conversion import (
     columns,
     energy,
@@ -48,7 +48,7 @@ def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
     )
     waves = model.supporting_modes(y)
     y[STATE.velocity + 2] = -speed
-    *_, last = model.run(y, round(stop * rate), stop, waves=waves)
+    *_, last = model.run(y, round(stop * rate), stop, modes=waves)
     return (
         last.state[-1, STATE.velocity + 2],
         -last.state[-1, STATE.angular_momentum] / inertias(scene.disk)[0],
@@ -63,7 +63,7 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
     sum r (c A - s B), with R and H of the centre of the fillet.
     """
     disk = scene.disk
-    law = contact_law_table(scene)
+    law = tabulated_contact_law(scene)
     squared = bending.squared
     A = bending.axial * np.cos(bending.phase)
     B = bending.radial * np.cos(bending.phase)
@@ -188,7 +188,7 @@ def test_what_moves_does_not_yield_in_series(elastic):
     assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_MODE_FREQUENCY).all()
     assert len(bending.order) == 3  # the toy has a pair of order 2 and one of order 0
     whole, apart = (
-        contact_law_table(elastic, SeriesLawTable, moves).flexibility_spline(
+        tabulated_contact_law(elastic, TabulatedSeriesLaw, moves).flexibility_spline(
             np.log(np.sin(beta))
         )[0]
         for moves in (0.0, MAX_MOVING_MODE_FREQUENCY)
@@ -196,7 +196,7 @@ def test_what_moves_does_not_yield_in_series(elastic):
     lifts = bending.axial[:2] * np.cos(beta) - bending.radial[:2] * np.sin(
         beta
     )  # the sine partner is at rest
-    kn = contact_law_table(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
+    kn = tabulated_contact_law(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
     square = mobility(elastic.disk, beta, contact_law(elastic).rolling_fillet)[
         0, 2, 2
     ] / (1 / kn + whole[2, 2])  # of the carrier

@@ -11,8 +11,8 @@ import pytest
 from contact_scenes import steady_speed
 
 from dynamics.compliant.law.linearised import suspension
-from dynamics.compliant.law.tabulated import LawTable, SeriesLawTable
-from dynamics.compliant.model_inputs import contact_law_table
+from dynamics.compliant.law.tabulated import TabulatedLaw, TabulatedSeriesLaw
+from dynamics.compliant.model_inputs import tabulated_contact_law
 from modal.solve import free_plate
 from modal.spring_supported import contact_modes
 from sonify import load_scene
@@ -22,7 +22,7 @@ INCLINATIONS = 0.57, 0.1, 0.01, 1e-3, 1e-4
 
 def ringing(scene, beta):
     """Return frequency [Hz] and loss factor of the least damped mode below the first free one."""
-    table = contact_law_table(scene)
+    table = tabulated_contact_law(scene)
     modes = contact_modes(
         free_plate(scene), suspension(table.law, beta), beta, 24e3, "standard"
     )
@@ -40,7 +40,7 @@ def ringing(scene, beta):
 def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
     """The series is exact without losses; its error is of second order in the loss factor."""
     scene = load_scene(name)
-    table = contact_law_table(scene)
+    table = tabulated_contact_law(scene)
     for beta in angles:
         found = table.contact_resonance(
             np.array([beta]), scene.disk.weight, steady_speed(table.law, beta)
@@ -63,9 +63,9 @@ def test_the_springs_of_the_full_motion_have_the_carrier_but_for_what_couples_th
     """The springs of the full motion neglect the flexibility that couples a_2 and a_3."""
     scene = load_scene(name)
     for beta in angles:
-        speed = steady_speed(contact_law_table(scene).law, beta)
+        speed = steady_speed(tabulated_contact_law(scene).law, beta)
         (frequency, _) = ringing(scene, beta)
-        found = contact_law_table(scene, SeriesLawTable).contact_resonance(
+        found = tabulated_contact_law(scene, TabulatedSeriesLaw).contact_resonance(
             np.array([beta]), scene.disk.weight, speed
         )
         assert found.frequency[0] == pytest.approx(frequency, rel=off)
@@ -75,7 +75,7 @@ def test_a_rigid_body_and_a_shell_have_hertz_springs_alone():
     scene = load_scene("granite")
     beta = np.array([0.1])
     rigid, bends = (
-        contact_law_table(scene.replace(f"contact.body={body}"))
+        tabulated_contact_law(scene.replace(f"contact.body={body}"))
         for body in ("rigid", "elastic")
     )
     assert rigid.edge is None
@@ -83,8 +83,8 @@ def test_a_rigid_body_and_a_shell_have_hertz_springs_alone():
     assert not rigid.flexibility(beta).any()
     assert bends.columns(beta) == pytest.approx(rigid.columns(beta), rel=1e-14)
     hertz, series = (
-        contact_law_table(scene, kind).springs(beta, 4.0)[0]
-        for kind in (LawTable, SeriesLawTable)
+        tabulated_contact_law(scene, kind).springs(beta, 4.0)[0]
+        for kind in (TabulatedLaw, TabulatedSeriesLaw)
     )
     creep = [s.k2 / s.length2**-1 for s in (hertz, series)]
     assert creep[0] == pytest.approx(creep[1], rel=1e-12)
@@ -101,7 +101,7 @@ def test_a_sharp_edge_bends_the_disk_as_a_round_one_does():
         scene = load_scene("granite").replace(
             f"contact.fillet={fillet}", "contact.body=rigid"
         )
-        rigid = contact_law_table(scene)
+        rigid = tabulated_contact_law(scene)
         one = np.array([0.1])
         speed = steady_speed(rigid.law, 0.1)
         alone = rigid.contact_resonance(one, scene.disk.weight, speed).frequency[0]

@@ -33,10 +33,10 @@ from dynamics.compliant.law.roughness import (
     wave_spectrum,
 )
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 
 LAW = granite()
-TABLE = LawTable(law=LAW)
+TABULATED_LAW = TabulatedLaw(law=LAW)
 RADIUS, WEIGHT = LAW.disk.radius, LAW.disk.weight
 
 
@@ -62,7 +62,7 @@ def steady(beta, rate, seconds, size=2048):
 
 def test_table_interpolates_the_law():
     beta = np.geomspace(1e-7, 1.5, 301)
-    columns = TABLE.columns(beta)
+    columns = TABULATED_LAW.columns(beta)
     springs = LAW.springs(beta, WEIGHT)
     exact = {
         LAW_COLUMNS.hertz_stiffness: LAW.stiffness(beta),
@@ -74,7 +74,7 @@ def test_table_interpolates_the_law():
     assert columns[:, LAW_COLUMNS.relaxation_length_2] == pytest.approx(
         springs.length2, rel=3e-5
     ), "Kalker's table has corners"
-    heavier, a, c = TABLE.springs(beta, 7.0)
+    heavier, a, c = TABULATED_LAW.springs(beta, 7.0)
     assert heavier.kn == pytest.approx(LAW.springs(beta, 7.0).kn, rel=1e-8)
     assert heavier.length1 == pytest.approx(LAW.springs(beta, 7.0).length1, rel=3e-5)
     assert a == pytest.approx(LAW.semi_axes(beta, 7.0)[0], rel=1e-8)
@@ -97,11 +97,11 @@ def test_a_wave_at_a_time(beta):
     force = np.concatenate(
         list(
             linear_contact_force_blocks(
-                TABLE, steady(beta, rate, 0.15), rate, (SMOOTH_PROFILE, edge)
+                TABULATED_LAW, steady(beta, rate, 0.15), rate, (SMOOTH_PROFILE, edge)
             )
         )
     )[:, 1]
-    springs, a, c = TABLE.springs(np.array([beta]), np.array([WEIGHT]))
+    springs, a, c = TABULATED_LAW.springs(np.array([beta]), np.array([WEIGHT]))
     system = linear_contact(
         LAW.disk, beta, springs, np.array([speed]), c, fillet=LAW.rolling_fillet
     )
@@ -156,12 +156,14 @@ def test_along_a_motion_that_changes():
         return MotionBlock(t, beta, load, t >= 0, path, path, jumps, 0 * t, np.zeros(2))
 
     def springs(t):
-        return TABLE.springs(*(np.array([v]) for v in state(t)[:2]))
+        return TABULATED_LAW.springs(*(np.array([v]) for v in state(t)[:2]))
 
     def rise(t, d=1e-6):
         ends = np.array([t - d, t + d])
         return np.diff(
-            mean_heights(rough, state(ends)[2], TABLE.springs(*state(ends)[:2])[1])
+            mean_heights(
+                rough, state(ends)[2], TABULATED_LAW.springs(*state(ends)[:2])[1]
+            )
         )[0] / (2 * d)
 
     def exact(t, x):
@@ -184,7 +186,7 @@ def test_along_a_motion_that_changes():
     for rate in (5e4, 2e5):
         force = next(
             linear_contact_force_blocks(
-                TABLE, [motion(rate)], rate, (rough, SMOOTH_PROFILE)
+                TABULATED_LAW, [motion(rate)], rate, (rough, SMOOTH_PROFILE)
             )
         )[:, 0]
         errors.append(
@@ -201,7 +203,7 @@ def test_a_jump_rings():
     beta = 0.1
     block = next(steady(beta, rate, 0.05))
     block.jumps[1] = 0.5, 0.8
-    force = next(linear_contact_force_blocks(TABLE, [block], rate))
+    force = next(linear_contact_force_blocks(TABULATED_LAW, [block], rate))
     assert not force[:SAMPLES_PER_KNOT].any()
     assert force[SAMPLES_PER_KNOT] == pytest.approx([-0.5, -0.8], abs=0.05)
     wave_spectrum = np.abs(np.fft.rfft(force[SAMPLES_PER_KNOT:, 1], 2**17))
@@ -222,7 +224,7 @@ def test_blocks_change_nothing():
     whole, parts = (
         list(
             linear_contact_force_blocks(
-                TABLE, steady(0.1, 192e3, 0.1, size), 192e3, profiles
+                TABULATED_LAW, steady(0.1, 192e3, 0.1, size), 192e3, profiles
             )
         )
         for size in (2048, 7)
@@ -246,7 +248,7 @@ def test_predicted_rms():
         force = np.concatenate(
             list(
                 linear_contact_force_blocks(
-                    TABLE, steady(beta, rate, 0.5), rate, profiles
+                    TABULATED_LAW, steady(beta, rate, 0.5), rate, profiles
                 )
             )
         )[9600:, 1]
@@ -257,7 +259,7 @@ def test_predicted_rms():
             / len(force) ** 2
         )
     forecast = predicted_rms(
-        TABLE, rough, [beta], [WEIGHT], np.array([steady_speed(LAW, beta)])
+        TABULATED_LAW, rough, [beta], [WEIGHT], np.array([steady_speed(LAW, beta)])
     )
     assert np.sqrt(np.mean(found)) == pytest.approx(forecast[0], rel=0.1)
     red = Roughness(rms=1e-9, exponent=2.0)
@@ -292,7 +294,7 @@ def test_the_carrier_is_in_the_force_and_rises(motion):
         force = np.hstack(
             [
                 np.concatenate(
-                    list(linear_contact_force_blocks(TABLE, blocks, rate, s))
+                    list(linear_contact_force_blocks(TABULATED_LAW, blocks, rate, s))
                 )[:, 1]
                 for s in surfaces
             ]
@@ -305,7 +307,7 @@ def test_the_carrier_is_in_the_force_and_rises(motion):
         knots = [knot for row in rows for knot in row][::30]
         expected = np.mean(
             [
-                predicted_spectrum(TABLE, rough[0], *k[:3], f[1:], rolls=k[3])
+                predicted_spectrum(TABULATED_LAW, rough[0], *k[:3], f[1:], rolls=k[3])
                 for k in knots
             ],
             axis=0,
@@ -325,7 +327,7 @@ def middle(f, power):
 
 def test_too_stiff_for_the_rate():
     with pytest.raises(ValueError, match="at least"):
-        next(linear_contact_force_blocks(TABLE, steady(0.1, 6e3, 0.1), 6e3))
+        next(linear_contact_force_blocks(TABULATED_LAW, steady(0.1, 6e3, 0.1), 6e3))
 
 
 def test_a_motion_is_followed_while_its_contact_is_an_ellipse(motion):
@@ -335,7 +337,7 @@ def test_a_motion_is_followed_while_its_contact_is_an_ellipse(motion):
     assert all(
         np.isfinite(force).all()
         for force in linear_contact_force_blocks(
-            TABLE, motion_blocks(motion, 96e3, 19.2), 96e3
+            TABULATED_LAW, motion_blocks(motion, 96e3, 19.2), 96e3
         )
     )
 

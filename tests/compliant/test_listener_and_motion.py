@@ -14,7 +14,7 @@ import pytest
 
 from dynamics import plan_motion
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
-from modal.tabletop.solve import table_modes_from_numbers
+from modal.tabletop.solve import table_modes_listed_in_scene
 from sonify import load_scene, solve
 from sonify.plan import table as table_plan
 from sonify.plan.plan import plan_of
@@ -64,7 +64,7 @@ def test_no_listener_changes_the_modes_that_move_the_disk(name, monkeypatch):
     """The solver of the modes is asked for the same modes, and the motion gets them all."""
     scene = load_scene(name)
     numbers = scene.replace(PAIR_AND_SINGLE)
-    known = table_modes_from_numbers(numbers.surface, scene.disk, 20e3)
+    known = table_modes_listed_in_scene(numbers.surface, scene.disk, 20e3)
     limits = []
 
     def modes_below(asked, below):

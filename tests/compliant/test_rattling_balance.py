@@ -16,12 +16,12 @@ from rattling_coin import RADIUS, coin, model_of, settle
 from dynamics import plan_motion, simulate
 from dynamics.compliant.law.unevenness import static_depth, unevenness
 from dynamics.compliant.model_inputs import contact_law
-from dynamics.compliant.model_selection import predicted_vibration
+from dynamics.compliant.model_selection import predicted_force_rms
 from dynamics.disk import GRAVITY
 from dynamics.rattling import layout
 from dynamics.rattling.body import motion_state
 from dynamics.rattling.rattling_motion import rigid_energy, rolling_state_at_release
-from dynamics.rattling.time_loop import step_rattling_disk
+from dynamics.rattling.time_loop import TimeSteps, step_rattling_disk
 from dynamics.rattling.vibration import write_propagator
 from sonify.scene import from_document
 
@@ -39,10 +39,7 @@ def steps_of(model, state, seconds, per_sample=1):
         model.constants,
         model.edge(),
         model.table(),
-        GRAVITY,
-        0.0,
-        1 / model.rate,
-        per_sample,
+        TimeSteps(1 / model.rate, per_sample, GRAVITY, 0.0),
     )
     written, _, _ = step_rattling_disk(*options, motion, 0.0, samples, flights)
     assert written == count
@@ -110,6 +107,7 @@ def springs_and_dashpots(model, state, reach=300):
     return stored, np.bincount(row, force * approach, len(state))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("restitution", [0.5, 0.999999999])
 def test_the_energy_balances_by_another_quadrature(restitution):
     """To 1e-6 of the initial energy, while impacts take 3e-3 of it.
@@ -249,7 +247,7 @@ def test_below_the_onset_the_other_models_agree(kappa):
         lost = sum(loss.duration for loss in motion.contact_losses) / motion.t[-1]
         found[kind] = load.std(), lost, motion.inclination(np.array([0.29]))[0]
     plan = plan_motion(scene)
-    linear = predicted_vibration(plan, plan.law_table)[1][0]
+    linear = predicted_force_rms(plan, plan.tabulated_law)[1][0]
     assert unevenness(
         scene.disk, contact_law(scene), scene.roughness, 0.105
     ).curvature_number == (pytest.approx(kappa, rel=0.05))

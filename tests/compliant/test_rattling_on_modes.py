@@ -45,6 +45,7 @@ def on_modes(*modes, changes=(), restitution=0.5):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("damping", "restitution", "error"), [(0.01, 0.5, 1e-6), (0.0, 0.999999999, 1e-7)]
 )
@@ -107,6 +108,7 @@ def test_a_heavy_table_is_a_rigid_one():
     assert moving.table_energy(t).max() < 1e-6 * moving.energy(0.0)[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("frequency", "mass"), [(300.0, 0.01), (3000.0, 0.002)])
 def test_a_disk_dropped_on_one_mode_moves_as_its_lagrangian_says(frequency, mass):
     """A disk without spin keeps its plane: height, inclination and one mode under all its rim.

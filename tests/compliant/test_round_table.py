@@ -8,6 +8,7 @@ with half and twice the modes.
 import numpy as np
 import pytest
 
+from dynamics import plan_motion
 from dynamics.compliant.compliant_motion import (
     FORCES_PER_ROW,
     release_force,
@@ -125,8 +126,9 @@ def motion_from(scene, modes, precession=0.0):
     """Return the motion that starts from this precession angle [rad]."""
     tilt = np.radians(scene.release.inclination_deg)
     state = np.concatenate([[precession, tilt, 0, 0, 0], scene.release.omega, [0] * 3])
-    begin = state, release_force(scene)
-    return solve_compliant_motion(scene, lambda *progress: None, modes, begin)
+    plan = plan_motion(scene, modes).coupled_part()
+    begin = state, release_force(plan)
+    return solve_compliant_motion(plan, lambda *progress: None, begin)
 
 
 def greatest_differences(one, other, until):

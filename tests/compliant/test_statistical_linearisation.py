@@ -23,13 +23,13 @@ from dynamics.compliant.law.statistical_linearisation import (
     effective_load_factor,
     mean_stiffness,
 )
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.state_conversion import preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
 
-TABLE, ROUGH = LawTable(law=granite()), Roughness(rms=1e-7)
-DISK = TABLE.law.disk
+TABULATED_LAW, ROUGHNESS = TabulatedLaw(law=granite()), Roughness(rms=1e-7)
+DISK = TABULATED_LAW.law.disk
 
 
 def test_small_vibrations():
@@ -51,15 +51,15 @@ def test_the_full_motion_rings_as_low():
     """Steady rolling on 0.1 um rms: a linear contact overestimates the frequency by 5 %."""
     beta = 0.02
     power = 0.0
-    w3 = steady_precession_rate(TABLE.law, beta) * np.sin(beta)
-    w2 = w3 * slope_of_contact(TABLE.law, beta)
-    speed = steady_speed(TABLE.law, beta)
+    w3 = steady_precession_rate(TABULATED_LAW.law, beta) * np.sin(beta)
+    w2 = w3 * slope_of_contact(TABULATED_LAW.law, beta)
+    speed = steady_speed(TABULATED_LAW.law, beta)
     start = np.array([0.0, beta, 0, 0, 0, 0, w2, w3, 0, 0, 0])
     for seed in (0, 1):
         rough = Roughness(rms=1e-7, seed=seed)
         profiles = table_profile(rough), edge_profile(rough, DISK.radius)
         model = CompliantModel(
-            table=TABLE,
+            tabulated_law=TABULATED_LAW,
             friction=Friction(mu_static=10.0, mu_dynamic=10.0),
             profiles=profiles,
             rate=2e5,
@@ -72,11 +72,15 @@ def test_the_full_motion_rings_as_low():
         )[2500:, 2]
         f, one = welch(force, model.rate / 4, nperseg=2048)
         power = power + one
-    factor = effective_load_factor(TABLE, ROUGH, [beta], DISK.weight, speed)[0]
+    factor = effective_load_factor(
+        TABULATED_LAW, ROUGHNESS, [beta], DISK.weight, speed
+    )[0]
     soft, linear = (
         middle(
             f[1:],
-            predicted_spectrum(TABLE, ROUGH, beta, part * DISK.weight, speed, f[1:]),
+            predicted_spectrum(
+                TABULATED_LAW, ROUGHNESS, beta, part * DISK.weight, speed, f[1:]
+            ),
         )
         for part in (factor, 1.0)
     )
@@ -93,9 +97,11 @@ def middle(f, power):
 
 def test_so_many_rounds_are_enough():
     beta = [0.3, 0.01]
-    speed = [steady_speed(TABLE.law, b) for b in (0.3, 0.01)]
+    speed = [steady_speed(TABULATED_LAW.law, b) for b in (0.3, 0.01)]
     few, many = (
-        effective_load_factor(TABLE, ROUGH, beta, DISK.weight, speed, rounds)
+        effective_load_factor(
+            TABULATED_LAW, ROUGHNESS, beta, DISK.weight, speed, rounds
+        )
         for rounds in (LINEARISATION_ROUNDS, 3 * LINEARISATION_ROUNDS)
     )
     assert few == pytest.approx(many, rel=0.03)

@@ -115,6 +115,7 @@ def test_a_scene_needs_no_more_sections_than_its_motion_reads(scene):
     assert same(simulate(SimpleNamespace(**sections)), simulate(draft))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("action", ["auto", "motion"])
 def test_a_run_and_simulate_give_the_same_motion(scene, action):
     """One mode is inaudible, another above the Nyquist frequency; the motion includes both."""

@@ -33,7 +33,7 @@ from dynamics.compliant.law.table_receptance import (
     infinite_plate_mobility,
     modal_receptance,
 )
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.law.two_way_criterion import coupling_error
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.steady_motion import steady_precession
@@ -43,7 +43,7 @@ from sonify import load_scene
 ROUGHNESS = Roughness(rms=30e-9, rms_edge=0.0, shortest=1e-4, longest=0.1)
 
 
-class FrictionlessTable(LawTable):
+class FrictionlessTable(TabulatedLaw):
     """A law without tangential springs."""
 
     def linear_contact(self, inclination, load, speed=0.0, rolls=True):
@@ -196,6 +196,7 @@ def rms_above(force, rate, lowest=200.0):
     return np.sqrt(power[frequency > lowest].sum() * frequency[1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beta", [0.03, 0.01])
 def test_the_filter_in_time_has_the_predicted_force(mirror, beta):
     speed = rate_of(mirror, beta) * lever_of(mirror, beta)
@@ -230,7 +231,7 @@ def one_mode(frequency, square, decay=0.0, order=0):
 
 def resonances_of(case, receptance, low, high, count=4000):
     """Return the frequencies [Hz] at which A_c + A_d + A_p vanishes without losses."""
-    system = LawTable(law=case.table.law, damping=0.0).linear_contact(
+    system = TabulatedLaw(law=case.table.law, damping=0.0).linear_contact(
         np.array([0.01]), case.weight, 0.0, np.array([False])
     )
 

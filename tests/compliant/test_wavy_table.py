@@ -11,7 +11,7 @@ import pytest
 from table_models import GRIPS, run, steady
 
 from dynamics.compliant.law.sections import Imperfection
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import (
     columns,
@@ -35,7 +35,7 @@ def fall(scene, order, amplitude, start, stop=3.0, friction=None, rate=4e5):
     It is released in steady motion at the inclination `start` [rad].
     """
     model = CompliantModel(
-        table=LawTable(law=contact_law(scene)),
+        tabulated_law=TabulatedLaw(law=contact_law(scene)),
         friction=friction or scene.friction,
         rate=rate,
         imperfection=Imperfection(order=order, amplitude=amplitude),

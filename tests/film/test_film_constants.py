@@ -183,7 +183,8 @@ def test_the_fit_of_inertia_is_that_of_unsteady_flow(S):
     )
     film = film_under(disk, Air(viscosity=MU, density=RHO))
     rate = S**2 * 2 * MU / (RHO * RADIUS**2) * disk.time_unit  # at sin(beta) = 1
-    raised = film_forces(1.0, 0.0, rate, 1.0, 0.0, film.inertia, *[0.0] * 4)[0] / rate
+    inertia_alone = (1.0, 0.0, film.inertia, *[0.0] * 4)
+    raised = film_forces(1.0, 0.0, rate, inertia_alone)[0] / rate
     assert raised == pytest.approx(unsteady / still, rel=0.05)
 
 
@@ -233,13 +234,15 @@ def by_law(Lam=0.0, falling=0.0, slip=0.0, bowl=0.0):
             1.0,
             falling,
             Lam,
-            ROTATION_POWER_COEFFICIENT / np.pi,
-            FALL_POWER_COEFFICIENT / np.pi,
-            0.0,
-            1 / COMPRESSION_ONSET_NUMBER,
-            1.0,
-            SLIP_MOBILITY_PER_KNUDSEN * slip,
-            bowl,
+            (
+                ROTATION_POWER_COEFFICIENT / np.pi,
+                FALL_POWER_COEFFICIENT / np.pi,
+                0.0,
+                1 / COMPRESSION_ONSET_NUMBER,
+                1.0,
+                SLIP_MOBILITY_PER_KNUDSEN * slip,
+                bowl,
+            ),
         )
     )
 
@@ -372,7 +375,7 @@ def test_a_concave_table_opens_the_film(inclination, sag, drag, fall):
     surface = Surface(sag=sag, diameter=diameter)
     plane, concave = (film_under(disk, STIFF, k) for k in (0.0, surface.curvature))
     flat, open_ = (
-        film_moment_parts(inclination, 1e-6, *film) for film in (plane, concave)
+        film_moment_parts(inclination, 1e-6, film) for film in (plane, concave)
     )
     law = np.array([open_[0] / flat[0], open_[1] / flat[1]])
     assert law == pytest.approx(solved, rel=0.04)

@@ -180,6 +180,7 @@ def test_the_truth_is_found_and_named(decay, shares, verdict):
     assert found.fit.value(0).value == pytest.approx(12.0, abs=0.02)
 
 
+@pytest.mark.slow
 def test_a_double_that_is_louder_does_not_hide_the_precession(decay):
     """A high-pass attenuates the precession of a disk slowed by air alone.
 
@@ -290,18 +291,22 @@ def contour_friction_of(exponent, coefficient, left, disk):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("exponent", "verdict"),
-    [(0.5, "impacts"), (1 / 3, "rolling"), (0.8, "not this scene")],
+    [(0.5, "impacts"), (1 / 3, "cannot tell"), (0.8, "not this scene")],
 )
 def test_the_law_of_bursts_names_impacts_and_nothing_else(exponent, verdict):
     """The arm of pivoting is a number: that of the contact slows the disk almost as contour
-    friction does, so that rolling could not be told from pivoting."""
+    friction does. Rolling is certain at an exponent of 1/3, but the own law of the scene may
+    take more than a negligible share."""
     scene = load_scene("coin").replace("friction.arm_pivoting=1e-6")
     samples = bursts(exponent, 0.004, scene)
     sound = detect_run(
         Recording(samples=samples, sample_rate=settling_sounds.RATE), "coin"
     )
     decay = DecayModel(scene)
-    assert judge_sound(decay, sound).verdict == verdict
+    whole = judge_sound(decay, sound)
+    assert whole.verdict == verdict
+    if exponent == 1 / 3:
+        assert whole.values()["rolling"].low > 0
     judged = judge_bursts(decay, sound)
     value = judged.values()["impacts"]
     assert value.low < 0.004 < value.high
@@ -408,6 +413,7 @@ def voice(seconds, seed):
     return made / made.std()
 
 
+@pytest.mark.slow
 def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decay):
     run = recording(
         decay, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3
@@ -450,6 +456,7 @@ def test_what_cannot_be_told_is_not_told(decay):
     assert "rolling" not in verdicts
 
 
+@pytest.mark.slow
 def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(
     decay,
 ):

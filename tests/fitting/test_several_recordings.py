@@ -69,6 +69,7 @@ def sonify(folder, *arguments):
     )
 
 
+@pytest.mark.slow
 def test_listen_reads_a_folder_and_goes_on_after_a_fault(tmp_path):
     takes = tmp_path / "takes"
     takes.mkdir()
@@ -112,6 +113,7 @@ def test_recordings_of_one_name_have_a_folder_each_in_out(tmp_path):
     assert found == {"take", "take-2", "other"}
 
 
+@pytest.mark.slow
 def test_nothing_to_analyse_is_an_error_of_one_line(tmp_path):
     noise(tmp_path / "a.wav", 0.1)
     noise(tmp_path / "b.wav", 0.1)
@@ -130,6 +132,7 @@ def test_nothing_to_analyse_is_an_error_of_one_line(tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_a_failure_of_the_program_is_raised_and_not_called_an_input_error(
     tmp_path, monkeypatch
 ):
@@ -157,6 +160,7 @@ def square_or_exit(name, number):
     return number**2
 
 
+@pytest.mark.slow
 def test_a_process_that_dies_costs_one_recording_only():
     tasks = [(f"take {number}", number) for number in range(8)]
     results = list(in_worker_processes(square_or_exit, tasks, 2))

@@ -83,6 +83,7 @@ def test_errors_in_noise(exponent, pitch, snr_db):
     assert abs(tone.exponent.value - exponent) < 3 * tone.exponent.half_width + 0.005
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("snr_db", [20, 0])
 @pytest.mark.parametrize(("exponent", "pitch"), LAWS)
 def test_errors_in_a_room(exponent, pitch, snr_db):
@@ -203,6 +204,7 @@ def assert_errors_cover(seeds):
     assert np.all(np.median(stated, axis=0) < (0.005, 0.005))
 
 
+@pytest.mark.slow
 def test_the_errors_stated_hold_the_truth():
     assert_errors_cover(range(9))
 
@@ -236,6 +238,7 @@ def test_noise_alone_has_no_tone_in(seed):
     assert tone_in(np.random.default_rng(seed).normal(size=8 * RATE), RATE) is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_glissando_has_no_end(seed):
     """Its logarithmic frequency rises linearly, and no law (t_end - t)^-n fits its ridge."""
@@ -249,6 +252,7 @@ def test_a_steady_tone_does_not_rise():
     assert tone_in(np.sin(2 * np.pi * 440 * t) + noise, RATE) is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [8000, 44100, 96000])
 @pytest.mark.parametrize(
     ("channels", "subtype", "suffix"),
@@ -265,6 +269,7 @@ def test_any_rate_channels_and_format(tmp_path, rate, channels, subtype, suffix)
     assert heard.tone.t_end.value == pytest.approx(END, abs=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [3001, 3200, 3340])
 def test_a_rate_that_holds_nothing_of_the_highest_band(tmp_path, rate):
     soundfile.write(

@@ -89,6 +89,7 @@ def test_loudness_of_a_full_scale_tone(tmp_path):
     ) == pytest.approx(-3.01, abs=0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [44100, 48000])
 def test_an_asper_is_a_tone_of_60_db_fully_modulated_at_70_hz(tmp_path, rate):
     """The value of 1 asper holds by definition.

@@ -58,6 +58,7 @@ def assert_amplitudes(source):
     assert source.samples == pytest.approx(AMPLITUDES, abs=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("separator", "decimal"), FORMS)
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])

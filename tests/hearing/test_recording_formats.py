@@ -113,6 +113,7 @@ def test_the_last_block_of_flac_is_that_of_the_encoder(tmp_path):
         assert flac_stream(file).last is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [

@@ -151,6 +151,7 @@ def cut_take(take, before_end):
     return take.samples[: int(stop * settling_sounds.RATE)], stop
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("made", "seed", "before_end"),
     [
@@ -221,6 +222,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
     assert binomtest(int(inside.sum()), inside.size).proportion_ci(0.95).low <= 0.99
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(settling_sounds.IMITATIONS))
 def test_an_imitation_is_not_heard(name):
     assert [heard(settling_sounds.IMITATIONS[name](seed)) for seed in (1, 2)] == [
@@ -372,6 +374,7 @@ def test_a_coin_on_its_table_is_heard_to_its_end():
     assert rates == pytest.approx([25.5, 33.4, 56.0], rel=0.03)
 
 
+@pytest.mark.slow
 @needs_recordings
 def test_both_spins_of_one_recording_are_heard_and_nothing_else():
     """Counted rates: 14.1 Hz at 8.0 s, 29 Hz at 8.9 s; 12.3, 13.6 and 28 to 31 Hz in the second spin.

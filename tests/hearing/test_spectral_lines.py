@@ -217,6 +217,7 @@ def test_the_edge_of_the_band_of_a_codec_is_no_carrier(tmp_path, quality):
     assert find_spectral_lines(decoded, rate) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
 def test_the_decay_rates_of_a_close_pair_are_found(seed):
     """Two lines 3 to 200 Hz apart with amplitude decay rates of 2 to 18 1/s, at 20 to 50 dB."""

@@ -94,6 +94,7 @@ def test_an_ogg_file_ends_with_a_whole_last_page(tmp_path):
         assert not ends_with_its_stream(path)
 
 
+@pytest.mark.slow
 def test_listen_says_in_one_line_how_much_is_there(tmp_path):
     """The reported tone and end are those of the available part."""
     path = tmp_path / "variable.mp3"

@@ -10,7 +10,7 @@ from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.face_contact import MIN_FALL_SPEED
-from dynamics.guards import MAX_RELATIVE_NUTATION_RATE
+from dynamics.guards import FALL_RATE_THRESHOLD
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
 
@@ -78,7 +78,7 @@ def proves_its_outcome(motion, limit) -> bool:
     of a solution."""
     (_, beta, *_) = motion.state[-1]
     nutation = motion.state[-1, 5] * motion.disk.time_unit
-    limit_of_fall = pytest.approx(MAX_RELATIVE_NUTATION_RATE, rel=1e-9)
+    limit_of_fall = pytest.approx(FALL_RATE_THRESHOLD, rel=1e-9)
     falls = motion.events and nutation / sqrt(beta) == limit_of_fall
     return {
         Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),

@@ -6,7 +6,7 @@ import numpy as np
 from contact_scenes import slope_of_contact, steady_precession_rate
 from scipy.interpolate import CubicSpline
 
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import energy
 from dynamics.compliant.stepping.model import CompliantModel
@@ -26,7 +26,7 @@ def standing(scene, rate, friction, *modes, damps=True, stiffness=None):
             SurfaceMode(**dict(zip(names, mode, strict=True))) for mode in modes
         )
     )
-    table = LawTable(law=contact_law(scene))
+    table = TabulatedLaw(law=contact_law(scene))
     scale = np.ones(len(LAW_COLUMNS))
     scale[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]] = 1e9
     scale[LAW_COLUMNS.loss_coefficient] = float(damps)
@@ -37,7 +37,9 @@ def standing(scene, rate, friction, *modes, damps=True, stiffness=None):
     known = surface_modes(
         SimpleNamespace(disk=scene.disk, surface=surface, numerics=scene.numerics)
     )
-    return CompliantModel(table=table, friction=friction, rate=rate, modes=known)
+    return CompliantModel(
+        tabulated_law=table, friction=friction, rate=rate, modes=known
+    )
 
 
 def steady(law, beta):
@@ -51,9 +53,9 @@ def steady(law, beta):
 
 def run(model, y, every, stop):
     """Return the initial energy, times, states, losses of contact and the reason of the stop."""
-    waves = model.supporting_modes(y)
+    modes = model.supporting_modes(y)
     first = energy(model, y[None])[0]
-    pieces = list(model.run(y, every, stop, waves=waves))
+    pieces = list(model.run(y, every, stop, modes=modes))
     t, state = (
         np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state")
     )

@@ -276,6 +276,7 @@ def test_a_level_disk_bounces_with_its_restitution(restitution):
     assert speed[leaves] == pytest.approx(0.5 * restitution, rel=3e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("stop_height", "expected"), [(1e-6, 2.50e-3), (10e-6, 1.84e-3), (20e-6, 1.27e-3)]
 )

@@ -96,6 +96,7 @@ def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
     assert order(swings(rings=0)) == pytest.approx(1, abs=0.1)
 
 
+@pytest.mark.slow
 def test_squared_cells_about_the_edge_double_the_order():
     """Squared cells contain u ~ r^(1/2), which limits the order; one ring of cells is sufficient.
 
@@ -171,6 +172,7 @@ def static_far_rim(component, mirror):
     return (free @ answer).reshape(-1, 3)[far, component]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("component", "mirror", "expected"), [(1, (-1, 1), 5.19e-8), (2, (1, -1), 3.50e-8)]
 )

@@ -78,6 +78,7 @@ def is_upright(mesh, thickness, radius=RADIUS):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cells", ["hexahedra", "tetrahedra"])
 @pytest.mark.parametrize("orientation", ORIENTATIONS)
 def test_a_disk_is_turned_from_any_orientation(tmp_path, orientation, cells):

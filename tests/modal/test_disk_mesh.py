@@ -139,6 +139,7 @@ def sectors(half_angle_deg, aspect, share, size):
         yield sector(1.0, aspect, support, size)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), PATCHES)
 def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(
@@ -166,6 +167,7 @@ MESHES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("half_angle_deg", "aspect", "share", "size"), MESHES)
 def test_no_cell_folds_and_the_volume_is_that_of_the_disk(
     half_angle_deg, aspect, share, size
@@ -180,6 +182,7 @@ def test_no_cell_folds_and_the_volume_is_that_of_the_disk(
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("half_angle_deg", [0.1, 5, 20, 45, 107, 150])
 def test_every_point_of_a_face_is_found_in_a_cell_that_holds_it(half_angle_deg, size):

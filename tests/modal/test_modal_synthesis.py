@@ -96,6 +96,7 @@ def test_other_disks_are_right_to_2_percent_too(name):
     assert (error <= elements.error[: len(frequency)]).mean() >= 0.9
 
 
+@pytest.mark.slow
 def test_a_thin_plate_is_resolved_up_to_20_khz():
     """A disk 2 mm thick has 24 modes below 20 kHz, with waves of a quarter of the diameter."""
     disk = Plate(radius=RADIUS, thickness=0.002, material=STEEL, density=DENSITY)

@@ -88,6 +88,7 @@ def test_elements_alone_are_within_half_a_percent_from_above_and_bound_their_err
     assert elements.error.max() < 0.08
 
 
+@pytest.mark.slow
 def test_elements_at_reference_accuracy_are_five_times_as_good():
     error = by_elements(accuracy="reference").frequency / REFERENCE - 1
     assert (error + UNCERTAINTY).min() > 0

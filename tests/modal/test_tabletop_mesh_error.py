@@ -126,8 +126,7 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
         fine,
         coarse,
         nodes_of_subcells(whole),
-        values,
-        shapes,
+        (values, shapes),
         shift,
         CORNER_ERROR_RATIO,
     )

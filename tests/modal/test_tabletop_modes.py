@@ -181,6 +181,7 @@ def test_an_elastic_ring_carries_a_free_plate():
     )
 
 
+@pytest.mark.slow
 def test_a_mesh_and_the_spectral_method_agree(tmp_path):
     """A free disk of 72 straight cells is too stiff by up to 5 %.
 
@@ -201,6 +202,7 @@ def test_a_mesh_and_the_spectral_method_agree(tmp_path):
     assert square[0] == pytest.approx(square[1], rel=0.05)
 
 
+@pytest.mark.slow
 def test_the_table_that_comes_with_the_program_stands_on_its_feet(tmp_path):
     """The shipped file equals the output of its script.
 
@@ -270,6 +272,7 @@ def test_a_mesh_without_a_top_face_is_refused(tmp_path):
         modes_of(MeshSurface(file=str(tmp_path / "tilted.vtu"), **GLASS), 5000.0)
 
 
+@pytest.mark.slow
 def test_a_mesh_of_a_dining_table_is_in_metres(tmp_path):
     """Oracle: the lowest bending mode of a free beam."""
     size = np.array([2.2, 0.9, 0.03])

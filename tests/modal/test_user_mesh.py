@@ -191,6 +191,7 @@ def test_a_named_surface_holds_the_body(tmp_path):
         frequencies(tmp_path / "disk.vtu", patch="grip")
 
 
+@pytest.mark.slow
 def test_a_free_mesh_has_six_rigid_modes_left_out(tmp_path):
     curved().save(str(tmp_path / "disk.vtu"))
     modes = mesh_modes(
@@ -254,6 +255,7 @@ def corners_and_edges(mesh):
     return mesh.dofs.element_dofs[[lattice[node] for node in VTK_HEXAHEDRON27[:20]]].T
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".vtu", ".inp"])
 def test_hexahedra_of_20_nodes_are_the_curved_ones(tmp_path, suffix):
     mesh = curved()

@@ -113,10 +113,8 @@ def bands(tmp_path_factory):
         48_000,
         subtype="FLOAT",
     )
-    return {
-        "low": spectrogram(path, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ),
-        "high": spectrogram(path, MODE_WINDOW_S),
-    }
+    low = spectrogram(path, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ)
+    return low, spectrogram(path, MODE_WINDOW_S)
 
 
 @pytest.mark.parametrize("table", [(), (320.0, 912.0)])
@@ -131,7 +129,12 @@ def test_a_spectrogram_names_its_axes_and_the_level_that_its_colour_is(
     }
     spans = [(0.0, 2.0), (1.0, 2.0)]
     one = drawn(
-        sound.draw_spectrogram, **bands, spans=spans, time=time, rates=rates, **marks
+        sound.draw_spectrogram,
+        bands=bands,
+        spans=spans,
+        time=time,
+        rates=rates,
+        **marks,
     )
     assert_readable(one)
     assert [panel.get_ylabel() for panel in one.axes[4:]] == 2 * [
@@ -144,7 +147,8 @@ def test_a_spectrogram_names_its_axes_and_the_level_that_its_colour_is(
 
 
 def test_a_recording_names_its_axes_and_the_level_that_its_colour_is(drawn, bands):
-    one = drawn(sound.draw_recording, **bands, span=(0.0, 2.0))
+    low, high = bands
+    one = drawn(sound.draw_recording, low=low, high=high, span=(0.0, 2.0))
     assert_readable(one)
     assert [panel.get_ylabel() for panel in one.axes[2:]] == 2 * [
         "level of a sine [dB re full scale, RMS]"

@@ -19,8 +19,13 @@ from sonify.report.render_worker import Painter, draw_png
 
 ROWS = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
 CURVES = {
-    "motion": dict.fromkeys(("time", "inclination", "energy", "force"), np.arange(5.0))
-    | {"weight": 1.0, "centre": ROWS[:2], "rates": ROWS, "before_end": ROWS[:, ::-1]}
+    "motion": dict.fromkeys(("time", "inclination", "energy"), np.arange(5.0))
+    | {
+        "force": (np.arange(5.0), 1.0),
+        "centre": ROWS[:2],
+        "rates": ROWS,
+        "before_end": ROWS[:, ::-1],
+    }
 }
 
 
@@ -80,14 +85,15 @@ SCRIPT = """
 import numpy as np
 from sonify.report.render_worker import painter
 rows = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
-data = dict.fromkeys(("time", "inclination", "energy", "force"), rows[1])
-data |= {"weight": 1.0, "centre": rows[:2], "rates": rows, "before_end": rows[:, ::-1]}
+data = dict.fromkeys(("time", "inclination", "energy"), rows[1])
+data |= {"force": (rows[1], 1.0), "centre": rows[:2], "rates": rows, "before_end": rows[:, ::-1]}
 picture = painter().draw("motion", "draw_motion", lambda: {"motion": data}).result()
 print(painter()._worker.result().process.pid, len(picture), flush=True)
 END
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", ["", "import os; os.kill(os.getpid(), 9)"])
 def test_a_script_without_a_guard_draws_and_leaves_no_process(end, tmp_path):
     script = tmp_path / "script.py"

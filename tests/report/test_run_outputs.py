@@ -653,6 +653,7 @@ def test_a_motion_that_is_cut_off_says_so(cut):
     assert cut.sound.duration > 1.0  # the modes ring out
 
 
+@pytest.mark.slow
 def test_a_full_disk_leaves_no_half_wav(tmp_path):
     """A limit on the file size simulates the full disk: the write fails in the same way."""
     resource = pytest.importorskip(

@@ -63,6 +63,7 @@ def test_for_no_thickness_the_solutions_are_legendre_functions():
     ] == pytest.approx(float(expected.real), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_turning_angle_and_period_of_the_published_release():
     motion = simulate(conservative(numerics={"time_limit": 0.5}))
     disk = motion.disk

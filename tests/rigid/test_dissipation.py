@@ -153,7 +153,7 @@ def test_contour_friction_that_stops_the_precession_has_a_name():
     """The simulation stops there, because the moment would drive the disk afterwards."""
     motion = simulate(whirling(0.1, dissipation={"contour_moment": 1e-4}))
     assert motion.outcome is Outcome.PRECESSION_STOPPED
-    assert motion.largest_regain() == 0
+    assert motion.largest_energy_gain_error() == 0
 
 
 def test_contour_friction_has_no_direction_without_precession():

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from dynamics.equations import DiskConstants, Loads
+from dynamics.equations import ContactState, DiskConstants, Loads
 from dynamics.regime import FLOAT_FORMULAS
 
 MU, ARMS = 0.3, (0.01, 0.02, 0.03)
@@ -37,19 +37,8 @@ def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5, fillet=0.0):
     law = DiskConstants(h, K, 1.0, MU, *ARMS, fillet=fillet)
     direction = u / np.hypot(*u)
     slip = u if sliding else np.zeros(2)
-    return FLOAT_FORMULAS.solve(
-        beta,
-        *w,
-        *slip,
-        *direction,
-        sliding,
-        False,
-        False,
-        False,
-        *senses,
-        law,
-        Loads(*loads),
-    )
+    state = ContactState(sliding, tuple(direction), (False,) * 3, tuple(senses))
+    return FLOAT_FORMULAS.solve(beta, tuple(w), tuple(slip), state, law, Loads(*loads))
 
 
 @cache

@@ -41,10 +41,12 @@ def lowest_guards(motion):
     )  # (inside, pieces, 11)
     for kind, regime in enumerate(motion.regimes):
         of_kind = y[:, motion.regime_of_piece == kind].T
-        branch = Branch.of(regime, motion.law, motion.loads)
-        contact = ARRAY_FORMULAS.contact(of_kind, branch, regime.senses, motion.law)
+        branch = Branch.of(regime, motion.constants, motion.loads)
+        contact = ARRAY_FORMULAS.contact(
+            of_kind, branch, regime.senses, motion.constants
+        )
         guards = ARRAY_FORMULAS.guards(
-            of_kind, contact, branch, regime.senses, motion.law, 0.0
+            of_kind, contact, branch, regime.senses, motion.constants, 0.0
         )
         if "grip" in guards:
             speed = guards.pop("grip") + STOP_SLIP_SPEED

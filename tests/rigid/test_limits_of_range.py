@@ -84,7 +84,7 @@ def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed
         )
     )
     assert motion.outcome is Outcome.FELL
-    assert motion.law.k1 * np.ptp(motion.state[:, 1]) > 1e-3, (
+    assert motion.constants.k1 * np.ptp(motion.state[:, 1]) > 1e-3, (
         "what the moment takes is far above round-off"
     )
     assert np.diff(motion.state[:, 10]).min() >= 0

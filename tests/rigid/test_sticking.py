@@ -54,7 +54,7 @@ def test_energy_and_dissipated_work_add_up(case):
 
 def test_what_sticks_stays_at_zero_with_a_multiplier_in_range(case):
     _, motion, _ = case
-    arms = (motion.law.k1, motion.law.k2, motion.law.k3)
+    arms = (motion.constants.k1, motion.constants.k2, motion.constants.k3)
     seen = 0
     for piece, kind in enumerate(motion.regime_of_piece):
         regime = motion.regimes[kind]
@@ -64,7 +64,10 @@ def test_what_sticks_stays_at_zero_with_a_multiplier_in_range(case):
             :, 0
         ]
         contact = ARRAY_FORMULAS.contact(
-            y, Branch.of(regime, motion.law, None), regime.senses, motion.law
+            y,
+            Branch.of(regime, motion.constants, None),
+            regime.senses,
+            motion.constants,
         )
         turns = contact_axis_rates(y[0] ** 2, *y[1:4], np.sin, np.cos)
         for i in np.flatnonzero(regime.stuck):

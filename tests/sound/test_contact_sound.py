@@ -19,7 +19,7 @@ from scipy.special import jv
 from dynamics import Outcome, simulate
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE
 from dynamics.compliant.law.linear_response import predicted_spectrum
-from dynamics.compliant.model_inputs import contact_law, contact_law_table
+from dynamics.compliant.model_inputs import contact_law, tabulated_contact_law
 from dynamics.motion import ForceJumps
 from modal import eigenmodes
 from modal.radiation import SOUND_SPEED
@@ -145,7 +145,7 @@ def steadily(table, beta, seconds):
         force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
         bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
         outcome=Outcome.TIME_LIMIT, film=None, rim_modes=None, vibration_crossover=None,
-        plan=SimpleNamespace(film=None, law_table=table),
+        plan=SimpleNamespace(film=None, tabulated_law=table),
     )  # fmt: skip
 
 
@@ -167,7 +167,7 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     distance = scene.audio.distance
     law = contact_law(scene)
     speed = steady_speed(law, beta)
-    table = contact_law_table(scene)
+    table = tabulated_contact_law(scene)
     motion = steadily(table, beta, seconds)
     free = eigenmodes(scene, below=18e3)
     added = ContactVibration(
@@ -254,7 +254,7 @@ def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
 @pytest.mark.slow
 def test_memory_does_not_grow_with_the_length(rough):
     """The test compares a steady disk over 6 s and over 60 s."""
-    table = contact_law_table(rough)
+    table = tabulated_contact_law(rough)
     peaks = []
     for seconds in (6.0, 60.0):
         motion = steadily(table, 0.1, seconds)

@@ -33,7 +33,7 @@ from sonify.sound.radiation import (
     listeners_of,
     tilt_kernel,
 )
-from sonify.sound.sources.protocol import Source
+from sonify.sound.sources.protocol import SoundSource
 
 HEAD = 0.0875  # m
 RATE = 48000
@@ -249,7 +249,7 @@ def test_impossible_listeners_are_named(listener, message):
         load_scene("published").replace(f"audio.listeners=[{listener}]")
 
 
-class LateSource(Source):
+class LateSource(SoundSource):
     """The force itself, late by some samples, as filters of different lengths at two ears."""
 
     names = ("late",)

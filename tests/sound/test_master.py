@@ -116,6 +116,7 @@ SOUNDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SOUNDS)
 def test_an_awkward_sound_has_the_loudness_and_the_peak(name):
     samples = whole(master_copy(track(SOUNDS[name]())))
@@ -149,6 +150,7 @@ def test_the_file_of_a_scene_has_the_loudness_and_the_peak(name, tmp_path):
     assert again == (tmp_path / "audible.wav").read_bytes()
 
 
+@pytest.mark.slow
 def test_the_dynamics_are_compressed():
     """The levels of half-second windows spread at most 0.6 times as far as with natural dynamics."""
     sound = sound_of_scene("published")

@@ -237,6 +237,7 @@ def tone(hertz, rate, gap, seconds=0.5):
     )
 
 
+@pytest.mark.slow
 def test_a_steady_tone_is_heard_as_the_table_says():
     """At this grid point of the tabulated pressure the film is open and both heave and tilt
     contribute."""

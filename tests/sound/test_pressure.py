@@ -25,7 +25,7 @@ from sonify.sound.modal_forcing import (
 from sonify.sound.pressure import STEMS
 from sonify.sound.radiation import listener_of, listeners_of, piston_strength
 from sonify.sound.render import FADE_IN, FADE_OUT, Renderer, render_sound
-from sonify.sound.sources.protocol import Source
+from sonify.sound.sources.protocol import SoundSource
 from sonify.sound.wav import write_sound
 
 HEAVE, TILT, SMOOTH, JUMPS = range(4)
@@ -223,6 +223,7 @@ def test_files_hold_what_they_say(scene, short, modes, tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_the_same_scene_gives_the_same_bytes(scene, modes, tmp_path):
     prints = []
     for folder in ("a", "b"):
@@ -305,7 +306,7 @@ def test_a_scene_may_have_any_causes_of_sound(scene, short, modes, tmp_path):
     """A further source, which radiates the normal force without delay, leaves the other stems
     unchanged."""
 
-    class Weight(Source):
+    class Weight(SoundSource):
         names = ("weight",)
         channel_ends = np.zeros((1, 2))
         tail_duration = 0.0

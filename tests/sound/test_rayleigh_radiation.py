@@ -15,11 +15,11 @@ from sonify.sound.radiation import (
     AIR_DENSITY,
     SOUND_SPEED,
     Listener,
-    directivity_table,
     heave_kernel,
     mode_taps,
     piston_strength,
     rayleigh,
+    tabulated_directivity,
     tilt_kernel,
 )
 
@@ -162,14 +162,14 @@ def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(
     listener = Listener(distance=0.5, elevation=np.radians(45))
     delays = np.outer(2 * np.pi * modes.frequency / sample_rate, [1, 0, -1])
     three = mode_taps(modes, listener, sample_rate)
-    exact = directivity_table(modes, listener, 512)
+    exact = tabulated_directivity(modes, listener, 512)
     found = np.sum(three * np.exp(1j * delays), axis=2)
     bar = gamma(20) * np.abs(three).sum(axis=2)
     assert (np.abs(found - exact) <= bar).all()
     assert (
         np.abs(
             three.sum(axis=2)
-            - directivity_table(modes, listener, 512, at_zero_frequency=True).real
+            - tabulated_directivity(modes, listener, 512, at_zero_frequency=True).real
         )
         <= bar
     ).all()

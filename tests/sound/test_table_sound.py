@@ -155,6 +155,7 @@ def answers(motion, sound, tone, table):
     return {finding.key: finding.holds for finding in found}
 
 
+@pytest.mark.slow
 def test_the_findings_on_a_table_say_yes_and_no(motion, sound, table):
     """The test repeats the findings with other tables.
 
@@ -292,6 +293,7 @@ def test_the_contact_goes_where_the_rim_meets_the_table(scene, motion):
     assert speed == pytest.approx(scene.disk.radius * np.abs(spin), rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("n", "k"), [(0, 0), (0, 1), (1, 0), (2, 0)])
 @pytest.mark.parametrize("elevation", [10.0, 45.0, 80.0])
 def test_directivity_of_a_supported_plate(scene, n, k, elevation):

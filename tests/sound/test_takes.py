@@ -113,6 +113,7 @@ def test_the_takes_are_numbered_and_differ(exported):
         assert abs(np.corrcoef(*pair)[0, 1]) < 0.99
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_bytes_for_any_number_of_takes(exported, tmp_path):
     (again,) = export_takes(brief_scene(), 1, 1, None, tmp_path / "again")
     assert again.read_bytes()[400:] == exported.paths[0].read_bytes()[400:]

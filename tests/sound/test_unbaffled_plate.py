@@ -79,6 +79,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("outline", "name"), [(o, n) for o, shapes in SHAPES.items() for n in shapes]
 )

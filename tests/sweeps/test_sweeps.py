@@ -202,6 +202,7 @@ def test_a_wrong_file_is_one_line(tmp_path):
     assert "or one of: " in CliRunner().invoke(main, ["sweep", "nowhere"]).stderr
 
 
+@pytest.mark.slow
 def test_every_shipped_sweep_is_right():
     assert shipped_sweeps()
     for name in shipped_sweeps():
@@ -257,6 +258,7 @@ def test_a_duration_is_in_the_unit_that_people_use(seconds, words):
     assert duration_in_words(seconds) == words
 
 
+@pytest.mark.slow
 def test_a_run_time_is_measured_on_runs_that_are_possible(monkeypatch):
     """A process measures the runs that it would get in the sweep; the second of these two is
     impossible."""
@@ -317,6 +319,7 @@ FALLING = load_scene("published").replace(
 )
 
 
+@pytest.mark.slow
 def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
     """Rows of single stages agree with the full run; a stage without dependencies has all its
     quantities."""

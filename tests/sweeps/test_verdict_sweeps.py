@@ -146,6 +146,7 @@ def test_a_plan_tells_whether_total_indices_fit(later, fits):
     assert f"which {fits} 2 h" in line
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", VERDICTS)
 def test_every_range_of_a_verdict_has_a_source(name):
     sweep = load_sweep(name)
@@ -170,6 +171,7 @@ def test_an_axis_without_effect_is_one_line():
         load_sweep(document)
 
 
+@pytest.mark.slow
 def test_a_rough_or_wavy_table_breaks_the_contact_as_predicted():
     """Waves do at 1.05 (n^2 - 1) amplitude/radius; a vibration proportional to the heights does
     where its rms exceeds 0.3 of the weight.

@@ -15,7 +15,7 @@ import numpy as np
 from dynamics.compliant.law.table_receptance import shapes_on_circle
 from dynamics.numba_kernels import kernel
 
-INTERPOLATION_AZIMUTHS = 512
+INTERPOLATION_AZIMUTH_COUNT = 512
 """Number of azimuths of the contact circle between which shapes are interpolated."""
 
 
@@ -26,7 +26,7 @@ class DrivenTable(NamedTuple):
     ----------
     from_last, from_before, from_force : ndarray, (m,)
         Coefficients A1, A2 [-] and B1 [s^2] of the recursion.
-    shapes : ndarray, (INTERPOLATION_AZIMUTHS + 1, m)
+    shapes : ndarray, (INTERPOLATION_AZIMUTH_COUNT + 1, m)
         Shapes round the contact circle [kg^-1/2].
     at_contact : ndarray, (m,)
         Shapes at the last place of the contact.
@@ -78,7 +78,7 @@ def driven_table(modes: Any, step: float, plate_mobility: float = 0.0) -> Driven
         from_last=first,
         from_before=second,
         from_force=(1 - first - second) / omega**2,
-        shapes=np.zeros((INTERPOLATION_AZIMUTHS + 1, count)),
+        shapes=np.zeros((INTERPOLATION_AZIMUTH_COUNT + 1, count)),
         at_contact=np.zeros(count),
         amplitude=np.zeros(count),
         earlier_amplitude=np.zeros(count),
@@ -92,7 +92,9 @@ def set_contact_circle(
     table: DrivenTable, modes: Any, centre: Any, radius: float
 ) -> None:
     """Evaluate the shapes round a circle with this centre (2,) and radius [m]."""
-    table.shapes[:-1] = shapes_on_circle(modes, centre, radius, INTERPOLATION_AZIMUTHS)
+    table.shapes[:-1] = shapes_on_circle(
+        modes, centre, radius, INTERPOLATION_AZIMUTH_COUNT
+    )
     table.shapes[-1] = table.shapes[0]
 
 
@@ -107,8 +109,8 @@ def advance_table(table, azimuth):
     if count == 0:
         return 0.0
     turn = azimuth / (2 * np.pi)
-    place = (turn - np.floor(turn)) * INTERPOLATION_AZIMUTHS
-    node = min(int(place), INTERPOLATION_AZIMUTHS - 1)
+    place = (turn - np.floor(turn)) * INTERPOLATION_AZIMUTH_COUNT
+    node = min(int(place), INTERPOLATION_AZIMUTH_COUNT - 1)
     part = place - node
     force = table.force[0]
     deflection = 0.0

@@ -93,11 +93,14 @@ def mean_height(profile, s, a):
 
 
 @kernel
-def add_rim_heights(table, rim, path, edge, half, reach, radius, turn, out):
+def add_rim_heights(rough, reach, radius, turn, out):
     """Add the heights of table and edge and two angular derivatives to `out` (3,).
 
-    The contact has turned by `turn` [rad] since the path lengths `path` and `edge` [m].
+    `rough` contains the profiles of table and edge, the path lengths [m] on both, and the
+    half-length of the ellipse [m]. Since these path lengths the contact has turned by
+    `turn` [rad].
     """
+    table, rim, path, edge, half = rough
     # step of the differences divided by the half-length of the ellipse; accurate to 1 %
     relative_slope_step = 1 / 32
     if table.coefficients.size == 6 and rim.coefficients.size == 6:

@@ -8,7 +8,7 @@ R_D(0, q^2, 1)/3 with q = b/a.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -206,12 +206,25 @@ class ContactLaw:
 
 
 def _ellipse(radii: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return q = b/a, D and F for `radii`, the ratio of the principal radii.
+    """Return q = b/a, D and F for `radii`, the ratio of the principal radii."""
+    radii = np.asarray(radii, dtype=float)
+    return _ellipse_of_bytes(radii.tobytes(), radii.shape)
+
+
+@lru_cache(maxsize=32)  # stiffness, axes and springs need it at the same inclinations
+def _ellipse_of_bytes(
+    content: bytes, shape: tuple[int, ...]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return `_ellipse` for the bytes of the radii.
 
     Hertz's equation is R_D(0, 1, q^2)/R_D(0, q^2, 1) = `radii`.
     """
-    q = np.asarray(radii, dtype=float) ** (-2 / 3)
+    radii = np.frombuffer(content).reshape(shape)
+    q = radii ** (-2 / 3)
     for _ in range(22):  # each iteration reduces the error at least sevenfold
         D = elliprd(0, q * q, 1)
         q = q * (elliprd(0, 1, q * q) / (D * radii)) ** (1 / 1.75)
-    return q, elliprd(0, q * q, 1), elliprf(0, q * q, 1)
+    found = q, elliprd(0, q * q, 1), elliprf(0, q * q, 1)
+    for array in found:
+        np.asarray(array).flags.writeable = False
+    return found

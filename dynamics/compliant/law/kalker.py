@@ -55,13 +55,17 @@ def slender_creep_coefficients(ratio, poisson):
     )
 
 
-def _interpolate(table, side, ratio, poisson):
+def _interpolate(tabulated, side, ratio, poisson):
     """Return C11 (`side` 0) or C22 (`side` 1) from its table or its asymptote."""
-    rows = [np.interp(ratio, AXIS_RATIOS, AXIS_RATIOS * row) / ratio for row in table]
-    weights = [_lagrange_polynomial(i, poisson) for i in range(len(table))]
+    rows = [
+        np.interp(ratio, AXIS_RATIOS, AXIS_RATIOS * row) / ratio for row in tabulated
+    ]
+    weights = [_lagrange_polynomial(i, poisson) for i in range(len(tabulated))]
     inside = 1 / sum(weight / row for weight, row in zip(weights, rows, strict=True))
     smallest = AXIS_RATIOS[0]
-    first = 1 / sum(weight / row[0] for weight, row in zip(weights, table, strict=True))
+    first = 1 / sum(
+        weight / row[0] for weight, row in zip(weights, tabulated, strict=True)
+    )
     excess = first / slender_creep_coefficients(smallest, poisson)[side] - 1
     slender = slender_creep_coefficients(np.minimum(ratio, smallest), poisson)[side]
     outside = slender * (1 + excess * ratio / smallest)

@@ -25,7 +25,7 @@ from dynamics.compliant.law.table_receptance import (
     TableReceptance,
     mean_square_response,
 )
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.numba_kernels import kernel, outermost
 
 SAMPLES_PER_KNOT = 16
@@ -112,7 +112,7 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
 
 
 def linear_contact_force_blocks(
-    table: LawTable,
+    tabulated: TabulatedLaw,
     blocks,
     rate: float,
     profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE),
@@ -123,7 +123,7 @@ def linear_contact_force_blocks(
 
     Parameters
     ----------
-    table : LawTable
+    tabulated : TabulatedLaw
         Tabulated contact law.
     blocks : iterable of MotionBlock
         The rigid motion.
@@ -150,23 +150,23 @@ def linear_contact_force_blocks(
     x = np.zeros(4)
     z = np.nan
     yielding = driven_table(modes, 1 / rate, plate_mobility)
-    radius = table.law.disk.radius - table.law.rolling_fillet
-    heights, rim = profiles
+    radius = tabulated.law.disk.radius - tabulated.law.rolling_fillet
     for block in blocks:
-        knots, A, B, drive = _coefficients(table, block, rate)
+        system = _coefficients(tabulated, block, rate)
         if np.isnan(z):
-            half_length, path, edge = knots[0, :3]
+            half_length, path, edge = system[0][0, :3]
+            heights, rim = profiles
             z = mean_height(heights, path, half_length)
             z += mean_height(rim, edge, half_length)
         if modes is not None:
             set_contact_circle(yielding, modes, modes.place + block.centre, radius)
         out, x, z = _filter_steps(
-            x, z, knots, A, B, drive, 1 / rate, heights, rim, yielding, block.azimuth
+            x, z, system, 1 / rate, profiles, yielding, block.azimuth
         )
         yield out
 
 
-def _coefficients(table, block, rate):
+def _coefficients(tabulated, block, rate):
     """Return the coefficients of `_filter_steps`.
 
     Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and
@@ -177,7 +177,7 @@ def _coefficients(table, block, rate):
     speed = np.diff(block.path) / np.diff(block.t)
     inclination = (block.inclination[1:] + block.inclination[:-1]) / 2
     load = (block.load[1:] + block.load[:-1]) / 2
-    system = table.linear_contact(inclination, load, speed, rolls)
+    system = tabulated.linear_contact(inclination, load, speed, rolls)
     A = system.A[:, FILTER_STATES][:, :, FILTER_STATES]
     B = system.B[:, FILTER_STATES]
     square = np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])
@@ -187,8 +187,8 @@ def _coefficients(table, block, rate):
             f"rate = {rate:g}: too low for the stiffness of the contact, must be at least "
             f"{fastest:.4g} 1/s"
         )
-    springs, a, _ = table.springs(block.inclination, block.load)
-    there = table.linear_contact(
+    springs, a, _ = tabulated.springs(block.inclination, block.load)
+    there = tabulated.linear_contact(
         block.inclination, block.load, np.append(speed, speed[-1]), block.rolls
     )
     forces = np.concatenate(
@@ -205,7 +205,7 @@ def _coefficients(table, block, rate):
 
 
 def predicted_rms(
-    table: LawTable,
+    tabulated: TabulatedLaw,
     roughness: Roughness,
     inclination,
     load,
@@ -218,19 +218,19 @@ def predicted_rms(
     It is computed from the spectrum of the heights. The contact moves along table and
     edge at `speed` (k,) [m/s]; `receptance` is that of the table.
     """
-    k = spectral_density(roughness, table.law.disk.radius)[0]
+    k = spectral_density(roughness, tabulated.law.disk.radius)[0]
     mean_squares = []
     for beta, force, velocity in np.broadcast(inclination, load, np.abs(speed)):
         f = k * velocity / (2 * np.pi)
         power = predicted_spectrum(
-            table, roughness, beta, force, velocity, f, receptance=receptance
+            tabulated, roughness, beta, force, velocity, f, receptance=receptance
         )
         mean_squares.append(trapezoid(power * (f > above), f))
     return np.sqrt(mean_squares)
 
 
 def predicted_power(
-    table: LawTable,
+    tabulated: TabulatedLaw,
     roughness: Roughness,
     inclination,
     load,
@@ -242,13 +242,13 @@ def predicted_power(
     It is the mean of N' dz/dt with the height z, computed as the integral of the
     spectrum of z times omega Im(N'/z). Contact, disk and table dissipate it.
     """
-    k, heights = spectral_density(roughness, table.law.disk.radius)
+    k, heights = spectral_density(roughness, tabulated.law.disk.radius)
     powers = []
     for steady in np.broadcast(inclination, load, np.abs(speed)):
         beta, force, velocity = np.reshape(steady, (3, 1))
-        a = table.springs(beta, force)[1]
+        a = tabulated.springs(beta, force)[1]
         _, response = _responses(
-            table, beta, force, velocity, k * velocity, True, receptance
+            tabulated, beta, force, velocity, k * velocity, True, receptance
         )
         power = heights * ellipse_window(k * a) ** 2 * k * velocity * response.imag
         powers.append(trapezoid(power, k))
@@ -256,7 +256,7 @@ def predicted_power(
 
 
 def predicted_spectrum(
-    table: LawTable,
+    tabulated: TabulatedLaw,
     roughness: Roughness,
     inclination,
     load,
@@ -270,19 +270,19 @@ def predicted_spectrum(
     The frequencies are (f,) [Hz].
     """
     beta, force, velocity = np.array([[inclination], [load], [speed]])
-    a = table.springs(beta, force)[1]
+    a = tabulated.springs(beta, force)[1]
     omega = 2 * np.pi * frequency
     k = omega / abs(speed)
-    spectrum = spectral_density(roughness, table.law.disk.radius)
+    spectrum = spectral_density(roughness, tabulated.law.disk.radius)
     heights = np.interp(k, *spectrum, left=0.0, right=0.0) * ellipse_window(k * a) ** 2
-    square, _ = _responses(table, beta, force, velocity, omega, rolls, receptance)
+    square, _ = _responses(tabulated, beta, force, velocity, omega, rolls, receptance)
     return heights * square * 2 * np.pi / abs(speed)
 
 
-def _responses(table, beta, force, velocity, omega, rolls, receptance):
+def _responses(tabulated, beta, force, velocity, omega, rolls, receptance):
     """Return the means of |N'/z|^2 and of N'/z (f,) round the contact circle."""
-    system = table.linear_contact(beta, force, velocity, rolls)
-    rate = float(np.abs(velocity / table.law.place(beta).f)[0])
+    system = tabulated.linear_contact(beta, force, velocity, rolls)
+    rate = float(np.abs(velocity / tabulated.law.place(beta).f)[0])
     on_rigid_table = force_per_height(system, omega)
     return mean_square_response(on_rigid_table, receptance(omega, rate))
 
@@ -322,12 +322,14 @@ def _propagator(A, B, h):
 
 
 @outermost
-def _filter_steps(x, z, knots, A, B, drive, h, table, rim, yielding, azimuth):
+def _filter_steps(x, z, system, h, profiles, yielding, azimuth):
     """Return the force (n, 2) in a block, the last state and the last height.
 
-    NaN in `drive` along a_2 marks a sliding contact without a tangential spring. The
-    table `yielding` is advanced in place.
+    The `system` contains the `_coefficients`. NaN in `drive` along a_2 marks a sliding
+    contact without a tangential spring. The table `yielding` is advanced in place.
     """
+    knots, A, B, drive = system
+    table, rim = profiles
     out = np.empty((SAMPLES_PER_KNOT * len(A), 2))
     next_x = np.empty(4)
     coefficients = np.empty(13)

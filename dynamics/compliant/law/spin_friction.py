@@ -4,7 +4,7 @@ import numpy as np
 from scipy.special import ellipe
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw
-from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT, SINE_ROOT_DEGREE
+from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT, SINE_ROOT_INDEX
 
 
 def slip_arm(law: ContactLaw, inclination, load):
@@ -56,7 +56,7 @@ def pivoting_polynomials(law: ContactLaw) -> tuple[float, ...]:
         slip_arm(law, beta, weight) / radius * np.cbrt(sine),
         spin_creep_moment_coefficient(law, beta, weight) / radius**2 * np.cbrt(sine),
     )
-    powers = sine[:, None] ** (np.arange(PIVOTING_COEFFICIENT_COUNT) / SINE_ROOT_DEGREE)
+    powers = sine[:, None] ** (np.arange(PIVOTING_COEFFICIENT_COUNT) / SINE_ROOT_INDEX)
     fits = [
         np.linalg.lstsq(powers / value[:, None], np.ones(len(sine)), rcond=None)[0]
         for value in scaled

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from dynamics.compliant.law.linear_response import predicted_rms
 from dynamics.compliant.law.roughness import Roughness
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 
 GAUSSIAN_NODES = np.linspace(-6.0, 6.0, 241)
 """Nodes of the integral over a Gaussian distribution, in standard deviations."""
@@ -26,7 +26,7 @@ root, to 0.5 %.
 
 
 def effective_load_factor(
-    table: LawTable,
+    tabulated: TabulatedLaw,
     roughness: Roughness,
     inclination,
     load,
@@ -43,19 +43,21 @@ def effective_load_factor(
     factors = []
     for beta, force, velocity in zip(*motions, strict=True):
         factors.append(
-            _load_factor_of_motion(table, roughness, beta, force, velocity, rounds)
+            _load_factor_of_motion(tabulated, roughness, beta, force, velocity, rounds)
         )
     return np.array(factors)
 
 
-def _load_factor_of_motion(table, roughness, inclination, load, speed, rounds):
+def _load_factor_of_motion(tabulated, roughness, inclination, load, speed, rounds):
     """Return the load factor in one steady motion by fixed-point iteration."""
     at = np.array([inclination])
     factor = 1.0
-    K0 = table.columns(at)[0, LAW_COLUMNS.hertz_stiffness]
-    alone = table.springs(at, load)[0].kn[0]
+    K0 = tabulated.columns(at)[0, LAW_COLUMNS.hertz_stiffness]
+    alone = tabulated.springs(at, load)[0].kn[0]
     for _ in range(rounds):
-        rms = predicted_rms(table, roughness, at, factor * load, speed, above=0.0)[0]
+        rms = predicted_rms(tabulated, roughness, at, factor * load, speed, above=0.0)[
+            0
+        ]
         scatter = rms / (alone * np.cbrt(factor))
         factor = np.sqrt(factor * (mean_stiffness(K0, load, scatter) / alone) ** 3)
     return factor

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-RECEPTANCE_AZIMUTHS = 256
+RECEPTANCE_AZIMUTH_COUNT = 256
 """Number of azimuths at which the shapes of a table are sampled round the contact circle."""
 MAX_ROUND_VARIATION = 0.02
 """Relative variation of the receptance round the circle below which the table counts as round."""
@@ -192,7 +192,7 @@ def modal_receptance(modes: Any, radius: float) -> ModalReceptance:
     ModalReceptance
         The receptance.
     """
-    shapes = shapes_on_circle(modes, modes.place, radius, RECEPTANCE_AZIMUTHS)
+    shapes = shapes_on_circle(modes, modes.place, radius, RECEPTANCE_AZIMUTH_COUNT)
     return ModalReceptance(shapes, modes.frequency, modes.decay_rate)
 
 

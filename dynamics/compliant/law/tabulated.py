@@ -55,7 +55,7 @@ LAW_COLUMNS = LawColumns(*range(len(LawColumns._fields)))
 
 
 @dataclass(frozen=True, kw_only=True)
-class LawTable:
+class TabulatedLaw:
     """Columns of a contact law tabulated over x = ln sin(beta).
 
     The half-length and all springs are proportional to the cube root of the load.
@@ -209,14 +209,7 @@ class LawTable:
         max_lateral_frequency_ratio = 0.5
         beta = self.inclinations
         edge = self.edge
-        turn = np.zeros(
-            (len(beta), 3, 3)
-        )  # rotation from radius, rim, axis to a_1, a_2, a_3
-        turn[:, 0, 1] = -1.0
-        turn[:, 1, 0] = np.cos(beta)
-        turn[:, 2, 2] = np.cos(beta)
-        turn[:, 1, 2] = np.sin(beta)
-        turn[:, 2, 0] = -np.sin(beta)
+        turn = rotations_to_contact(beta)
         shapes = edge.shapes @ turn.swapaxes(1, 2)
         raised = shapes[:, :, 2] ** 2
         still = turn @ edge.flexibility @ turn.swapaxes(1, 2)
@@ -238,14 +231,27 @@ class LawTable:
             np.minimum(square, max_lateral_frequency_ratio * lowest),
         )
         yields = still + (shapes.swapaxes(1, 2) * sideways[:, None]) @ shapes
-        moving = edge.squared < (2 * np.pi * self.max_moving_frequency) ** 2
         part = np.where(
-            moving, -1 / edge.squared, dynamic_flexibility(edge.squared, square)
+            edge.squared < (2 * np.pi * self.max_moving_frequency) ** 2,
+            -1 / edge.squared,
+            dynamic_flexibility(edge.squared, square),
         )
         yields[:, 2, 2] = still[:, 2, 2] + (raised * part).sum(axis=1)
         return CubicSpline(
             self.grid, bounded_flexibility(yields, np.column_stack(springs[:3]))
         )
+
+
+def rotations_to_contact(inclination: np.ndarray) -> np.ndarray:
+    """Return the rotations (k, 3, 3) from radius, rim and axis of the disk to a_1, a_2, a_3
+    at inclinations (k,) [rad]."""
+    turn = np.zeros((len(inclination), 3, 3))
+    turn[:, 0, 1] = -1.0
+    turn[:, 1, 0] = np.cos(inclination)
+    turn[:, 2, 2] = np.cos(inclination)
+    turn[:, 1, 2] = np.sin(inclination)
+    turn[:, 2, 0] = -np.sin(inclination)
+    return turn
 
 
 def positive_interpolants(grid: np.ndarray, columns: np.ndarray) -> PPoly:
@@ -294,7 +300,7 @@ def bounded_flexibility(flexibility: np.ndarray, stiffness: np.ndarray) -> np.nd
     return flexibility + (back * raised[:, None]) @ back.swapaxes(1, 2)
 
 
-class SeriesLawTable(LawTable):
+class TabulatedSeriesLaw(TabulatedLaw):
     """Tabulated law with the flexibility of the edge in series with every spring.
 
     Creep forces and contact losses are unchanged. All springs scale with the load like

@@ -23,7 +23,7 @@ from dynamics.compliant.law.table_receptance import (
     InfinitePlateReceptance,
     ModalReceptance,
 )
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 
 MAX_ONE_WAY_LEVEL_ERROR = 1.0
 """Change of the A-weighted level [dB] up to which the table only radiates."""
@@ -57,7 +57,7 @@ class CouplingError(NamedTuple):
 
 
 def coupling_error(
-    table: LawTable,
+    tabulated: TabulatedLaw,
     roughness: Roughness,
     inclination: float,
     load: float,
@@ -68,7 +68,7 @@ def coupling_error(
 
     Parameters
     ----------
-    table : LawTable
+    tabulated : TabulatedLaw
         Tabulated law of the contact.
     roughness : Roughness
         Heights of table and edge.
@@ -82,13 +82,13 @@ def coupling_error(
     CouplingError
         The error.
     """
-    k, heights = spectral_density(roughness, table.law.disk.radius)
+    k, heights = spectral_density(roughness, tabulated.law.disk.radius)
     omega = k * abs(speed)
     frequency = omega / (2 * np.pi)
     beta = np.array([inclination])
-    half_length = table.springs(beta, load)[1]
-    rate = abs(speed / float(table.law.place(inclination).f))
-    own = force_per_height(table.linear_contact(beta, load, speed), omega)
+    half_length = tabulated.springs(beta, load)[1]
+    rate = abs(speed / float(tabulated.law.place(inclination).f))
+    own = force_per_height(tabulated.linear_contact(beta, load, speed), omega)
     yielding = receptance(omega, rate)
     driven = heights * ellipse_window(k * half_length) ** 2
     one_way = driven * np.abs(own) ** 2

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.numba_kernels import kernel
 
@@ -62,12 +63,14 @@ def current_law(y, law, column):
 
 
 @kernel
-def law_slope(law, i, u, column):
-    """Return the derivative of a column by the position in interval i."""
+def hertz_stiffness_slope(law, i, u, sine):
+    """Return the derivative dK/ds of the stiffness by s = sine at position u in interval i."""
+    column = LAW_COLUMNS.hertz_stiffness
     cubics = law.cubics
-    return cubics[i, column, 2] + u * (
+    slope = cubics[i, column, 2] + u * (
         2 * cubics[i, column, 1] + u * 3 * cubics[i, column, 0]
     )
+    return slope * law.intervals_per_unit / sine
 
 
 @kernel

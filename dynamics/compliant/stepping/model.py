@@ -17,7 +17,7 @@ from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias, required_step_rate
 from dynamics.compliant.law.sections import Imperfection
-from dynamics.compliant.law.tabulated import LOG_SINE_GRID_STEP, LawTable
+from dynamics.compliant.law.tabulated import LOG_SINE_GRID_STEP, TabulatedLaw
 from dynamics.compliant.stepping.contact_energy import LawCubics
 from dynamics.compliant.stepping.rim_modes import NO_RIM_MODES, RimModes
 from dynamics.compliant.stepping.state_layout import STATE, STATE_SIZE, ModelConstants
@@ -27,7 +27,13 @@ from dynamics.compliant.stepping.table_modes import (
     set_steady_mode_response,
     wavy_table,
 )
-from dynamics.compliant.stepping.time_loop import EndReason, step_motion
+from dynamics.compliant.stepping.time_loop import (
+    CompiledModel,
+    EndReason,
+    MotionRecords,
+    MotionSteps,
+    step_motion,
+)
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.solver_settings import ACCURACY_LEVELS
@@ -108,7 +114,7 @@ class CompliantModel:
 
     Attributes
     ----------
-    table : LawTable
+    tabulated_law : TabulatedLaw
         Tabulated law of the contact.
     friction : Friction
         Coefficients of friction and resisting arms.
@@ -138,7 +144,7 @@ class CompliantModel:
         Steps per second.
     """
 
-    table: LawTable
+    tabulated_law: TabulatedLaw
     friction: Friction
     powers: tuple[tuple[float, float], ...] = ()
     viscous: tuple[float, float] = (0.0, 0.0)
@@ -155,10 +161,10 @@ class CompliantModel:
     @cached_property
     def constants(self) -> ModelConstants:
         """The constants of the model for the time loop."""
-        disk = self.table.law.disk
+        disk = self.tabulated_law.law.disk
         f = self.friction
         has_spin_friction = f.arm_pivoting == "contact"
-        fillet = self.table.law.rolling_fillet
+        fillet = self.tabulated_law.law.rolling_fillet
         core = disk.radius - fillet, disk.thickness / 2 - fillet, fillet
         J1, J2 = inertias(disk)
         body = disk.mass, J1, J2, 1 / J2 - 1 / J1, disk.radius, *core, disk.weight
@@ -179,9 +185,9 @@ class CompliantModel:
     def cubics(self) -> LawCubics:
         """The tabulated law for the time loop."""
         powers = LOG_SINE_GRID_STEP ** np.array([3, 2, 1, 0])
-        cubics = self.table.spline.c.transpose(1, 2, 0) * powers
+        cubics = self.tabulated_law.spline.c.transpose(1, 2, 0) * powers
         return LawCubics(
-            float(self.table.grid[0]),
+            float(self.tabulated_law.grid[0]),
             1 / LOG_SINE_GRID_STEP,
             np.ascontiguousarray(cubics),
         )
@@ -189,10 +195,10 @@ class CompliantModel:
     @cached_property
     def _required_rates(self) -> tuple[np.ndarray, np.ndarray]:
         """Sines (n,) of inclinations, and the step rates (n,) [1/s] that they require."""
-        table = self.table
+        tabulated = self.tabulated_law
         node_step = 10  # linear interpolation between every tenth is accurate to 2e-4
-        rates = required_step_rate(table.law, table.inclinations[::node_step])
-        return np.exp(table.grid[::node_step]), rates
+        rates = required_step_rate(tabulated.law, tabulated.inclinations[::node_step])
+        return np.exp(tabulated.grid[::node_step]), rates
 
     def with_half_time_step(self) -> "CompliantModel":
         """Return the model with half the time step."""
@@ -203,7 +209,7 @@ class CompliantModel:
 
         The time step is reduced if required.
         """
-        law = self.table.law
+        law = self.tabulated_law.law
         body, table = (
             side._replace(young=2 * side.young) for side in (law.body, law.table)
         )
@@ -212,7 +218,9 @@ class CompliantModel:
             self.rate,
             float(required_step_rate(law, np.array([MIN_CONTACT_INCLINATION]))[0]),
         )
-        return replace(self, table=replace(self.table, law=law), rate=rate)
+        return replace(
+            self, tabulated_law=replace(self.tabulated_law, law=law), rate=rate
+        )
 
     def run(
         self,
@@ -221,7 +229,7 @@ class CompliantModel:
         end_time: float,
         final_inclination: float = MIN_CONTACT_INCLINATION,
         forces_per_row: int = 1,
-        waves: ContactModes | None = None,
+        modes: ContactModes | None = None,
     ) -> Iterator[MotionPiece]:
         """Simulate from the state y to `end_time` [s] or `final_inclination` [rad].
 
@@ -237,7 +245,7 @@ class CompliantModel:
             Final inclination [rad].
         forces_per_row : int
             Number of mean forces per row.
-        waves : ContactModes, optional
+        modes : ContactModes, optional
             Modes for the state y; computed if not given.
 
         Yields
@@ -251,9 +259,14 @@ class CompliantModel:
             If the step rate is too low for the stiffness of the contact; the message
             states the required rate.
         """
-        powers = np.reshape(np.array(self.powers, dtype=float), (-1, 2))
+        compiled = CompiledModel(
+            self.constants,
+            np.reshape(np.array(self.powers, dtype=float), (-1, 2)),
+            self.cubics,
+            *self.profiles,
+        )
         sine = np.sin(max(final_inclination, MIN_CONTACT_INCLINATION))
-        waves = waves or self.supporting_modes(y)
+        modes = modes or self.supporting_modes(y)
         steps = 0
         rows_left = int(np.ceil(end_time * self.rate / steps_per_row - 1e-9))
         end_reason = EndReason.CONTINUES
@@ -270,19 +283,12 @@ class CompliantModel:
             )
             flights[0] = flying
             slips[0] = slipping
-            report = rows, forces, (flights, slips)
             end_reason, n, flight_count, slip_count = step_motion(
                 y,
-                steps,
-                self.constants,
-                powers,
-                self.cubics,
-                *self.profiles,
-                waves,
-                1 / self.rate,
-                steps_per_row,
-                sine,
-                *report,
+                MotionSteps(steps, 1 / self.rate, steps_per_row, sine),
+                compiled,
+                modes,
+                MotionRecords(rows, forces, flights, slips),
             )
             t = (steps + steps_per_row * np.arange(1, n + 1)) / self.rate
             flying = flights[flight_count]
@@ -311,9 +317,9 @@ class CompliantModel:
         """Return the modes that support a disk in the state y, and adjust its height."""
         if self.imperfection is not None:
             return wavy_table(self.imperfection, y, self.constants)
-        waves = modes_at_rest(self.modes, 1 / self.rate, self.disk_modes)
-        set_steady_mode_response(waves, self.modes, self, y)
-        return waves
+        supporting = modes_at_rest(self.modes, 1 / self.rate, self.disk_modes)
+        set_steady_mode_response(supporting, self.modes, self, y)
+        return supporting
 
     def _check_step_rate(self, y: np.ndarray) -> None:
         """Raise ValueError if the phase of a resonance changes too much in one step."""

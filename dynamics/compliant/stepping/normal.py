@@ -33,9 +33,9 @@ from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     current_law,
+    hertz_stiffness_slope,
     law_column,
     law_interval,
-    law_slope,
     mean_force,
     square_root_of_approach,
 )
@@ -78,57 +78,6 @@ def mean_slope(y0, y1, dx):
     return (y1 - y0) / dx if contact_moves(dx) else 0.0
 
 
-class StepStart(NamedTuple):
-    """Contact at the start of a step."""
-
-    sine: float
-    """Sine s0 of the inclination; `cosine` is c0 = n_z."""
-    cosine: float
-    axial_momentum: float
-    """Angular momentum L.n about the axis [kg m^2/s]."""
-    stiffness: float
-    """Stiffness K0 of the Hertz contact [N/m^1.5], and its derivative dK/ds."""
-    stiffness_slope: float
-    loss: float
-    """Loss coefficient c, divided by the length of the step [1/m]."""
-    half_length: float
-    """Half the length of the contact, over which heights are averaged [m]."""
-    table_height: float
-    """Heights of table and edge at the contact [m]."""
-    edge_height: float
-    gap: float
-    """Gap G [m], the root r0 of the approach and the energy over K, 2/5 (-G)^2.5."""
-    root: float
-    energy: float
-
-
-@kernel
-def step_start(y, law, axis, momentum, h):
-    """Return the contact at the start of a step h."""
-    sine = y[STATE.sin_inclination]
-    slope = law_slope(
-        law,
-        int(y[STATE.law_interval]),
-        y[STATE.law_fraction],
-        LAW_COLUMNS.hertz_stiffness,
-    )
-    root = square_root_of_approach(y[STATE.gap])
-    return StepStart(
-        sine,
-        axis[2],
-        dot(momentum, axis),
-        current_law(y, law, LAW_COLUMNS.hertz_stiffness),
-        slope * law.intervals_per_unit / sine,
-        current_law(y, law, LAW_COLUMNS.loss_coefficient) / h,
-        current_law(y, law, LAW_COLUMNS.half_length),
-        y[STATE.roughness_heights],
-        y[STATE.roughness_heights + 1],
-        y[STATE.gap],
-        root,
-        0.4 * root**5,
-    )
-
-
 class ContactFrame(NamedTuple):
     """Directions and levers of the contact at mid-step; a = reach e3 - lever d, b = -(R/s) d."""
 
@@ -161,6 +110,64 @@ def contact_frame(constants, axis):
     )
 
 
+class StepStart(NamedTuple):
+    """Disk and contact at the start of a step."""
+
+    axis: tuple[float, float, float]
+    momentum: tuple[float, float, float]
+    """Angular momentum L [kg m^2/s]."""
+    sine: float
+    """Sine s0 of the inclination; `cosine` is c0 = n_z."""
+    cosine: float
+    axial_momentum: float
+    """Angular momentum L.n about the axis [kg m^2/s]."""
+    stiffness: float
+    """Stiffness K0 of the Hertz contact [N/m^1.5], and its derivative dK/ds."""
+    stiffness_slope: float
+    loss: float
+    """Loss coefficient c, divided by the length of the step [1/m]."""
+    half_length: float
+    """Half the length of the contact, over which heights are averaged [m]."""
+    table_height: float
+    """Heights of table and edge at the contact [m]."""
+    edge_height: float
+    gap: float
+    """Gap G [m], the root r0 of the approach and the energy over K, 2/5 (-G)^2.5."""
+    root: float
+    energy: float
+    frame: ContactFrame
+    """Directions of the contact at mid-step."""
+
+
+@kernel
+def step_start(y, constants, law, h):
+    """Return the `StepStart` of a step h."""
+    axis = vector(y, STATE.axis)
+    momentum = vector(y, STATE.angular_momentum)
+    quarter_turn = times(h / (2 * constants.diametral_inertia) / 2, momentum)
+    sine = y[STATE.sin_inclination]
+    root = square_root_of_approach(y[STATE.gap])
+    return StepStart(
+        axis,
+        momentum,
+        sine,
+        axis[2],
+        dot(momentum, axis),
+        current_law(y, law, LAW_COLUMNS.hertz_stiffness),
+        hertz_stiffness_slope(
+            law, int(y[STATE.law_interval]), y[STATE.law_fraction], sine
+        ),
+        current_law(y, law, LAW_COLUMNS.loss_coefficient) / h,
+        current_law(y, law, LAW_COLUMNS.half_length),
+        y[STATE.roughness_heights],
+        y[STATE.roughness_heights + 1],
+        y[STATE.gap],
+        root,
+        0.4 * root**5,
+        contact_frame(constants, plus(axis, rotation_change(axis, quarter_turn))),
+    )
+
+
 @kernel
 def path_changes(frame, constants, velocity, momentum, spin_along, spin_up, h):
     """Return the advance of the contact along the path and along the edge [m] in a step.
@@ -181,8 +188,9 @@ def path_changes(frame, constants, velocity, momentum, spin_along, spin_up, h):
 
 
 @kernel
-def mean_spin(constants, start, momentum, mean_momentum, axis):
+def mean_spin(constants, start, mean_momentum, axis):
     """Return e/2 times the mean of L.n at both ends of a step; `axis` is that at its end."""
+    momentum = start.momentum
     return (
         constants.inverse_inertia_excess
         / 4
@@ -201,12 +209,26 @@ def rolling_moment(frame, N, table_slope, edge_slope):
     return N * (table_slope * frame.lever + edge_slope * frame.rim_lever)
 
 
+class ContactLoad(NamedTuple):
+    """Load of the contact at mid-step."""
+
+    N: float
+    """Normal force [N]."""
+    turn: float
+    """Moment about the horizontal diameter, divided by the sum of the axes [N m]."""
+    roll: float
+    """Moment about the direction to the contact [N m]."""
+    height_slope: float
+    """Mean slope of the table."""
+
+
 @kernel
-def midpoint_velocities(y, constants, frame, N, turn, roll, height_slope, A, h):
-    """Return velocity and angular momentum at mid-step under the force N.
+def midpoint_velocities(y, constants, frame, load, A, h):
+    """Return velocity and angular momentum at mid-step under a `ContactLoad`.
 
     A is the sum of the axes at both ends of the step.
     """
+    N, turn, roll, height_slope = load
     step_over_2m = h / (2 * constants.mass)
     V = (
         y[3] + step_over_2m * N * height_slope * frame.d1,
@@ -221,6 +243,278 @@ def midpoint_velocities(y, constants, frame, N, turn, roll, height_slope, A, h):
     return V, M
 
 
+class StepEnd(NamedTuple):
+    """Disk at the end of a step with a trial of the load."""
+
+    velocity: tuple[float, float, float]
+    """Velocity at mid-step [m/s]."""
+    momentum: tuple[float, float, float]
+    """Angular momentum at mid-step [kg m^2/s]."""
+    axis: tuple[float, float, float]
+    axis_sum: tuple[float, float, float]
+    """Sum of the axes at both ends of the step."""
+    sine: float
+    """Sine s1 of the inclination, and its change from s0."""
+    sine_change: float
+    inverse_sine_sum: float
+    """1/(s0 + s1)"""
+    arm: float
+    """Arm f of the normal force [m]."""
+    path_change: float
+    """Advance of the contact along the path and along the edge [m]."""
+    edge_path_change: float
+
+
+class HeightsAtEnd(NamedTuple):
+    """Heights at the end of a step [m], and the advances [m] for which they were evaluated."""
+
+    table_height: float
+    edge_height: float
+    path_change: float
+    edge_path_change: float
+
+
+class ContactEnd(NamedTuple):
+    """Contact at the end of a step with a trial of the load."""
+
+    law_interval: int
+    """Interval of the tabulated law, and the position in it."""
+    law_fraction: float
+    stiffness: float
+    """Stiffness K1 of the contact [N/m^1.5]."""
+    gap_change: float
+    """Change dG of the gap [m], and the root r1 of the approach at the end."""
+    heights: HeightsAtEnd
+    """Heights that the gap includes."""
+    root: float
+    elastic_force: float
+    """Difference quotient -dU/dG [N]."""
+    torque: float
+    """Difference quotient g = dU/ds [N m]."""
+
+
+@kernel
+def end_without_load(y, constants, start, h):
+    """Return the `StepEnd` with the axis of the frame and the velocities at the start.
+
+    The sum of the axes and the sines are twice those of the frame at mid-step.
+    """
+    frame = start.frame
+    axis = frame.axis
+    velocity = vector(y, STATE.velocity)
+    spin = constants.inverse_inertia_excess * start.axial_momentum
+    path_change, edge_path_change = path_changes(
+        frame,
+        constants,
+        velocity,
+        start.momentum,
+        spin * frame.sine,
+        spin * axis[2],
+        h,
+    )
+    return StepEnd(
+        velocity,
+        start.momentum,
+        axis,
+        times(2, axis),
+        frame.sine,
+        0.0,
+        0.5 / frame.sine,
+        constants.core_radius - constants.core_depth * frame.sine / axis[2],
+        path_change,
+        edge_path_change,
+    )
+
+
+@kernel
+def end_under_load(y, constants, start, load, axis_sum, h):
+    """Return the `StepEnd` under a `ContactLoad`; the sum of the axes is an estimate."""
+    frame = start.frame
+    V, M = midpoint_velocities(y, constants, frame, load, axis_sum, h)
+    q = rotation_change(start.axis, times(h / (2 * constants.diametral_inertia), M))
+    a = plus(start.axis, q)
+    A = plus(start.axis, a)
+    sine = np.sqrt(a[0] * a[0] + a[1] * a[1])
+    inverse_sine_sum = 1 / (start.sine + sine)
+    arm = constants.core_radius - constants.core_depth * (start.sine + sine) / (
+        start.cosine + a[2]
+    )
+    spin = mean_spin(constants, start, M, a)
+    path_change, edge_path_change = path_changes(
+        frame,
+        constants,
+        V,
+        M,
+        spin * (A[0] * frame.d0 + A[1] * frame.d1),
+        spin * A[2],
+        h,
+    )
+    return StepEnd(
+        V,
+        M,
+        a,
+        A,
+        sine,
+        (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum,
+        inverse_sine_sum,
+        arm,
+        path_change,
+        edge_path_change,
+    )
+
+
+@kernel
+def heights_at_end(y, table, rim, start, end):
+    """Return the `HeightsAtEnd` of a step."""
+    return HeightsAtEnd(
+        height_at_step_end(
+            table,
+            y[STATE.table_path],
+            end.path_change,
+            start.half_length,
+            start.table_height,
+        ),
+        height_at_step_end(
+            rim,
+            y[STATE.edge_path],
+            end.edge_path_change,
+            start.half_length,
+            start.edge_height,
+        ),
+        end.path_change,
+        end.edge_path_change,
+    )
+
+
+@kernel
+def contact_load(start, end, heights, N, torque):
+    """Return the `ContactLoad` of the normal force N and the torque g."""
+    table_slope = mean_slope(start.table_height, heights.table_height, end.path_change)
+    edge_slope = mean_slope(
+        start.edge_height, heights.edge_height, end.edge_path_change
+    )
+    return ContactLoad(
+        N,
+        (N * end.arm + torque) * end.axis_sum[2] * end.inverse_sine_sum / 2,
+        rolling_moment(start.frame, N, table_slope, edge_slope),
+        table_slope,
+    )
+
+
+@kernel
+def initial_force(y, start, heights):
+    """Return estimates of the normal force N and the torque g.
+
+    They follow from the gap without heights, which is smoother than the force.
+    """
+    dgap = (
+        3 * (y[STATE.gap_changes] - y[STATE.gap_changes + 1])
+        + y[STATE.gap_changes + 2]
+        - (heights.table_height - start.table_height)
+        - (heights.edge_height - start.edge_height)
+    )
+    root = square_root_of_approach(start.gap + dgap)
+    force = mean_force(start.root, root, start.gap, start.gap + dgap)
+    N = max(0.0, start.stiffness * force * (1 - start.loss * dgap))
+    return N, (start.energy + 0.4 * root**5) / 2 * start.stiffness_slope
+
+
+@kernel
+def mean_stiffness_slope(law, start, end, contact_stiffness, interval, fraction):
+    """Return the difference quotient of the stiffness by s, or the mean of dK/ds."""
+    # Relative change of sin(beta) below which the mean of dK/ds replaces its
+    # difference quotient
+    min_relative_sine_change = 1e-4
+    if abs(end.sine_change) > min_relative_sine_change * start.sine:
+        return (contact_stiffness - start.stiffness) / end.sine_change
+    end_slope = hertz_stiffness_slope(law, interval, fraction, end.sine)
+    return (start.stiffness_slope + end_slope) / 2
+
+
+@kernel
+def contact_at_end(law, start, end, heights, h):
+    """Return the `ContactEnd` of a step h."""
+    i, u = law_interval(law, end.sine)
+    stiffness = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
+    dgap = (
+        h * end.velocity[2]
+        - end.arm * end.sine_change
+        - (heights.table_height - start.table_height)
+        - (heights.edge_height - start.edge_height)
+    )
+    root = square_root_of_approach(start.gap + dgap)
+    elastic_force = (
+        (start.stiffness + stiffness)
+        / 2
+        * mean_force(start.root, root, start.gap, start.gap + dgap)
+    )
+    slope = mean_stiffness_slope(law, start, end, stiffness, i, u)
+    torque = (start.energy + 0.4 * root**5) / 2 * slope
+    return ContactEnd(i, u, stiffness, dgap, heights, root, elastic_force, torque)
+
+
+@kernel
+def force_correction(constants, start, end, contact, N, h):
+    """Return the Newton correction of the normal force N [N]."""
+    damped_force = contact.elastic_force * (1 - start.loss * contact.gap_change)
+    error = max(0.0, damped_force) - N
+    W = 1 / constants.mass + (end.arm * end.axis_sum[2]) ** 2 / (
+        4 * constants.diametral_inertia
+    )
+    stiffness = contact.stiffness * (start.root / 2 + contact.root)
+    correction = error / (
+        1
+        + stiffness * (h * h / 4 * W)
+        + h * h / 2 * start.loss * contact.elastic_force * W
+    )
+    return max(correction, -N)
+
+
+@kernel
+def finish_step(y, constants, law, start, end, contact, load, h):
+    """Write the state at the end of a step under the final `ContactLoad`.
+
+    The change of the load since `end` changes velocities and axis to first order.
+    """
+    V, M = midpoint_velocities(y, constants, start.frame, load, end.axis_sum, h)
+    M0, M1, M2 = end.momentum
+    change = (M[0] - M0, M[1] - M1, M[2] - M2)
+    q = cross(times(h / (2 * constants.diametral_inertia), change), end.axis_sum)
+    ds = (end.axis_sum[0] * q[0] + end.axis_sum[1] * q[1]) * end.inverse_sine_sum
+    dgap = contact.gap_change + (h * (V[2] - end.velocity[2]) - end.arm * ds)
+    u = contact.law_fraction + law.intervals_per_unit * ds / end.sine
+    K1 = law_column(law, contact.law_interval, u, LAW_COLUMNS.hertz_stiffness)
+    root = square_root_of_approach(start.gap + dgap)
+    elastic_force = (
+        (start.stiffness + K1)
+        / 2
+        * mean_force(start.root, root, start.gap, start.gap + dgap)
+    )
+    y[STATE.contact_loss] += (elastic_force - load.N) * dgap
+    for k in range(3):
+        y[STATE.position + k] += h * V[k]
+        y[STATE.velocity + k] = 2 * V[k] - y[STATE.velocity + k]
+        y[STATE.axis + k] = end.axis[k] + q[k]
+        y[STATE.angular_momentum + k] = 2 * M[k] - start.momentum[k]
+    y[STATE.table_path] += end.path_change
+    y[STATE.edge_path] += end.edge_path_change
+    y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
+    y[STATE.gap_changes + 1] = y[STATE.gap_changes]
+    y[STATE.gap_changes] = (
+        dgap
+        + (contact.heights.table_height - start.table_height)
+        + (contact.heights.edge_height - start.edge_height)
+    )
+    y[STATE.normal_force] = load.N
+    y[STATE.path_speed] = abs(end.path_change) / h
+    y[STATE.gap] = start.gap + dgap
+    y[STATE.roughness_heights] = contact.heights.table_height
+    y[STATE.roughness_heights + 1] = contact.heights.edge_height
+    y[STATE.sin_inclination] = end.sine + ds
+    y[STATE.law_interval] = contact.law_interval
+    y[STATE.law_fraction] = u
+
+
 @kernel
 def step_normal(y, constants, law, table, rim, h):
     """Advance y by the normal part of a step h; return False if there is no solution."""
@@ -233,174 +527,32 @@ def step_normal(y, constants, law, table, rim, h):
     height_update_distance = 1e-9
     # Largest number of evaluations of the heights in one step
     max_height_evaluations = 3
-    # Relative change of sin(beta) below which the mean of dK/ds replaces its
-    # difference quotient
-    min_relative_sine_change = 1e-4
-    J = constants.diametral_inertia
-    R = constants.core_radius
-    H = constants.core_depth
-    step_over_2J = h / (2 * J)
-    n = vector(y, STATE.axis)
-    L = vector(y, STATE.angular_momentum)
-    start = step_start(y, law, n, L, h)
-    p = plus(n, rotation_change(n, times(step_over_2J / 2, L)))
-    frame = contact_frame(constants, p)
-    # initial estimate from the gap without heights, which is smoother than the force
+    start = step_start(y, constants, law, h)
+    end = end_without_load(y, constants, start, h)
+    heights = HeightsAtEnd(start.table_height, start.edge_height, np.inf, np.inf)
     N = 0.0
-    g = 0.0
-    predicted_gap_change = (
-        3 * (y[STATE.gap_changes] - y[STATE.gap_changes + 1]) + y[STATE.gap_changes + 2]
-    )
-    A = times(2, p)
-    inverse_sine_sum = 0.5 / frame.sine
-    arm = R - H * frame.sine / p[2]
-    spin = constants.inverse_inertia_excess * start.axial_momentum
-    dpath, dedge = path_changes(
-        frame,
-        constants,
-        vector(y, STATE.velocity),
-        L,
-        spin * frame.sine,
-        spin * p[2],
-        h,
-    )
-    zt1 = start.table_height
-    zr1 = start.edge_height
-    mt = 0.0
-    mr = 0.0
-    read_path = np.inf
-    read_edge = np.inf
-    iterations_left = MAX_ITERATIONS
-    converged = False
-    while not converged:
-        if iterations_left == 0:
-            return False
-        iterations_left -= 1
-        if (
-            iterations_left >= MAX_ITERATIONS - max_height_evaluations
-            and max(abs(dpath - read_path), abs(dedge - read_edge))
-            > height_update_distance
-        ):
-            read_path = dpath
-            read_edge = dedge
-            zt1 = height_at_step_end(
-                table,
-                y[STATE.table_path],
-                dpath,
-                start.half_length,
-                start.table_height,
-            )
-            zr1 = height_at_step_end(
-                rim, y[STATE.edge_path], dedge, start.half_length, start.edge_height
-            )
-            mt = mean_slope(start.table_height, zt1, dpath)
-            mr = mean_slope(start.edge_height, zr1, dedge)
-            if iterations_left == MAX_ITERATIONS - 1:
-                dgap = (
-                    predicted_gap_change
-                    - (zt1 - start.table_height)
-                    - (zr1 - start.edge_height)
-                )
-                r1 = square_root_of_approach(start.gap + dgap)
-                force = mean_force(start.root, r1, start.gap, start.gap + dgap)
-                N = max(0.0, start.stiffness * force * (1 - start.loss * dgap))
-                g = (start.energy + 0.4 * r1**5) / 2 * start.stiffness_slope
-        turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
-        roll = rolling_moment(frame, N, mt, mr)
-        V, M = midpoint_velocities(y, constants, frame, N, turn, roll, mt, A, h)
-        mid_momentum = M
-        q = rotation_change(n, times(step_over_2J, M))
-        a = plus(n, q)
-        A = plus(n, a)
-        s1 = np.sqrt(a[0] * a[0] + a[1] * a[1])
-        inverse_sine_sum = 1 / (start.sine + s1)
-        arm = R - H * (start.sine + s1) / (start.cosine + a[2])
-        ds = (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum
-        spin = mean_spin(constants, start, L, M, a)
-        dpath, dedge = path_changes(
-            frame,
-            constants,
-            V,
-            M,
-            spin * (A[0] * frame.d0 + A[1] * frame.d1),
-            spin * A[2],
-            h,
+    torque = 0.0
+    for iteration in range(MAX_ITERATIONS):
+        moved = max(
+            abs(end.path_change - heights.path_change),
+            abs(end.edge_path_change - heights.edge_path_change),
         )
-        i, u = law_interval(law, s1)
-        K1 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
-        dgap = (
-            h * V[2] - arm * ds - (zt1 - start.table_height) - (zr1 - start.edge_height)
-        )
-        r1 = square_root_of_approach(start.gap + dgap)
-        elastic_force = (
-            (start.stiffness + K1)
-            / 2
-            * mean_force(start.root, r1, start.gap, start.gap + dgap)
-        )
-        error = max(0.0, elastic_force * (1 - start.loss * dgap)) - N
-        if abs(ds) > min_relative_sine_change * start.sine:
-            stiffness_slope = (K1 - start.stiffness) / ds
-        else:
-            slope = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness)
-            end_slope = slope * law.intervals_per_unit / s1
-            stiffness_slope = (start.stiffness_slope + end_slope) / 2
-        previous_g = g
-        g = (start.energy + 0.4 * r1**5) / 2 * stiffness_slope
-        W = 1 / constants.mass + (arm * A[2]) ** 2 / (4 * J)
-        stiffness = K1 * (start.root / 2 + r1)
-        correction = error / (
-            1 + stiffness * (h * h / 4 * W) + h * h / 2 * start.loss * elastic_force * W
-        )
-        correction = max(correction, -N)
-        mt = mean_slope(start.table_height, zt1, dpath)
-        mr = mean_slope(start.edge_height, zr1, dedge)
-        torque_error = abs(g - previous_g) + abs(
-            rolling_moment(frame, N, mt, mr) - roll
-        )
-        converged = max(abs(correction), torque_error / R) <= final_newton_tolerance * (
-            N + constants.weight
-        )
+        if iteration < max_height_evaluations and moved > height_update_distance:
+            heights = heights_at_end(y, table, rim, start, end)
+        if iteration == 0:
+            N, torque = initial_force(y, start, heights)
+        load = contact_load(start, end, heights, N, torque)
+        end = end_under_load(y, constants, start, load, end.axis_sum, h)
+        contact = contact_at_end(law, start, end, heights, h)
+        next_load = contact_load(start, end, heights, N, torque)
+        torque_error = abs(contact.torque - torque) + abs(next_load.roll - load.roll)
+        torque = contact.torque
+        correction = force_correction(constants, start, end, contact, N, h)
+        error = max(abs(correction), torque_error / constants.core_radius)
+        converged = error <= final_newton_tolerance * (N + constants.weight)
         N += correction
-    turn = (N * arm + g) * A[2] * inverse_sine_sum / 2
-    roll = rolling_moment(frame, N, mt, mr)
-    previous_V2 = V[2]
-    V, M = midpoint_velocities(y, constants, frame, N, turn, roll, mt, A, h)
-    change = (
-        M[0] - mid_momentum[0],
-        M[1] - mid_momentum[1],
-        M[2] - mid_momentum[2],
-    )
-    q = cross(times(step_over_2J, change), A)
-    ds = (A[0] * q[0] + A[1] * q[1]) * inverse_sine_sum
-    dgap += h * (V[2] - previous_V2) - arm * ds
-    u += law.intervals_per_unit * ds / s1
-    elastic_force = (
-        (start.stiffness + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
-        / 2
-        * mean_force(
-            start.root,
-            square_root_of_approach(start.gap + dgap),
-            start.gap,
-            start.gap + dgap,
-        )
-    )
-    y[STATE.contact_loss] += (elastic_force - N) * dgap
-    for k in range(3):
-        y[STATE.position + k] += h * V[k]
-        y[STATE.velocity + k] = 2 * V[k] - y[STATE.velocity + k]
-        y[STATE.axis + k] = a[k] + q[k]
-        y[STATE.angular_momentum + k] = 2 * M[k] - L[k]
-    y[STATE.table_path] += dpath
-    y[STATE.edge_path] += dedge
-    y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
-    y[STATE.gap_changes + 1] = y[STATE.gap_changes]
-    y[STATE.gap_changes] = dgap + (zt1 - start.table_height) + (zr1 - start.edge_height)
-    y[STATE.normal_force] = N
-    y[STATE.path_speed] = abs(dpath) / h
-    y[STATE.gap] = start.gap + dgap
-    y[STATE.roughness_heights] = zt1
-    y[STATE.roughness_heights + 1] = zr1
-    y[STATE.sin_inclination] = s1 + ds
-    y[STATE.law_interval] = i
-    y[STATE.law_fraction] = u
-    return True
+        if converged:
+            load = contact_load(start, end, heights, N, torque)
+            finish_step(y, constants, law, start, end, contact, load, h)
+            return True
+    return False

@@ -20,14 +20,16 @@ its change, at a constant gap, is balanced by the kinetic energy of the disk. Th
 horizontal force of the inclined table, which would do little work, is neglected.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     current_law,
+    hertz_stiffness_slope,
     law_interval,
-    law_slope,
     mean_force,
     square_root_of_approach,
 )
@@ -58,166 +60,315 @@ def update_gap_stiffness(y, constants, modes, law):
         add_kinetic_energy(y, constants, modes, 0.4 * (K0 - K1) * root**5)
 
 
+class ContactMove(NamedTuple):
+    """Move of the contact along the rim in a step h, found from the motion without force."""
+
+    axis: tuple[float, float, float]
+    """Axis of the disk at the end of the step, as far as it is known."""
+    angle: float
+    """Direction from the centre to the contact [rad]."""
+    turn: float
+    """Rotation of this direction in the step [rad]; `jumped` if it is too large."""
+    jumped: bool
+    direction: tuple[float, float]
+    """Mean e~ of the directions e at both ends of the step, and their difference."""
+    direction_change: tuple[float, float]
+    twist_change: float
+    """Rotation of the disk about its axis [rad]."""
+    table_path: float
+    """Path length on the table at the end of the step [m]."""
+    height: float
+    """Sum r of the heights of table and edge, and its change [m]."""
+    rise: float
+    mode_sums: tuple[float, float, float, float]
+    """D, E, P, S of `mode_work_sums`."""
+
+
+class GapStart(NamedTuple):
+    """Disk and gap at the start of a step."""
+
+    velocity: tuple[float, float, float]
+    axis: tuple[float, float, float]
+    momentum: tuple[float, float, float]
+    """Angular momentum [kg m^2/s]."""
+    sine: float
+    """Sine of the inclination, at least that of MIN_CONTACT_INCLINATION."""
+    stiffness: float
+    """Stiffness K of the contact [N/m^1.5], and its derivative dK/ds."""
+    stiffness_slope: float
+    loss: float
+    """Loss coefficient c, divided by the length of the step [1/m]."""
+    gap: float
+    """Gap G [m], and the root of the approach."""
+    root: float
+
+
+class GapEnd(NamedTuple):
+    """Disk and gap at the end of a step with a trial of the normal force."""
+
+    mean_fall: float
+    """Vertical velocity of the centre at mid-step [m/s]."""
+    mean_momentum: tuple[float, float, float]
+    """Angular momentum at mid-step [kg m^2/s]."""
+    axis: tuple[float, float, float]
+    axis_change: float
+    """Sum of the changes of the components of the axis since the previous trial."""
+    gap: float
+    """Gap G [m], its change by T, and the root of the approach."""
+    gap_error: float
+    root: float
+    stiffness: float
+    """Stiffness K of the contact [N/m^1.5], and its derivative dK/ds in the step."""
+    stiffness_slope: float
+    torque: float
+    """g = dU/ds [N m]."""
+    elastic_force: float
+    """Difference quotient -dU/dG [N], and its product with the factor of the loss."""
+    damped_force: float
+
+
+@kernel
+def find_contact(y, constants, law, table, rim, modes, scratch, h):
+    """Return the `ContactMove` of a step h; a contact that jumps is moved before the step."""
+    # largest rotation [rad] of a rolling contact in one step; beyond it, the contact has jumped
+    max_rolling_turn = 0.3
+    velocity = vector(y, STATE.velocity)
+    n = vector(y, STATE.axis)
+    L = vector(y, STATE.angular_momentum)
+    axis = plus(n, rotation_change(n, times(h / (2 * constants.diametral_inertia), L)))
+    predict_free_motion(modes, h)
+    before = modes.contact[CONTACT.angle]
+    twist_change = h * disk_twist_rate(constants, n, L)
+    modes.contact[CONTACT.twist_angle] += twist_change
+    table_path = y[STATE.table_path] + h * (
+        velocity[1] * np.cos(before) - velocity[0] * np.sin(before)
+    )
+    turned = angle_between(np.arctan2(n[1], n[0]), before)
+    edge_path = y[STATE.edge_path] + constants.radius * (turned - twist_change)
+    half_length = current_law(y, law, LAW_COLUMNS.half_length)
+    angle, height, path_change = track_contact(
+        modes,
+        constants,
+        (y[0] + h * velocity[0], y[1] + h * velocity[1]),
+        axis,
+        (table, rim, table_path, edge_path, half_length),
+        scratch,
+    )
+    turn = abs(angle_between(before, angle))
+    jumped = turn > max_rolling_turn
+    if jumped:
+        move_contact_along_rim(y, constants, modes, angle, height)
+        before = angle
+        predict_free_motion(modes, h)
+    rise = height - y[STATE.roughness_heights] - y[STATE.roughness_heights + 1]
+    sines = np.sin(before), np.sin(angle)
+    cosines = np.cos(before), np.cos(angle)
+    return ContactMove(
+        axis,
+        angle,
+        turn,
+        jumped,
+        ((cosines[0] + cosines[1]) / 2, (sines[0] + sines[1]) / 2),
+        (cosines[1] - cosines[0], sines[1] - sines[0]),
+        twist_change,
+        table_path + path_change,
+        height,
+        rise,
+        mode_work_sums(modes, h),
+    )
+
+
+@kernel
+def gap_at_start(y, law, modes, h):
+    """Return the `GapStart` of a step h."""
+    sine = max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
+    return GapStart(
+        vector(y, STATE.velocity),
+        vector(y, STATE.axis),
+        vector(y, STATE.angular_momentum),
+        sine,
+        modes.contact[CONTACT.gap_stiffness],
+        hertz_stiffness_slope(
+            law, int(y[STATE.law_interval]), y[STATE.law_fraction], sine
+        ),
+        current_law(y, law, LAW_COLUMNS.loss_coefficient) / h,
+        y[STATE.gap],
+        square_root_of_approach(y[STATE.gap]),
+    )
+
+
+@kernel
+def momentum_at_mid_step(L, move, constants, t, N, stiffening, h):
+    """Return the angular momentum [kg m^2/s] at mid-step, under the force N and the torque g.
+
+    L is that at the start of the step, t the mean axis and `stiffening` the ratio g/s~.
+    """
+    R = constants.core_radius
+    H = constants.core_depth
+    e0, e1 = move.direction
+    return (
+        L[0] + h / 2 * (N * (R * e1 * t[2] - H * t[1]) + stiffening * t[1] * t[2]),
+        L[1] + h / 2 * (N * (H * t[0] - R * e0 * t[2]) - stiffening * t[0] * t[2]),
+        L[2] + h / 2 * N * R * (e0 * t[1] - e1 * t[0]),
+    )
+
+
+@kernel
+def gap_changes(n, a, q, move, constants, N, dz):
+    """Return dG and T [m] of a step in which the axis n changes by q to a.
+
+    N is the normal force and dz the change in height of the centre [m].
+    """
+    R = constants.core_radius
+    H = constants.core_depth
+    e0, e1 = move.direction
+    c0, c1 = move.direction_change
+    D, E, P, S = move.mode_sums
+    T = -R * ((n[0] + a[0]) * c0 + (n[1] + a[1]) * c1) / 2 - (P - S * N) - move.rise
+    dgap = dz - R * (e0 * q[0] + e1 * q[1]) - H * q[2] - (D - E * N) + T
+    return dgap, T
+
+
+@kernel
+def gap_at_end(start, move, constants, axis, N, torque, stiffness_slope, h):
+    """Return the `GapEnd` of a step h under the normal force N.
+
+    The axis at the end of the step, the torque g and dK/ds are those of the previous trial.
+    """
+    # relative change of the stiffness in one step, above which it changes after the step
+    max_stiffness_change = 0.25
+    mean_fall = start.velocity[2] + h / (2 * constants.mass) * (N - constants.weight)
+    t = times(0.5, plus(start.axis, axis))
+    sine = max(np.sqrt(axis[0] * axis[0] + axis[1] * axis[1]), MIN_CONTACT_INCLINATION)
+    stiffening = 2 * torque / (start.sine + sine)
+    M = momentum_at_mid_step(start.momentum, move, constants, t, N, stiffening, h)
+    q = rotation_change(start.axis, times(h / (2 * constants.diametral_inertia), M))
+    a = plus(start.axis, q)
+    axis_change = abs(a[0] - axis[0]) + abs(a[1] - axis[1]) + abs(a[2] - axis[2])
+    dgap, T = gap_changes(start.axis, a, q, move, constants, N, h * mean_fall)
+    gap = start.gap + dgap
+    root = square_root_of_approach(gap)
+    ds = 2 * (t[0] * q[0] + t[1] * q[1]) / (start.sine + sine)
+    if abs(stiffness_slope * ds) > max_stiffness_change * start.stiffness:
+        stiffness_slope = 0.0
+    stiffness = start.stiffness + stiffness_slope * ds
+    force = mean_force(start.root, root, start.gap, gap)
+    elastic_force = (start.stiffness + stiffness) / 2 * force
+    return GapEnd(
+        mean_fall,
+        M,
+        a,
+        axis_change,
+        gap,
+        T,
+        root,
+        stiffness,
+        stiffness_slope,
+        0.2 * (start.root**5 + root**5) * stiffness_slope,
+        elastic_force,
+        elastic_force * (1 - start.loss * dgap),
+    )
+
+
+@kernel
+def next_normal_force(start, move, end, constants, N, other_force, other_error, h):
+    """Return the next trial of the normal force after N and `other_force`.
+
+    In a hard impact Newton's method alternates around the solution, which the secant
+    between both forces approaches; where the dashpot pulls, both are of no use.
+    """
+    E = move.mode_sums[1]
+    R = constants.core_radius
+    W = 1 / constants.mass + R * R / constants.diametral_inertia
+    error = max(0.0, end.damped_force) - N
+    stiffness_slope = end.stiffness * (start.root / 2 + end.root)
+    resistance = stiffness_slope * (h * h / 4 * W + E / 2)
+    resistance += start.loss * end.elastic_force * (h * h / 2 * W + E)
+    newton_change = error / (1 + resistance) if end.damped_force > 0 else error
+    alternates = error * other_error < 0
+    if alternates and end.damped_force <= 0:
+        return (N + other_force) / 2
+    if alternates and 2 * abs(error) > abs(other_error):
+        return N - error * (N - other_force) / (error - other_error)
+    return max(0.0, N + newton_change)
+
+
+@kernel
+def solve_normal_force(y, start, move, constants, h):
+    """Return True if there is a normal force for a step h, the force, and its `GapEnd`."""
+    # tolerance of the normal force, divided by the sum of force and weight, and of the axis
+    tolerance = 1e-12
+    R = constants.core_radius
+    N = max(
+        0.0,
+        3 * (y[STATE.normal_force] - y[STATE.previous_forces])
+        + y[STATE.previous_forces + 1],
+    )
+    other_force = N  # of the previous trial
+    other_error = 0.0
+    torque = 0.4 * start.root**5 * start.stiffness_slope
+    slope = start.stiffness_slope
+    end = gap_at_end(start, move, constants, move.axis, N, torque, slope, h)
+    for _ in range(MAX_ITERATIONS - 2):
+        force = next_normal_force(
+            start, move, end, constants, N, other_force, other_error, h
+        )
+        other_force = N
+        other_error = max(0.0, end.damped_force) - N
+        N = force
+        torque = end.torque
+        end = gap_at_end(
+            start, move, constants, end.axis, N, torque, end.stiffness_slope, h
+        )
+        scale = N + constants.weight
+        if (
+            abs(max(0.0, end.damped_force) - N) <= tolerance * scale
+            and end.axis_change < tolerance
+            and abs(end.torque - torque) <= tolerance * R * scale
+        ):
+            return True, N, end
+    return False, N, end
+
+
 @kernel
 def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
     """Advance the state y and the modes by the normal part of a step h.
 
     Returns False if the normal force has no solution.
     """
-    # largest rotation [rad] of a rolling contact in one step; beyond it, the contact has jumped
-    max_rolling_turn = 0.3
-    # relative change of the stiffness in one step, above which it changes after the step
-    max_stiffness_change = 0.25
-    # tolerance of the normal force, divided by the sum of force and weight, and of the axis
-    tolerance = 1e-12
-    m = constants.mass
-    J = constants.diametral_inertia
-    R = constants.core_radius
-    H = constants.core_depth
-    weight = constants.weight
-    step_over_2J = h / (2 * J)
-    i = int(y[STATE.law_interval])
-    u = y[STATE.law_fraction]
     update_gap_stiffness(y, constants, modes, law)
-    K0 = modes.contact[CONTACT.gap_stiffness]
-    K1 = K0
-    s0 = max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
-    dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
-    loss = current_law(y, law, LAW_COLUMNS.loss_coefficient) / h
-    v0, v1, v2 = vector(y, STATE.velocity)
-    n = vector(y, STATE.axis)
-    n0, n1, n2 = n
-    L = vector(y, STATE.angular_momentum)
-    a0, a1, a2 = plus(n, rotation_change(n, times(step_over_2J, L)))
-    predict_free_motion(modes, h)
-    previous_angle = modes.contact[CONTACT.angle]
-    twist_change = h * disk_twist_rate(constants, n, L)
-    modes.contact[CONTACT.twist_angle] += twist_change
-    table_path = y[STATE.table_path] + h * (
-        v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle)
-    )
-    turned = angle_between(np.arctan2(n1, n0), previous_angle)
-    edge_path = y[STATE.edge_path] + constants.radius * (turned - twist_change)
-    half_length = current_law(y, law, LAW_COLUMNS.half_length)
-    rough = (table, rim, table_path, edge_path, half_length)
-    x0 = y[0] + h * v0
-    x1 = y[1] + h * v1
-    angle, height, path_change = track_contact(
-        modes, constants, x0, x1, a0, a1, a2, rough, scratch
-    )
-    turn = abs(angle_between(previous_angle, angle))
-    jumped = turn > max_rolling_turn
-    if jumped:
-        jump_to_contact(y, constants, modes, angle, height)
-        previous_angle = angle
-        v0, v1, v2 = vector(y, STATE.velocity)
-        L = vector(y, STATE.angular_momentum)
-        predict_free_motion(modes, h)
-    rise = height - y[STATE.roughness_heights] - y[STATE.roughness_heights + 1]
-    D, E, P, S = mode_work_sums(modes, h)
-    e0 = (np.cos(previous_angle) + np.cos(angle)) / 2
-    e1 = (np.sin(previous_angle) + np.sin(angle)) / 2
-    c0 = np.cos(angle) - np.cos(previous_angle)
-    c1 = np.sin(angle) - np.sin(previous_angle)
-    W = 1 / m + R * R / J
-    gap0 = y[STATE.gap]
-    r0 = square_root_of_approach(y[STATE.gap])
-    N = max(
-        0.0,
-        3 * (y[STATE.normal_force] - y[STATE.previous_forces])
-        + y[STATE.previous_forces + 1],
-    )
-    gap = gap0
-    M = L
-    V2 = v2
-    elastic_force = 0.0
-    T = 0.0
-    g = 0.4 * r0**5 * dK
-    other_force = N  # of the previous iteration
-    other_error = 0.0
-    iterations_left = MAX_ITERATIONS
-    while iterations_left > 0:
-        iterations_left -= 1
-        V2 = v2 + h / (2 * m) * (N - weight)
-        t0 = (n0 + a0) / 2
-        t1 = (n1 + a1) / 2
-        t2 = (n2 + a2) / 2
-        s1 = max(np.sqrt(a0 * a0 + a1 * a1), MIN_CONTACT_INCLINATION)
-        stiffening = 2 * g / (s0 + s1)
-        M = (
-            L[0] + h / 2 * (N * (R * e1 * t2 - H * t1) + stiffening * t1 * t2),
-            L[1] + h / 2 * (N * (H * t0 - R * e0 * t2) - stiffening * t0 * t2),
-            L[2] + h / 2 * N * R * (e0 * t1 - e1 * t0),
-        )
-        q0, q1, q2 = rotation_change(n, times(step_over_2J, M))
-        axis_error = abs(n0 + q0 - a0) + abs(n1 + q1 - a1) + abs(n2 + q2 - a2)
-        a0 = n0 + q0
-        a1 = n1 + q1
-        a2 = n2 + q2
-        T = -R * ((n0 + a0) * c0 + (n1 + a1) * c1) / 2 - (P - S * N) - rise
-        dgap = h * V2 - R * (e0 * q0 + e1 * q1) - H * q2 - (D - E * N) + T
-        gap = gap0 + dgap
-        r1 = square_root_of_approach(gap)
-        ds = 2 * (t0 * q0 + t1 * q1) / (s0 + s1)
-        if abs(dK * ds) > max_stiffness_change * K0:
-            dK = 0.0
-        K1 = K0 + dK * ds
-        previous_g = g
-        g = 0.2 * (r0**5 + r1**5) * dK
-        elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap)
-        damped_force = elastic_force * (1 - loss * dgap)
-        error = max(0.0, damped_force) - N
-        if (
-            iterations_left < MAX_ITERATIONS - 1
-            and abs(error) <= tolerance * (N + weight)
-            and axis_error < tolerance
-            and abs(g - previous_g) <= tolerance * R * (N + weight)
-        ):
-            break
-        stiffness_slope = K1 * (r0 / 2 + r1)
-        resistance = stiffness_slope * (h * h / 4 * W + E / 2)
-        resistance += loss * elastic_force * (h * h / 2 * W + E)
-        newton_change = error / (1 + resistance) if damped_force > 0 else error
-        # In a hard impact Newton's method alternates around the solution, which the secant between
-        # both forces approaches; where the dashpot pulls, both are of no use.
-        alternates = error * other_error < 0
-        if alternates and damped_force <= 0:
-            next_force = (N + other_force) / 2
-        elif alternates and 2 * abs(error) > abs(other_error):
-            next_force = N - error * (N - other_force) / (error - other_error)
-        else:
-            next_force = max(0.0, N + newton_change)
-        other_force = N
-        other_error = error
-        N = next_force
-    if iterations_left == 0:
+    move = find_contact(y, constants, law, table, rim, modes, scratch, h)
+    start = gap_at_start(y, law, modes, h)
+    solved, N, end = solve_normal_force(y, start, move, constants, h)
+    if not solved:
         return False
-    y[STATE.contact_loss] += (elastic_force - N) * (gap - gap0)
-    turned = np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1)
-    y[STATE.edge_path] += constants.radius * (turned - twist_change)
-    table, body = advance_modes(modes, N, h)
-    y[STATE.table_loss] += table
-    y[STATE.body_loss] += body
-    V = (v0, v1, V2)
-    a = (a0, a1, a2)
+    n = start.axis
+    a = end.axis
+    y[STATE.contact_loss] += (end.elastic_force - N) * (end.gap - start.gap)
+    turned = np.arctan2(n[0] * a[1] - n[1] * a[0], n[0] * a[0] + n[1] * a[1])
+    y[STATE.edge_path] += constants.radius * (turned - move.twist_change)
+    table_loss, body_loss = advance_modes(modes, N, h)
+    y[STATE.table_loss] += table_loss
+    y[STATE.body_loss] += body_loss
+    velocity = (start.velocity[0], start.velocity[1], end.mean_fall)
     for k in range(3):
-        y[STATE.position + k] += h * V[k]
+        y[STATE.position + k] += h * velocity[k]
         y[STATE.axis + k] = a[k]
-        y[STATE.angular_momentum + k] = 2 * M[k] - L[k]
-    y[5] = 2 * V2 - v2
-    y[STATE.table_path] = table_path + path_change
-    y[STATE.roughness_heights] = height
+        y[STATE.angular_momentum + k] = 2 * end.mean_momentum[k] - start.momentum[k]
+    y[STATE.velocity + 2] = 2 * end.mean_fall - start.velocity[2]
+    y[STATE.table_path] = move.table_path
+    y[STATE.roughness_heights] = move.height
     y[STATE.roughness_heights + 1] = 0.0
-    if not jumped:
-        y[STATE.path_speed] = R * turn / h
-    modes.contact[CONTACT.angle] = angle
-    modes.contact[CONTACT.gap_stiffness] = K1
+    if not move.jumped:
+        y[STATE.path_speed] = constants.core_radius * move.turn / h
+    modes.contact[CONTACT.angle] = move.angle
+    modes.contact[CONTACT.gap_stiffness] = end.stiffness
     y[STATE.previous_forces + 1] = y[STATE.previous_forces]
     y[STATE.previous_forces] = y[STATE.normal_force]
     y[STATE.normal_force] = N
-    y[STATE.gap] = gap
-    add_kinetic_energy(y, constants, modes, N * T)
-    y[STATE.sin_inclination] = np.sqrt(a0 * a0 + a1 * a1)
+    y[STATE.gap] = end.gap
+    add_kinetic_energy(y, constants, modes, N * end.gap_error)
+    y[STATE.sin_inclination] = np.sqrt(a[0] * a[0] + a[1] * a[1])
     y[STATE.law_interval], y[STATE.law_fraction] = law_interval(
         law, max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
     )
@@ -225,7 +376,7 @@ def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
 
 
 @kernel
-def jump_to_contact(y, constants, modes, angle, height):
+def move_contact_along_rim(y, constants, modes, angle, height):
     """Move the contact to another place of the rim, at a constant state of disk and table.
 
     The new place is that of `shape_after`. The gap there is usually larger, and the

@@ -145,6 +145,48 @@ def store_round_slopes(table, x, y, slopes):
 
 
 @kernel
+def radial_sums(table, group, row, offset, amplitude, change):
+    """Return the sums of g, g' and g'' over the modes of a group of one wave."""
+    value = 0.0
+    slope = 0.0
+    bend = 0.0
+    for k in range(table.groups[group, 2], table.groups[group, 3]):
+        q = amplitude[table.mode_index[k]] + change[table.mode_index[k]]
+        cubic = offset * row[0, k]
+        square = row[1, k] + cubic
+        value += q * (row[3, k] + offset * (row[2, k] + offset * square))
+        slope += q * (row[2, k] + offset * (2 * square + cubic))
+        bend += q * (2 * square + 4 * cubic)
+    return value, slope, bend
+
+
+@kernel
+def wave_derivatives(n, is_sine, power, lower, lowest):
+    """Return a wave and its derivatives along x, along y, xx and xy; yy is -xx.
+
+    The wave is the real part of (u + i v)^n, or the imaginary part if `is_sine`. The
+    `power` is this power as a pair of both parts, and `lower` and `lowest` are those of
+    n - 1 and n - 2.
+    """
+    twice = n * (n - 1)
+    if is_sine:
+        return (
+            power[1],
+            n * lower[1],
+            n * lower[0],
+            twice * lowest[1],
+            twice * lowest[0],
+        )
+    return (
+        power[0],
+        n * lower[0],
+        -n * lower[1],
+        twice * lowest[0],
+        -twice * lowest[1],
+    )
+
+
+@kernel
 def round_deflection(table, amplitude, change, x, y, out):
     """Write W at (x, y), its gradient and its derivatives xx, xy, yy to `out` (6,).
 
@@ -154,44 +196,19 @@ def round_deflection(table, amplitude, change, x, y, out):
     row = table.pieces[cell]
     out[:] = 0.0
     n = 0
-    cosine = 1.0
-    sine = 0.0
-    lower_cosine = 0.0
-    lower_sine = 0.0
-    lowest_cosine = 0.0
-    lowest_sine = 0.0
-    for b in range(table.groups.shape[0]):
-        while n < table.groups[b, 0]:
-            lowest_cosine = lower_cosine
-            lowest_sine = lower_sine
-            lower_cosine = cosine
-            lower_sine = sine
-            cosine, sine = u * cosine - v * sine, u * sine + v * cosine
+    power = (1.0, 0.0)
+    lower = (0.0, 0.0)
+    lowest = (0.0, 0.0)
+    for group in range(table.groups.shape[0]):
+        while n < table.groups[group, 0]:
+            lowest = lower
+            lower = power
+            power = (u * power[0] - v * power[1], u * power[1] + v * power[0])
             n += 1
-        # sums of g, g' and g'' over the modes of this wave
-        value = 0.0
-        slope = 0.0
-        bend = 0.0
-        for k in range(table.groups[b, 2], table.groups[b, 3]):
-            q = amplitude[table.mode_index[k]] + change[table.mode_index[k]]
-            cubic = offset * row[0, k]
-            square = row[1, k] + cubic
-            value += q * (row[3, k] + offset * (row[2, k] + offset * square))
-            slope += q * (row[2, k] + offset * (2 * square + cubic))
-            bend += q * (2 * square + 4 * cubic)
-        # the wave and its derivatives along x, along y, xx and xy; yy is -xx
-        twice = n * (n - 1)
-        wave = cosine
-        wave_x = n * lower_cosine
-        wave_y = -n * lower_sine
-        wave_xx = twice * lowest_cosine
-        wave_xy = -twice * lowest_sine
-        if table.groups[b, 1]:
-            wave = sine
-            wave_x = n * lower_sine
-            wave_y = n * lower_cosine
-            wave_xx = twice * lowest_sine
-            wave_xy = twice * lowest_cosine
+        value, slope, bend = radial_sums(table, group, row, offset, amplitude, change)
+        wave, wave_x, wave_y, wave_xx, wave_xy = wave_derivatives(
+            n, table.groups[group, 1], power, lower, lowest
+        )
         out[0] += value * wave
         out[1] += 2 * u * slope * wave + value * wave_x
         out[2] += 2 * v * slope * wave + value * wave_y

@@ -183,7 +183,7 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
         * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
     )
     spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
-    waves = _at_rest(
+    modes = _at_rest(
         np.ascontiguousarray(spline.c.T[:, :, None]),
         spline.t,
         spline.t,
@@ -195,17 +195,17 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
         compliance=np.zeros(1),
         rim=np.column_stack(NO_RIM_MODES),
     )
-    waves.amplitude[:] = 1.0
-    waves.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
+    modes.amplitude[:] = 1.0
+    modes.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
     store_table_shapes(
-        waves,
+        modes,
         *(reach * a),
         np.zeros((3, 4)),
         np.zeros((3, 4)),
-        waves.shape_before,
+        modes.shape_before,
     )
-    y[2] += waves.shape_before[0]
-    return waves
+    y[2] += modes.shape_before[0]
+    return modes
 
 
 @kernel
@@ -251,70 +251,70 @@ def cubic_basis(knots, x, out):
 
 
 @kernel
-def store_table_shapes(waves, x, y, bx, by, shapes):
+def store_table_shapes(modes, x, y, bx, by, shapes):
     """Store the table mode shapes at (x, y) [m] in `shapes`."""
-    if waves.round_shapes.mode_index.size > 0:
+    if modes.round_shapes.mode_index.size > 0:
         store_round_shapes(
-            waves.round_shapes, x + waves.place[0], y + waves.place[1], shapes
+            modes.round_shapes, x + modes.place[0], y + modes.place[1], shapes
         )
         return
-    i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
-    j = cubic_basis(waves.knots_y, y + waves.place[1], by)
-    modes = waves.coefficients.shape[2]
-    for m in range(modes):
+    i = cubic_basis(modes.knots_x, x + modes.place[0], bx)
+    j = cubic_basis(modes.knots_y, y + modes.place[1], by)
+    count = modes.coefficients.shape[2]
+    for m in range(count):
         shapes[m] = 0.0
     for a in range(4):
         for b in range(4):
             share = bx[0, a] * by[0, b]
-            row = waves.coefficients[i + a, j + b]
-            for m in range(modes):
+            row = modes.coefficients[i + a, j + b]
+            for m in range(count):
                 shapes[m] += share * row[m]
 
 
 @kernel
-def store_table_slopes(waves, x, y, bx, by, slopes):
+def store_table_slopes(modes, x, y, bx, by, slopes):
     """Store the slopes (2, t) of the table mode shapes along x and y at (x, y) [m]."""
-    if waves.round_shapes.mode_index.size > 0:
+    if modes.round_shapes.mode_index.size > 0:
         store_round_slopes(
-            waves.round_shapes, x + waves.place[0], y + waves.place[1], slopes
+            modes.round_shapes, x + modes.place[0], y + modes.place[1], slopes
         )
         return
-    i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
-    j = cubic_basis(waves.knots_y, y + waves.place[1], by)
+    i = cubic_basis(modes.knots_x, x + modes.place[0], bx)
+    j = cubic_basis(modes.knots_y, y + modes.place[1], by)
     slopes[:] = 0.0
     for a in range(4):
         for b in range(4):
-            row = waves.coefficients[i + a, j + b]
+            row = modes.coefficients[i + a, j + b]
             for m in range(row.size):
                 slopes[0, m] += bx[1, a] * by[0, b] * row[m]
                 slopes[1, m] += bx[0, a] * by[1, b] * row[m]
 
 
 @kernel
-def table_deflection(waves, x, y, bx, by, out):
+def table_deflection(modes, x, y, bx, by, out):
     """Write W at (x, y), its gradient and its derivatives xx, xy, yy to `out` (6,).
 
     W is the deflection at the end of a step without contact force.
     """
-    if waves.round_shapes.mode_index.size > 0:
+    if modes.round_shapes.mode_index.size > 0:
         round_deflection(
-            waves.round_shapes,
-            waves.amplitude,
-            waves.free_change,
-            x + waves.place[0],
-            y + waves.place[1],
+            modes.round_shapes,
+            modes.amplitude,
+            modes.free_change,
+            x + modes.place[0],
+            y + modes.place[1],
             out,
         )
         return
-    i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
-    j = cubic_basis(waves.knots_y, y + waves.place[1], by)
+    i = cubic_basis(modes.knots_x, x + modes.place[0], bx)
+    j = cubic_basis(modes.knots_y, y + modes.place[1], by)
     out[:] = 0.0
     for a in range(4):
         for b in range(4):
-            row = waves.coefficients[i + a, j + b]
+            row = modes.coefficients[i + a, j + b]
             value = 0.0
             for m in range(row.size):
-                value += row[m] * (waves.amplitude[m] + waves.free_change[m])
+                value += row[m] * (modes.amplitude[m] + modes.free_change[m])
             out[0] += bx[0, a] * by[0, b] * value
             out[1] += bx[1, a] * by[0, b] * value
             out[2] += bx[0, a] * by[1, b] * value
@@ -330,19 +330,21 @@ def angle_between(before, after):
 
 
 @kernel
-def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
-    """Evaluate table and rim at an angle of a disk with axis n and centre (x, y).
+def evaluate_gap(modes, constants, centre, axis, angle, scratch):
+    """Evaluate table and rim at an angle of a disk with an axis n and a centre (x, y).
 
     The deflection of the table and its derivatives are written to scratch[6], those of
     the rim to scratch[7]. Returns cosine and sine of the angle, the reach from the
     centre [m], and n.e.
     """
+    x, y = centre
+    n0, n1, n2 = axis
     c = np.cos(angle)
     s = np.sin(angle)
     down = n0 * c + n1 * s
     reach = constants.core_radius * n2 - down * constants.core_depth
     table_deflection(
-        waves,
+        modes,
         x + reach * c,
         y + reach * s,
         scratch[0:3, 0:4],
@@ -350,8 +352,8 @@ def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
         scratch[6],
     )
     evaluate_rim_ripple(
-        waves,
-        angle - waves.contact[CONTACT.twist_angle],
+        modes,
+        angle - modes.contact[CONTACT.twist_angle],
         down,
         n2,
         scratch[7],
@@ -360,7 +362,7 @@ def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
 
 
 @kernel
-def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
+def find_gap_minima(modes, constants, centre, axis, scratch):
     """Scan the whole rim for minima of the gap; store as many as there is space for.
 
     The scan begins at the contact, so that it is the same in all directions. A minimum
@@ -373,8 +375,8 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
     level_scan_interval = 256  # steps between two scans on a nearly level table
     bent_scan_interval = 16  # steps between two scans on a bent table
     R = constants.core_radius
-    max_count = len(waves.contact) - CONTACT.minimum_angles
-    contact = waves.contact[CONTACT.angle]
+    max_count = len(modes.contact) - CONTACT.minimum_angles
+    contact = modes.contact[CONTACT.angle]
     highest = -np.inf
     lowest = np.inf
     count = 0
@@ -382,13 +384,10 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
     current = 0.0
     for n in range(RIM_SCAN_POINTS + 2):
         _, _, _, down = evaluate_gap(
-            waves,
+            modes,
             constants,
-            x,
-            y,
-            n0,
-            n1,
-            n2,
+            centre,
+            axis,
             contact + 2 * np.pi * n / RIM_SCAN_POINTS,
             scratch,
         )
@@ -399,22 +398,24 @@ def find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch):
         if n > 1 and current >= previous and current > value and count < max_count:
             turn = angle_between(0.0, 2 * np.pi * (n - 1) / RIM_SCAN_POINTS)
             is_other = abs(turn) > same_contact_angle
-            waves.contact[CONTACT.minimum_angles + count] = (
+            modes.contact[CONTACT.minimum_angles + count] = (
                 contact + turn if is_other else contact
             )
             count += 1
         previous = current
         current = value
-    waves.contact[CONTACT.minimum_count] = count
-    bends = highest - lowest > bent_table_ratio * R * np.sqrt(n0 * n0 + n1 * n1)
-    waves.contact[CONTACT.steps_to_scan] = (
+    modes.contact[CONTACT.minimum_count] = count
+    bends = highest - lowest > bent_table_ratio * R * np.sqrt(
+        axis[0] * axis[0] + axis[1] * axis[1]
+    )
+    modes.contact[CONTACT.steps_to_scan] = (
         bent_scan_interval if bends else level_scan_interval
     )
 
 
 @kernel
-def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
-    """Find the contact of a disk with axis (n0, n1, n2) and centre (x, y) on the table.
+def track_contact(modes, constants, centre, axis, rough, scratch):
+    """Find the contact of a disk with an axis n and a centre (x, y) on the table.
 
     One Newton step updates each minimum of the gap; the lowest one is the contact.
     While the disk is almost parallel to the table below it, the opposite side of the
@@ -430,34 +431,33 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
     field = scratch[6]
     rim_field = scratch[7]
     R = constants.core_radius
+    n0, n1, n2 = axis
     level_curvature = R * np.sqrt(n0 * n0 + n1 * n1)
-    x = waves.table_is_fixed * x
-    y = waves.table_is_fixed * y
-    waves.contact[CONTACT.steps_to_scan] -= 1
-    if waves.contact[CONTACT.steps_to_scan] < 0:
-        find_gap_minima(waves, constants, x, y, n0, n1, n2, scratch)
-    last = waves.contact[CONTACT.angle]
+    x = modes.table_is_fixed * centre[0]
+    y = modes.table_is_fixed * centre[1]
+    modes.contact[CONTACT.steps_to_scan] -= 1
+    if modes.contact[CONTACT.steps_to_scan] < 0:
+        find_gap_minima(modes, constants, (x, y), axis, scratch)
+    last = modes.contact[CONTACT.angle]
     lowest_gap = -np.inf
     contact_angle = last
-    for n in range(int(waves.contact[CONTACT.minimum_count])):
-        angle = waves.contact[CONTACT.minimum_angles + n]
-        c, s, reach, down = evaluate_gap(
-            waves, constants, x, y, n0, n1, n2, angle, scratch
-        )
+    for n in range(int(modes.contact[CONTACT.minimum_count])):
+        angle = modes.contact[CONTACT.minimum_angles + n]
+        c, s, reach, down = evaluate_gap(modes, constants, (x, y), axis, angle, scratch)
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
         add_rim_heights(
-            *rough, reach, constants.radius, angle_between(last, angle), rim_field
+            rough, reach, constants.radius, angle_between(last, angle), rim_field
         )
         slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
         bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
         curvature = down - bend
         if curvature < min_curvature_ratio * level_curvature:
-            waves.contact[CONTACT.steps_to_scan] = 0
+            modes.contact[CONTACT.steps_to_scan] = 0
         step = slope / max(curvature, 0.1 * level_curvature + 1e-300)
         step = min(max(step, -0.1), 0.1)
-        waves.contact[CONTACT.minimum_angles + n] = angle + step
+        modes.contact[CONTACT.minimum_angles + n] = angle + step
         value = field[0] + rim_field[0] + down + step * slope / 2
         if value > lowest_gap:
             lowest_gap = value
@@ -466,97 +466,97 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
     s = np.sin(contact_angle)
     reach = R * n2 - (n0 * c + n1 * s) * constants.core_depth
     store_table_shapes(
-        waves,
+        modes,
         x + reach * c,
         y + reach * s,
         scratch[0:3, 0:4],
         scratch[3:6, 0:4],
-        waves.shape_after,
+        modes.shape_after,
     )
     store_rim_shapes(
-        waves.rim,
-        contact_angle - waves.contact[CONTACT.twist_angle],
+        modes.rim,
+        contact_angle - modes.contact[CONTACT.twist_angle],
         n0 * c + n1 * s,
         n2,
-        waves.shape_after,
+        modes.shape_after,
     )
     rim_field[:] = 0.0
-    add_rim_heights(*rough, reach, R, angle_between(last, contact_angle), rim_field)
+    add_rim_heights(rough, reach, R, angle_between(last, contact_angle), rim_field)
     return contact_angle, rim_field[0], reach * angle_between(last, contact_angle)
 
 
 @kernel
-def predict_free_motion(waves, h):
+def predict_free_motion(modes, h):
     """Store the change of each amplitude in a step without contact force."""
-    for m in range(len(waves.amplitude)):
-        q = waves.amplitude[m]
-        v = waves.velocity[m]
-        waves.free_change[m] = (
-            h * waves.compliance[m] * (v - h / 2 * waves.stiffness[m] * q)
+    for m in range(len(modes.amplitude)):
+        q = modes.amplitude[m]
+        v = modes.velocity[m]
+        modes.free_change[m] = (
+            h * modes.compliance[m] * (v - h / 2 * modes.stiffness[m] * q)
         )
 
 
 @kernel
-def mode_work_sums(waves, h):
+def mode_work_sums(modes, h):
     """Return D, E, P, S in the mode sums sum w~ dq = D - E N and sum q~ dw = P - S N."""
     D = 0.0
     E = 0.0
     P = 0.0
     S = 0.0
-    for m in range(len(waves.amplitude)):
-        mean = (waves.shape_before[m] + waves.shape_after[m]) / 2
-        change = waves.shape_after[m] - waves.shape_before[m]
-        compliance = h * h / 2 * waves.compliance[m] * mean
-        D += mean * waves.free_change[m]
+    for m in range(len(modes.amplitude)):
+        mean = (modes.shape_before[m] + modes.shape_after[m]) / 2
+        change = modes.shape_after[m] - modes.shape_before[m]
+        compliance = h * h / 2 * modes.compliance[m] * mean
+        D += mean * modes.free_change[m]
         E += compliance * mean
-        P += change * (waves.amplitude[m] + waves.free_change[m] / 2)
+        P += change * (modes.amplitude[m] + modes.free_change[m] / 2)
         S += change * compliance / 2
     return D, E, P, S
 
 
 @kernel
-def advance_modes(waves, N, h):
+def advance_modes(modes, N, h):
     """Advance the modes by a step h under the force N; return their energy losses.
 
     The losses are those of the table modes and of the disk modes.
     """
     lost = 0.0
     total = 0.0
-    first = len(waves.amplitude) - len(waves.rim)
-    for m in range(len(waves.amplitude)):
-        mean = (waves.shape_before[m] + waves.shape_after[m]) / 2
-        change = waves.free_change[m] - h * h / 2 * waves.compliance[m] * mean * N
-        waves.amplitude[m] += change
-        waves.velocity[m] = 2 * change / h - waves.velocity[m]
-        waves.shape_before[m] = waves.shape_after[m]
-        total += waves.damping[m] * change * change / h
+    first = len(modes.amplitude) - len(modes.rim)
+    for m in range(len(modes.amplitude)):
+        mean = (modes.shape_before[m] + modes.shape_after[m]) / 2
+        change = modes.free_change[m] - h * h / 2 * modes.compliance[m] * mean * N
+        modes.amplitude[m] += change
+        modes.velocity[m] = 2 * change / h - modes.velocity[m]
+        modes.shape_before[m] = modes.shape_after[m]
+        total += modes.damping[m] * change * change / h
         if m < first:
             lost = total
     return lost, total - lost
 
 
 @kernel
-def mode_energies(waves):
+def mode_energies(modes):
     """Return the energies of the table modes and of the disk modes [J]."""
     energy = 0.0
     total = 0.0
-    first = len(waves.amplitude) - len(waves.rim)
-    for m in range(len(waves.amplitude)):
-        q = waves.amplitude[m]
-        v = waves.velocity[m]
-        total += (v * v + waves.stiffness[m] * q * q) / 2
+    first = len(modes.amplitude) - len(modes.rim)
+    for m in range(len(modes.amplitude)):
+        q = modes.amplitude[m]
+        v = modes.velocity[m]
+        total += (v * v + modes.stiffness[m] * q * q) / 2
         if m < first:
             energy = total
     return energy, total - energy
 
 
-def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
+def set_steady_mode_response(contact_modes: ContactModes, modes, model, y) -> None:
     """Set the modes to their steady response to a steadily precessing contact force.
 
     Each mode is excited by the Fourier series of its shape around the rim, without free
     vibration.
     """
-    if modes is None or not len(waves.amplitude):
+    if modes is None or not len(contact_modes.amplitude):
         return
     constants = model.constants
     n = y[STATE_SLICES.axis]
@@ -568,23 +568,23 @@ def set_steady_mode_response(waves: ContactModes, modes, model, y) -> None:
     )
     turning = axis_rate[:2] @ np.array([-n[1], n[0]]) / s**2
     angle = start + 2 * np.pi * np.arange(RIM_SCAN_POINTS) / RIM_SCAN_POINTS
-    centre = waves.table_is_fixed * y[:2] + modes.place
+    centre = contact_modes.table_is_fixed * y[:2] + modes.place
     east, north = centre[:, None] + reach * np.array([np.cos(angle), np.sin(angle)])
     below = rim_shapes(model.disk_modes, angle, np.arctan2(s, n[2]))
     shapes = np.hstack([modes.at(east, north), below])
     rate = 1j * turning * np.fft.fftfreq(RIM_SCAN_POINTS, 1 / RIM_SCAN_POINTS)[:, None]
-    k = waves.stiffness
-    c = waves.damping
+    k = contact_modes.stiffness
+    c = contact_modes.damping
     responses = (
         -y[STATE.normal_force]
         * np.fft.fft(shapes, axis=0)
         / RIM_SCAN_POINTS
         / (k + c * rate + rate**2)
     )
-    waves.contact[CONTACT.angle] = start
+    contact_modes.contact[CONTACT.angle] = start
     amplitude = responses.sum(axis=0).real
-    waves.amplitude[:] = amplitude
-    waves.velocity[:] = (rate * responses).sum(axis=0).real
-    waves.shape_before[:] = shapes[0]
-    y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(waves)
+    contact_modes.amplitude[:] = amplitude
+    contact_modes.velocity[:] = (rate * responses).sum(axis=0).real
+    contact_modes.shape_before[:] = shapes[0]
+    y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(contact_modes)
     y[2] += amplitude @ shapes[0]

@@ -22,6 +22,8 @@ energy of the film in the current state; the rest is dissipated. It exerts no pr
 when no energy is stored.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
@@ -33,6 +35,20 @@ from dynamics.numba_kernels import kernel
 from dynamics.pivoting import friction_limited_arm
 
 limited_arm_kernel = kernel(friction_limited_arm)
+
+
+class PlaceOfContact(NamedTuple):
+    """Place of the contact relative to the centre of the disk."""
+
+    d0: float
+    """Direction d to the contact, d0 e1 + d1 e2."""
+    d1: float
+    down: float
+    """Component of the axis along d."""
+    reach: float
+    """Distance along d [m]."""
+    rise: float
+    """Depth below the centre [m]."""
 
 
 @kernel
@@ -61,6 +77,7 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     s = max(y[STATE.sin_inclination], 1e-9)
     reach = R - down * (R * down / (1 + c) + H)
     rise = R * down + H * c + constants.fillet
+    place = PlaceOfContact(d0, d1, down, reach, rise)
     for side in range(2):
         k = current_law(y, law, LAW_COLUMNS.stiffness_1 + side)
         q = y[STATE.spring_stretch + side]
@@ -73,21 +90,21 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     e = constants.inverse_inertia_excess
     apply_resisting_moments(y, constants, powers, s, d0, d1, h)
     if constants.has_spin_friction > 0:
-        apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h)
+        apply_spin_friction(y, constants, law, place, h)
     if constants.film.turning > 0:
         apply_film_impulses(y, constants, s, d0, d1, reach, h)
-    ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
+    velocity = contact_velocity(y, constants, place)
     Wt = 1 / m + (reach * reach + rise * rise) / J + e * (reach * c + rise * down) ** 2
     Wd = 1 / m + rise * rise / J
     pt, pd = advance_springs(
         y,
         constants,
-        ut,
-        ud,
-        Wt,
-        Wd,
-        current_law(y, law, LAW_COLUMNS.relaxation_length_1),
-        current_law(y, law, LAW_COLUMNS.relaxation_length_2),
+        velocity,
+        (Wt, Wd),
+        (
+            current_law(y, law, LAW_COLUMNS.relaxation_length_1),
+            current_law(y, law, LAW_COLUMNS.relaxation_length_2),
+        ),
         h,
     )
     # the force -p acts at the position reach d - rise e3
@@ -110,8 +127,9 @@ def apply_bowl_force(y, constants, h):
 
 
 @kernel
-def contact_velocity(y, constants, d0, d1, down, reach, rise):
+def contact_velocity(y, constants, place):
     """Return the velocities of the disk at the contact along t and d."""
+    d0, d1, down, reach, rise = place
     J = constants.diametral_inertia
     momentum = vector(y, STATE.angular_momentum)
     spin = constants.inverse_inertia_excess * dot(momentum, vector(y, STATE.axis))
@@ -122,15 +140,19 @@ def contact_velocity(y, constants, d0, d1, down, reach, rise):
 
 
 @kernel
-def advance_springs(y, constants, ut, ud, Wt, Wd, length_t, length_d, h):
-    """Advance the springs; return their mean forces on the contact point along t and d."""
+def advance_springs(y, constants, velocity, mobility, lengths, h):
+    """Advance the springs; return their mean forces on the contact point along t and d.
+
+    Velocity, mobility and relaxation length of the contact are those along t and d.
+    """
+    ut, ud = velocity
     kt = y[STATE.spring_stiffness]
     kd = y[STATE.spring_stiffness + 1]
     N = y[STATE.normal_force]
-    creep_t = h * y[STATE.path_speed] / length_t
-    creep_d = h * y[STATE.path_speed] / length_d
-    Ct = (1 + creep_t / 2) / kt + h * h / 4 * Wt
-    Cd = (1 + creep_d / 2) / kd + h * h / 4 * Wd
+    creep_t = h * y[STATE.path_speed] / lengths[0]
+    creep_d = h * y[STATE.path_speed] / lengths[1]
+    Ct = (1 + creep_t / 2) / kt + h * h / 4 * mobility[0]
+    Cd = (1 + creep_d / 2) / kd + h * h / 4 * mobility[1]
     qt = y[STATE.spring_stretch]
     qd = y[STATE.spring_stretch + 1]
     limit = constants.mu_dynamic * N
@@ -162,7 +184,9 @@ def advance_springs(y, constants, ut, ud, Wt, Wd, length_t, length_d, h):
         np.sqrt(pt * pt + pd * pd) - (limit if slides else constants.mu_static * N),
     )
     creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
-    work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
+    work = h * (
+        pt * (ut - h / 2 * mobility[0] * pt) + pd * (ud - h / 2 * mobility[1] * pd)
+    )
     y[STATE.creep_loss] += creep
     y[STATE.slip_loss] += (
         work - (kt * qt * qt + kd * qd * qd - spring_energy_before) / 2 - creep
@@ -230,7 +254,7 @@ def diameter_through_contact(y, s, d0, d1):
 
 
 @kernel
-def apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h):
+def apply_spin_friction(y, constants, law, place, h):
     """Apply the moment by which the contact ellipse resists pivoting as an impulse."""
     J = constants.diametral_inertia
     e = constants.inverse_inertia_excess
@@ -239,7 +263,7 @@ def apply_spin_friction(y, constants, law, d0, d1, down, reach, rise, h):
     slides = y[STATE.is_sliding] > 0
     speed_square = y[STATE.path_speed] ** 2
     if slides:
-        ut, ud = contact_velocity(y, constants, d0, d1, down, reach, rise)
+        ut, ud = contact_velocity(y, constants, place)
         speed_square = ut * ut + ud * ud
     arm = limited_arm_kernel(
         current_law(y, law, LAW_COLUMNS.slip_arm),
@@ -266,14 +290,14 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
     apply_angular_impulse(y, a, 0.0, drag_per_rate, J, 0.0, STATE.film_loss, 0.0)
     lever /= constants.radius
     arm = reach - 1 / lever
-    v, mobility = face_velocity(y, constants, arm, d0, d1)
+    v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
     fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
     y[STATE.film_loss] -= fall_impulse * (v + fall_impulse * mobility / 2)
     push_face(y, constants, arm, fall_impulse, d0, d1)
     lift_impulse = h * lift / constants.radius
     if lift_impulse > 0:
         arm = reach - constants.radius * tip / lift
-        v, mobility = face_velocity(y, constants, arm, d0, d1)
+        v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
         speed = np.sqrt(v * v + 2 * mobility * y[STATE.squeezed_air_energy])
         # limited by the stored energy
         lift_impulse = min(lift_impulse, (speed - v) / mobility)
@@ -290,7 +314,7 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
 
 
 @kernel
-def face_velocity(y, constants, arm, d0, d1):
+def face_velocity_and_mobility(y, constants, arm, d0, d1):
     """Return the upward velocity of a point of the face, and its mobility [1/kg].
 
     The point is at the distance `arm` [m] from the centre in direction d.
@@ -302,7 +326,7 @@ def face_velocity(y, constants, arm, d0, d1):
 
 @kernel
 def push_face(y, constants, arm, impulse, d0, d1):
-    """Apply an upward impulse at a point of the face; see `face_velocity`."""
+    """Apply an upward impulse at a point of the face; see `face_velocity_and_mobility`."""
     y[5] += impulse / constants.mass
     y[9] += arm * impulse * d1
     y[10] -= arm * impulse * d0

@@ -1,17 +1,19 @@
 """Time loop of the compliant motion, with many steps per compiled call."""
 
 from enum import IntEnum, auto
+from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.contact_energy import update_law_interval
+from dynamics.compliant.law.height_profile import Profile
+from dynamics.compliant.stepping.contact_energy import LawCubics, update_law_interval
 from dynamics.compliant.stepping.normal import step_normal
 from dynamics.compliant.stepping.normal_with_modes import (
     step_normal_with_modes,
     step_tangential_with_modes,
     update_gap_stiffness,
 )
-from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.state_layout import STATE, ModelConstants
 from dynamics.compliant.stepping.table_modes import CONTACT, mode_energies
 from dynamics.compliant.stepping.tangential import apply_bowl_force, step_tangential
 from dynamics.numba_kernels import kernel, outermost
@@ -32,53 +34,65 @@ class EndReason(IntEnum):
     IS_AIRBORNE = auto()
 
 
+class CompiledModel(NamedTuple):
+    """Constants and tabulated functions of a model for the compiled time steps."""
+
+    constants: ModelConstants
+    powers: np.ndarray
+    """Power laws (n, 2) of the precession rate: c [W s^b] and b."""
+    law: LawCubics
+    """Tabulated contact law."""
+    table: Profile
+    """Height profiles of table and edge."""
+    rim: Profile
+
+
+class MotionSteps(NamedTuple):
+    """Time steps of one call of `step_motion`."""
+
+    before: int
+    """Number of steps since the start of the motion."""
+    duration: float
+    """Length h of a step [s]."""
+    per_row: int
+    """Number of steps in each row."""
+    final_sine: float
+    """Sine of the inclination at which the motion ends."""
+
+
+class MotionRecords(NamedTuple):
+    """Output of `step_motion`.
+
+    The first flight and the first slip may have started before the call; an event
+    without an end (NaN) continues.
+    """
+
+    rows: np.ndarray
+    """States (n, STATE_SIZE), one after every `MotionSteps.per_row` steps."""
+    forces: np.ndarray
+    """Mean forces (n p, 3) on the disk along t, d and the normal [N], p per row."""
+    flights: np.ndarray
+    """Start [s], end [s] and height [m] (f, 3) of each loss of contact."""
+    slips: np.ndarray
+    """Start and end [s] (g, 2)."""
+
+
 @outermost
-def step_motion(
-    y,
-    steps_before,
-    constants,
-    powers,
-    law,
-    table,
-    rim,
-    modes,
-    h,
-    steps_per_row,
-    final_sine,
-    rows,
-    forces,
-    events,
-):
-    """Advance the state y and fill `rows`, one after every `steps_per_row` steps.
+def step_motion(y, steps, model, modes, records):
+    """Advance the state y and fill the rows of the records.
 
     Parameters
     ----------
     y : (STATE_SIZE,) array
         State, which is advanced.
-    steps_before : int
-        Number of steps since the start of the motion.
-    constants : ModelConstants
-        Constants of the model.
-    powers : (n, 2) array
-        Power laws (c [W s^b], b) of the precession rate.
-    law : LawCubics
-        Tabulated contact law.
-    table, rim : Profile
-        Height profiles of table and edge.
+    steps : MotionSteps
+        Time steps.
+    model : CompiledModel
+        Constants and tabulated functions of the model.
     modes : ContactModes
         Modes of table and disk, which are advanced.
-    h : float
-        Length of a step [s].
-    final_sine : float
-        Sine of the inclination at which the motion ends.
-    rows : (n, STATE_SIZE) array
-        Output: the states.
-    forces : (n p, 3) array
-        Output: mean forces on the disk along t, d and the normal [N], p per row.
-    events : tuple
-        Output: flights (f, 3), with start, end [s] and height [m] of each loss of
-        contact, and slips (g, 2), with start and end [s]. The first event may have
-        started before the call; an event without an end (NaN) continues.
+    records : MotionRecords
+        Output.
 
     Returns
     -------
@@ -87,12 +101,14 @@ def step_motion(
         ended slips.
     """
     # Time [s] for which a disk on a table with modes must be flat at the end of its motion.
-    # With several waves the contact is not unique, and the disk would rattle forever.
+    # With several modes the contact is not unique, and the disk would rattle forever.
     rest_duration = 0.02
     # Ratio of sin(inclination) after and before a step below which the disk is flat, because
     # it would pass through the table in the next steps.
     min_inclination_ratio = 0.6
-    flights, slips = events
+    constants, powers, law, table, rim = model
+    steps_before, h, steps_per_row, final_sine = steps
+    rows, forces, flights, slips = records
     flying = flights[0, 0] == flights[0, 0]
     sliding = slips[0, 0] == slips[0, 0]
     flight = 0

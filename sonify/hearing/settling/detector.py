@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sonify.hearing.audio_source import Source, overlapping_pieces
+from sonify.hearing.audio_source import AudioSource, overlapping_pieces
 from sonify.hearing.settling.candidates import (
     Candidate,
     rising_margin,
@@ -142,7 +142,7 @@ class SettlingRun:
         )
 
 
-def strongest_tone(sound: Source) -> SettlingRun | None:
+def strongest_tone(sound: AudioSource) -> SettlingRun | None:
     """Return the event of the kind "tone" whose law explains most octaves of frequency in
     the sound of one known disk, or None.
 
@@ -159,7 +159,9 @@ def strongest_tone(sound: Source) -> SettlingRun | None:
     return max(events, key=explained_octaves, default=None)
 
 
-def settling_runs(sound: Source, watch: Watch = ignore_progress) -> list[SettlingRun]:
+def settling_runs(
+    sound: AudioSource, watch: Watch = ignore_progress
+) -> list[SettlingRun]:
     """Return the disks and coins that come to rest in a sound of any length.
 
     They are the `settling_events` that do not overlap an event of higher score, in
@@ -169,7 +171,9 @@ def settling_runs(sound: Source, watch: Watch = ignore_progress) -> list[Settlin
     return sorted(non_overlapping_runs(events), key=lambda run: run.start)
 
 
-def settling_events(sound: Source, watch: Watch = ignore_progress) -> list[SettlingRun]:
+def settling_events(
+    sound: AudioSource, watch: Watch = ignore_progress
+) -> list[SettlingRun]:
     """Return the events of disks and coins that come to rest in a sound of any length.
 
     The tone and the repetition of one disk are two events. No event is found in a sound
@@ -177,7 +181,7 @@ def settling_events(sound: Source, watch: Watch = ignore_progress) -> list[Settl
 
     Parameters
     ----------
-    sound : Source
+    sound : AudioSource
         The sound; its loudest channel is searched.
     watch : callable, optional
         Called with the share of the sound that is searched.
@@ -203,7 +207,7 @@ def settling_events(sound: Source, watch: Watch = ignore_progress) -> list[Settl
 
 
 def _searched_pieces(
-    sound: Source,
+    sound: AudioSource,
 ) -> Iterator[tuple[float, np.ndarray, tuple[float, float]]]:
     """Yield the beginning [s] and the samples (n,) of each piece of a sound, and the
     time span in the piece [s] in which its runs end."""

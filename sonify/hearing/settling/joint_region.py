@@ -21,7 +21,7 @@ from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import (
     phase_step_count,
     search,
-    warp_table,
+    tabulated_warps,
 )
 
 EQUAL_RATE_TOLERANCE = 0.12
@@ -197,20 +197,12 @@ def joint_region(
     windows and other channels extend the region. The sound of a run whose end
     `is_missing` stops at the knee."""
     first_stop = 5  # frames before the knee
-    middle_stop = 50
-    last_stop = 100
     min_length = 0.7  # relative to the best window; shorter ones have less information
     surfaces = _likelihood_surfaces(onsets, channel, knee, first_stop, is_missing)
     if not surfaces:
         return None
     whole = max(surfaces, key=lambda surface: surface.max_likelihood)
-    for before_knee in (middle_stop, last_stop):
-        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing)
-    for other in range(len(onsets.values)):
-        if other != channel:
-            surfaces += _likelihood_surfaces(
-                onsets, other, knee, middle_stop, is_missing
-            )
+    surfaces += _earlier_and_other_surfaces(onsets, channel, knee, is_missing)
     surfaces, reference = _without_standing(surfaces, whole)
     max_likelihood = (
         whole.max_likelihood
@@ -253,6 +245,21 @@ def joint_region(
         else min(1.0, best_end - reference.start),
         missing_from=missing_from,
     )
+
+
+def _earlier_and_other_surfaces(onsets, channel, knee, is_missing):
+    """Return the likelihood surfaces of earlier windows of a channel and of the others."""
+    middle_stop = 50  # frames before the knee
+    last_stop = 100
+    surfaces = []
+    for before_knee in (middle_stop, last_stop):
+        surfaces += _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing)
+    for other in range(len(onsets.values)):
+        if other != channel:
+            surfaces += _likelihood_surfaces(
+                onsets, other, knee, middle_stop, is_missing
+            )
+    return surfaces
 
 
 def _without_standing(surfaces, whole):
@@ -357,21 +364,25 @@ def _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing):
     return found
 
 
+def _certainty(values, scale, warps, found, best):
+    """Return the share of the likelihood of a law that its correlated residuals leave."""
+    cuts = warps.index[best] + warps.fraction[best]
+    turns = found.turns(best) * np.linspace(0, 1, len(cuts))
+    phases = np.interp(np.arange(values.shape[1]) + 0.5, cuts, turns)
+    residual = without_harmonics(values, phases, int(found.harmonics[best]))
+    return min(1.0, scale / correlation_length(residual))
+
+
 def _likelihood_surface(onsets, channel, first, frames, grid):
     """Return the likelihood surface of the laws that one window admits."""
     max_likelihood_loss = 2.0  # of admitted laws
     values = onsets.values[channel][:, first : first + frames]
     scale = onsets.scales_ms[channel]
-    table = warp_table(grid.shapes, frames, phase_step_count(frames, scale))
-    found = search(values, scale, table)
+    warps = tabulated_warps(grid.shapes, frames, phase_step_count(frames, scale))
+    found = search(values, scale, warps)
     best = int(np.argmax(found.likelihood))
     turns = found.turns(best)
-    cuts = table.index[best] + table.fraction[best]
-    phases = np.interp(
-        np.arange(frames) + 0.5, cuts, turns * np.linspace(0, 1, len(cuts))
-    )
-    residual = without_harmonics(values, phases, int(found.harmonics[best]))
-    certainty = min(1.0, scale / correlation_length(residual))
+    certainty = _certainty(values, scale, warps, found, best)
     start = (grid.left[best], grid.exponents[best], turns)
     left, exponents, rates, likelihood = laws_near(
         values, scale, start, (grid.left[0], grid.left[-1])
@@ -382,7 +393,7 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
         if i < count:
             return rates[i] * FRAME_RATE
         cell = i - count
-        return found.turns(cell) * table.first_rates[cell] / frames * FRAME_RATE
+        return found.turns(cell) * warps.first_rates[cell] / frames * FRAME_RATE
 
     likelihood = certainty * np.concatenate([likelihood, found.likelihood])
     admitted = np.flatnonzero(likelihood >= likelihood.max() - max_likelihood_loss)

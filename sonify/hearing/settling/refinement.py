@@ -24,14 +24,11 @@ def _centred_window(values, scale_ms):
 
 
 @njit(cache=True, nogil=True)
-def _likelihood(window, code, ratio, exponent, turns, harmonics):
-    """Return the log likelihood and the best number of harmonics of a law in a
-    centred window."""
-    cumulative, energy, independent, effective = window
-    turns_per_harmonic = 4  # few turns with many harmonics would fit any pattern
+def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
+    """Return the Fourier sums (components, harmonics, 2) of a centred window at the phase
+    of a law."""
     count = len(cumulative)
     length = cumulative.shape[1] - 1
-    harmonics = min(harmonics, max(int(turns / turns_per_harmonic), 1))
     steps = max(int(12 * turns), 128)
     sums = np.zeros((count, harmonics, 2))
     turn = 2 * np.pi * turns / steps
@@ -62,6 +59,18 @@ def _likelihood(window, code, ratio, exponent, turns, harmonics):
             cosine * step_cos - sine * step_sin,
             cosine * step_sin + sine * step_cos,
         )
+    return sums
+
+
+@njit(cache=True, nogil=True)
+def _likelihood(window, code, ratio, exponent, turns, harmonics):
+    """Return the log likelihood and the best number of harmonics of a law in a
+    centred window."""
+    cumulative, energy, independent, effective = window
+    turns_per_harmonic = 4  # few turns with many harmonics would fit any pattern
+    count = len(cumulative)
+    harmonics = min(harmonics, max(int(turns / turns_per_harmonic), 1))
+    sums = _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics)
     best = -np.inf
     order = 1
     power = np.zeros(count)

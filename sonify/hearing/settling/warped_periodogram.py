@@ -14,7 +14,7 @@ from sonify.hearing.settling.settings import SETTLING
 
 
 @dataclass(frozen=True, eq=False)
-class WarpTable:
+class TabulatedWarps:
     """Cuts of a window into equal steps of phase, as frame and remainder (shapes, steps
     + 1).
 
@@ -27,13 +27,13 @@ class WarpTable:
 
 
 @lru_cache(maxsize=256)
-def warp_table(family: ShapeSet, length: int, steps: int) -> WarpTable:
+def tabulated_warps(family: ShapeSet, length: int, steps: int) -> TabulatedWarps:
     """Return the cuts of a window of `length` frames for the shapes of a family."""
     phases = np.linspace(0, 1, steps + 1)
     places = length * np.array([shape.time(phases) for shape in family.shapes])
     index = np.clip(places.astype(np.int32), 0, length - 1)
     first_rates = np.array([shape.first_rate for shape in family.shapes])
-    return WarpTable(index, (places - index).astype(np.float32), first_rates)
+    return TabulatedWarps(index, (places - index).astype(np.float32), first_rates)
 
 
 @njit(cache=True, nogil=True)
@@ -210,16 +210,16 @@ def effective_components(values: np.ndarray) -> float:
     return len(correlation) ** 2 / float(np.sum(np.square(correlation)))
 
 
-def search(values: np.ndarray, scale_ms: float, table: WarpTable) -> SearchResult:
+def search(values: np.ndarray, scale_ms: float, warps: TabulatedWarps) -> SearchResult:
     """Return the result for the shapes of a table in a window (components, frames)."""
     count, length = values.shape
-    shapes, cuts = table.index.shape
+    shapes, cuts = warps.index.shape
     padded = np.zeros((count * shapes, 2 * (cuts - 1)), dtype=np.float32)
-    energy = _warp(values, table.index, table.fraction, padded)
+    energy = _warp(values, warps.index, warps.fraction, padded)
     spectra = rfft(padded, axis=1, overwrite_x=True).reshape(count, shapes, -1)
     min_turns = np.maximum(
         SETTLING.min_turns,
-        SETTLING.min_initial_rate * length / 1000 / table.first_rates,
+        SETTLING.min_initial_rate * length / 1000 / warps.first_rates,
     )
     min_turns = np.minimum(min_turns, (cuts - 1) / 2)
     effective = effective_components(values)
@@ -235,8 +235,8 @@ def largest_likelihoods(
     """Return the largest log likelihoods (families,) in a window (components,
     frames)."""
     length = values.shape[1]
-    table = warp_table(shapes, length, phase_step_count(length, scale_ms))
-    every = search(values, scale_ms, table).likelihood
+    warps = tabulated_warps(shapes, length, phase_step_count(length, scale_ms))
+    every = search(values, scale_ms, warps).likelihood
     return np.maximum.reduceat(every, shapes.begins)
 
 
@@ -247,8 +247,8 @@ def strongest_laws(
     frames), the best first."""
     count = 3
     length = values.shape[1]
-    table = warp_table(shapes, length, phase_step_count(length, scale_ms))
-    result = search(values, scale_ms, table)
+    warps = tabulated_warps(shapes, length, phase_step_count(length, scale_ms))
+    result = search(values, scale_ms, warps)
 
     def law(i):
         likelihood = float(result.likelihood[i])

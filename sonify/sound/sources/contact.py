@@ -19,12 +19,12 @@ from dynamics.compliant.law.linear_response import (
 )
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.roughness import profiles
-from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.law.tabulated import TabulatedLaw
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
-from sonify.sound.sources.protocol import Source, SourceGroup, ignore_energy
+from sonify.sound.sources.protocol import SoundSource, SourceGroup, ignore_energy
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,7 @@ class ContactFilter:
     Attributes
     ----------
     motion : Motion
-    table : LawTable
+    tabulated_law : TabulatedLaw
         Tabulated law of the contact.
     profiles : tuple of Profile
         Height profiles of edge and table.
@@ -48,7 +48,7 @@ class ContactFilter:
     """
 
     motion: Motion
-    table: LawTable
+    tabulated_law: TabulatedLaw
     profiles: tuple[Profile, Profile]
     sample_rate: int
     start: float
@@ -60,7 +60,9 @@ class ContactFilter:
         # The contact ellipse averages out faster variations.
         min_profile_rate = 96e3  # 1/s
         needed = (
-            required_step_rate(self.table.law, np.array([MIN_CONTACT_INCLINATION]))[0]
+            required_step_rate(
+                self.tabulated_law.law, np.array([MIN_CONTACT_INCLINATION])
+            )[0]
             / MAX_PHASE_PER_STEP
         )
         return ceil(max(needed, min_profile_rate) / self.sample_rate)
@@ -93,7 +95,7 @@ class ContactFilter:
         past = np.zeros((len(weight) // 2 + 1, 2))
         count = 0
         for force in linear_contact_force_blocks(
-            self.table, knots, rate, self.profiles
+            self.tabulated_law, knots, rate, self.profiles
         ):
             t = begin + (count + 1 + np.arange(len(force))) / rate
             count += len(force)
@@ -126,7 +128,7 @@ def decimate(samples, weight, factor) -> np.ndarray:
     return upfirdn(weight, samples, 1, factor, axis=0)[skipped : skipped + complete]
 
 
-class ContactVibration(Source):
+class ContactVibration(SoundSource):
     """Vibration superposed on a rigid motion.
 
     A ContactFilter drives the rigid disk, its modes and the table. The internal blocks
@@ -136,12 +138,12 @@ class ContactVibration(Source):
     channel_ends = np.zeros((0, 2))
     tail_duration = 0.0
 
-    def __init__(self, scene, motion, *moved: Source):
+    def __init__(self, scene, motion, *moved: SoundSource):
         self._motion = motion
         self._filter_from = partial(
             ContactFilter,
             motion,
-            motion.plan.law_table,
+            motion.plan.tabulated_law,
             profiles(scene.roughness, scene.disk.radius),
             scene.audio.sample_rate,
         )
@@ -214,7 +216,7 @@ def _added_force_blocks(added):
         last = force[-1:]
 
 
-class SolvedContactVibration(Source):
+class SolvedContactVibration(SoundSource):
     """Sound of a disk whose motion already includes the contact vibration.
 
     The part of each stem above `crossover` [Hz] is moved to the contact stem. If
@@ -222,9 +224,9 @@ class SolvedContactVibration(Source):
 
     def __init__(
         self,
-        rigid: Source,
-        elastic: Source,
-        vibrating: Source,
+        rigid: SoundSource,
+        elastic: SoundSource,
+        vibrating: SoundSource,
         crossover: float,
         sample_rate: int,
     ):
@@ -264,7 +266,9 @@ class SolvedContactVibration(Source):
         return advance
 
 
-def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Source]:
+def contact_sources(
+    scene, motion, listener, rigid, elastic, *below
+) -> list[SoundSource]:
     """Return the sound sources of a disk, including its vibration on an elastic
     contact.
 

@@ -19,13 +19,13 @@ from sonify.sound.modal_forcing import (
 )
 from sonify.sound.radiation import Listener
 from sonify.sound.sources.film import log_mean_gap
-from sonify.sound.sources.protocol import Source
+from sonify.sound.sources.protocol import SoundSource
 
 COSINE_ORDERS = np.arange(MAX_RIM_ORDER + 1)
 SINE_ORDERS = np.arange(1, MAX_RIM_ORDER + 1)
 
 
-class VibratingDisk(Source):
+class VibratingDisk(SoundSource):
     """Sound source for forces that vary faster than the disk rotates.
 
     Its filters are computed from `radiated_multipoles` at the current gap.

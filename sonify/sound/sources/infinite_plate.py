@@ -13,7 +13,7 @@ from dynamics.contact_geometry import contact_position
 from sonify.sound.force import lagrange_weights
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import Listener
-from sonify.sound.sources.protocol import FADE_OUT, MODAL_FORCE_FADE, Source
+from sonify.sound.sources.protocol import FADE_OUT, MODAL_FORCE_FADE, SoundSource
 from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable
 
 LAGRANGE_NODES = np.arange(-2, 4)  # samples
@@ -40,7 +40,7 @@ def pressure_per_force(surface, listener: Listener) -> float:
     )
 
 
-class InfiniteTable(Source):
+class InfiniteTable(SoundSource):
     """Far field of an infinite plate under the moving contact, with one pole pair at
     coincidence.
 
@@ -122,7 +122,7 @@ class InfiniteTable(Source):
         return frequency, np.pi * frequency * self._scene.surface.loss_factor
 
 
-def table_sources(scene, modes, listener: Listener) -> list[Source]:
+def table_sources(scene, modes, listener: Listener) -> list[SoundSource]:
     """Return the sound sources of the table; `modes` are those of an elastic table, or
     None."""
     if scene.surface.kind == "infinite":

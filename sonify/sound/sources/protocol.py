@@ -40,7 +40,7 @@ Advance = Callable[[Any], np.ndarray]
 [Pa]."""
 
 
-class Source(ABC):
+class SoundSource(ABC):
     """Sound source with one or more stems.
 
     Attributes
@@ -73,7 +73,7 @@ class Source(ABC):
         Before the first block the channels have the values `first` (c,). The source may
         report its modal energy by `note(t (e,) [s], energy (e,) [J])`."""
 
-    def with_second_ear(self, other: "Source", turn: float) -> "Source":
+    def with_second_ear(self, other: "SoundSource", turn: float) -> "SoundSource":
         """Return a source with an additional column, the sum of its stems at a second
         ear.
 
@@ -83,7 +83,7 @@ class Source(ABC):
         return SourcePair(self, other)
 
 
-class TwoEarSource(Source):
+class TwoEarSource(SoundSource):
     """Source that computes the sound at both ears together, faster than a SourcePair."""
 
     _second_ear: float | None = None
@@ -233,7 +233,7 @@ class SourceGroup:
         Largest latency [samples] and longest tail [s].
     """
 
-    def __init__(self, sources: Sequence[Source]):
+    def __init__(self, sources: Sequence[SoundSource]):
         self._sources = sources
         self.channel_ends = np.vstack([source.channel_ends for source in sources])
         bounds = np.cumsum([0, *(len(source.channel_ends) for source in sources)])
@@ -274,11 +274,11 @@ def ignore_energy(t, energy):
     """Do not report the modal energy."""
 
 
-class SourcePair(Source):
+class SourcePair(SoundSource):
     """One source at two ears; the stems at the second ear are summed into an additional
     column."""
 
-    def __init__(self, source: Source, other: Source):
+    def __init__(self, source: SoundSource, other: SoundSource):
         self._group = SourceGroup([source, other])
         self.channel_ends = self._group.channel_ends
         self.names = source.names

@@ -18,7 +18,7 @@ from sonify.sound.radiation import Listener, listeners_of
 from sonify.sound.sources.protocol import (
     FADE_OUT,
     MODAL_FORCE_FADE,
-    Source,
+    SoundSource,
     windowed_energy_peaks,
 )
 from sonify.sound.unbaffled import UnbaffledRatio
@@ -42,7 +42,7 @@ def shapes_at_contact(modes: SurfaceModes, state, scene) -> np.ndarray:
     return modes.at(*(modes.place + contact_position(state, scene.disk, fillet)).T)
 
 
-class ElasticTable(Source):
+class ElasticTable(SoundSource):
     """Elastic table driven at the moving contact, with a top face that radiates
     upwards.
 
