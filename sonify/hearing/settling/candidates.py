@@ -164,13 +164,20 @@ def _best_candidates(onsets: OnsetStrength, broadband, every, ends):
             distance = SETTLING.coarse_distance
             channels, likelihood = _loudest_channels(onsets, window, distance, every)
             if likelihood[0] >= SETTLING.min_likelihood_for_rivals:
-                score = _rough_score(onsets, window, channels[0])
-                rough.append((score, window, channels[:searched_channel_count]))
+                best = _rough_likelihoods(onsets, window, channels[0])
+                channels = channels[:searched_channel_count]
+                rough.append((score_of(best), window, channels, best))
     rough.sort(key=lambda entry: -entry[0])
     promising = []
-    for _, window, channels in rough[:searched_window_count]:
+    for _, window, channels, best in rough[:searched_window_count]:
         distance = SETTLING.shape_distance
-        channel = _loudest_channels(onsets, window, distance, channels)[0][0]
+        ranked, likelihood = _loudest_channels(onsets, window, distance, channels)
+        channel = ranked[0]
+        if channel != channels[0]:
+            best = _rough_likelihoods(onsets, window, channel)
+        # the likelihoods of rivals only increase with the density of their shapes
+        if score_of({**best, "disk": likelihood[0]}) < min_score:
+            continue
         estimate = _estimate(onsets, window, channel)
         promising.append(estimate)
         if estimate[0] >= min_score:
@@ -212,12 +219,13 @@ def _loudest_channels(onsets, window, distance, channels):
     return channels[order], best[order]
 
 
-def _rough_score(onsets, window, channel):
-    """Return a coarse estimate of the score of a window in a channel."""
+def _rough_likelihoods(onsets, window, channel):
+    """Return the largest log likelihoods of each family in a coarse search of a window
+    in a channel."""
     shapes = families(SETTLING.coarse_distance, None, window.min_ratio)
     values = onsets.values[channel][:, window.frames]
     best = largest_likelihoods(values, onsets.scales_ms[channel], shapes)
-    return score_of(dict(zip(shapes.names, best.tolist(), strict=True)))
+    return dict(zip(shapes.names, best.tolist(), strict=True))
 
 
 def _estimate(onsets, window, channel):

@@ -11,26 +11,26 @@ from sonify.hearing.settling.warped_periodogram import effective_components
 
 
 def _centred_window(values, scale_ms):
-    """Return the cumulative sums (components, frames + 1) of a window (components,
+    """Return the cumulative sums (frames + 1, components) of a window (components,
     frames) without its means, its length times its energies (components,), and its
     numbers of independent samples and components."""
     count, length = values.shape
     effective = effective_components(values)
     values = values - values.mean(axis=1, keepdims=True)
-    cumulative = np.zeros((count, length + 1))
-    np.cumsum(values, axis=1, dtype=float, out=cumulative[:, 1:])
+    cumulative = np.zeros((length + 1, count))
+    np.cumsum(values.T, axis=0, dtype=float, out=cumulative[1:])
     energy = np.sum(np.square(values, dtype=float), axis=1)
     return cumulative, np.maximum(energy, 1e-9) * length, length / scale_ms, effective
 
 
 @njit(cache=True, nogil=True)
 def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
-    """Return the Fourier sums (components, harmonics, 2) of a centred window at the phase
+    """Return the Fourier sums (harmonics, 2, components) of a centred window at the phase
     of a law."""
-    count = len(cumulative)
-    length = cumulative.shape[1] - 1
+    length = len(cumulative) - 1
+    count = cumulative.shape[1]
     steps = max(int(12 * turns), 128)
-    sums = np.zeros((count, harmonics, 2))
+    sums = np.zeros((harmonics, 2, count))
     turn = 2 * np.pi * turns / steps
     step_cos = np.cos(turn)
     step_sin = np.sin(turn)
@@ -38,23 +38,25 @@ def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
     sine = np.sin(turn / 2)
     phases = np.arange(1, steps + 1) / steps
     before = np.zeros(count)
+    part = np.empty(count)
     for place in places(code, ratio, exponent, phases):
         cut = length * place
         i = min(max(int(cut), 0), length - 1)
         for c in range(count):
-            step = cumulative[c, i + 1] - cumulative[c, i]
-            now = cumulative[c, i] + (cut - i) * step
-            part = now - before[c]
+            step = cumulative[i + 1, c] - cumulative[i, c]
+            now = cumulative[i, c] + (cut - i) * step
+            part[c] = now - before[c]
             before[c] = now
-            real = cosine
-            imaginary = sine
-            for h in range(harmonics):
-                sums[c, h, 0] += part * real
-                sums[c, h, 1] += part * imaginary
-                real, imaginary = (
-                    real * cosine - imaginary * sine,
-                    real * sine + imaginary * cosine,
-                )
+        real = cosine
+        imaginary = sine
+        for h in range(harmonics):
+            for c in range(count):
+                sums[h, 0, c] += part[c] * real
+                sums[h, 1, c] += part[c] * imaginary
+            real, imaginary = (
+                real * cosine - imaginary * sine,
+                real * sine + imaginary * cosine,
+            )
         cosine, sine = (
             cosine * step_cos - sine * step_sin,
             cosine * step_sin + sine * step_cos,
@@ -68,7 +70,7 @@ def _likelihood(window, code, ratio, exponent, turns, harmonics):
     centred window."""
     cumulative, energy, independent, effective = window
     turns_per_harmonic = 4  # few turns with many harmonics would fit any pattern
-    count = len(cumulative)
+    count = cumulative.shape[1]
     harmonics = min(harmonics, max(int(turns / turns_per_harmonic), 1))
     sums = _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics)
     best = -np.inf
@@ -77,7 +79,7 @@ def _likelihood(window, code, ratio, exponent, turns, harmonics):
     for h in range(harmonics):
         value = -(h + 1.0)
         for c in range(count):
-            power[c] += sums[c, h, 0] ** 2 + sums[c, h, 1] ** 2
+            power[c] += sums[h, 0, c] ** 2 + sums[h, 1, c] ** 2
             unexplained = 1 - min(2 * power[c] / energy[c], 0.999)
             value -= independent / (2 * count) * math.log(unexplained)
         if effective * value > best:
@@ -101,7 +103,7 @@ def _climb(window, code, start, bounds, steps, min_turns, min_rate, harmonics):
 
     Its log likelihood and number of harmonics are also returned.
     """
-    seconds = (window[0].shape[1] - 1) / 1000
+    seconds = (len(window[0]) - 1) / 1000
     here = start.copy()
     best, order = _likelihood(
         window, code, math.exp(here[0]), here[1], here[2], harmonics
@@ -182,7 +184,7 @@ def _walk(window, start, left_range, exponent_range, steps, harmonics):
     The laws (frames to the end, exponent, turns) are close to the starting point
     `start`. The steps are along and across the ridge of constant exponent divided by
     remaining time."""
-    length = window[0].shape[1] - 1
+    length = len(window[0]) - 1
     count = len(steps)
     tried = np.empty((count, 3))
     first_rates = np.empty(count)
