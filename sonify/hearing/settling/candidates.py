@@ -183,7 +183,7 @@ def _best_candidates(onsets: OnsetStrength, broadband, every, ends):
         if estimate[0] >= min_score:
             promising += [
                 _estimate(onsets, earlier, channel)
-                for earlier in _earlier_windows(window)
+                for earlier in _earlier_windows(window, len(onsets.values[channel]))
             ]
     promising.sort(key=lambda entry: -entry[0])
     return [
@@ -193,9 +193,11 @@ def _best_candidates(onsets: OnsetStrength, broadband, every, ends):
     ]
 
 
-def _earlier_windows(window):
-    """Return a window shifted to earlier times by 40 and 80 ms."""
-    shifts = [round(seconds * FRAME_RATE) for seconds in (0.04, 0.08)]
+def _earlier_windows(window, component_count):
+    """Return a window shifted to earlier times by 40 ms, and by 80 ms for channels of
+    several components, in which a last knock may follow the end."""
+    seconds = (0.04,) if component_count == 1 else (0.04, 0.08)
+    shifts = [round(shift * FRAME_RATE) for shift in seconds]
     return [
         replace(window, first=window.first - frames, stop=window.stop - frames)
         for frames in shifts

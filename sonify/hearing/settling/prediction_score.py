@@ -89,7 +89,14 @@ def independent_samples(
     if len(values) == 1:
         return length / frames_per_sample, 1.0
     noise, components = noise_at_rates(residual, law)
-    return length / max(frames_per_sample, noise), components
+    # without a disk, the values themselves are noise, which components may share
+    _, components_without_disk = noise_at_rates(
+        values - values.mean(axis=1, keepdims=True), law
+    )
+    return (
+        length / max(frames_per_sample, noise),
+        min(components, components_without_disk),
+    )
 
 
 def single_component_score(score: float, components: float, harmonics: int) -> float:
@@ -109,25 +116,34 @@ def single_component_score(score: float, components: float, harmonics: int) -> f
     return float(brentq(lambda value: tail(value, harmonics) - wanted, 0.0, score))
 
 
+def time_at_rates(law: Law, bins: int) -> np.ndarray:
+    """Return the share of time (bins,) that a law and its harmonics spend at each whole
+    number of turns per window from 1 on."""
+    step_count = 2000
+    phases = law.turns * law.shape.phase(np.linspace(0, 1, step_count + 1))
+    rates = np.diff(phases) * step_count
+    harmonic_rates = np.outer(np.arange(1, law.harmonics + 1), rates)
+    turns = np.rint(harmonic_rates).astype(int).ravel()
+    counts = np.bincount(np.clip(turns, 1, bins), minlength=bins + 1)[1:]
+    return counts / counts.sum()
+
+
 def noise_at_rates(residual: np.ndarray, law: Law) -> tuple[float, float]:
     """Return the power density of a residual (components, frames) at the rates of a law
     and its harmonics, relative to the mean density, and the number of components that
     are independent there.
 
-    This number is the squared number of components over the sum of their squared
-    coherences, of which the bias of a finite number of frequencies is subtracted."""
+    Each rate counts by the time that the law spends at it. The number of components is
+    their squared number over the sum of their squared coherences, of which the bias of
+    a finite number of frequencies is subtracted."""
     count = len(residual)
     spectrum = rfft(residual, axis=1)[:, 1:]
     power = np.square(np.abs(spectrum))
-    first = law.turns * law.shape.first_rate
-    last = law.harmonics * first * law.shape.ratio
-    rates = np.arange(1, spectrum.shape[1] + 1)
-    inside = (rates >= first) & (rates <= last)
-    bins = max(int(inside.sum()), 2)
-    noise = power[:, inside].mean(axis=1) / np.maximum(power.mean(axis=1), 1e-12)
-    unit = spectrum[:, inside] / np.sqrt(
-        np.maximum(power[:, inside].sum(axis=1, keepdims=True), 1e-12)
-    )
+    weights = time_at_rates(law, spectrum.shape[1])
+    bins = max(1 / float(np.sum(np.square(weights))), 2.0)
+    power_at_rates = power @ weights
+    noise = power_at_rates / np.maximum(power.mean(axis=1), 1e-12)
+    unit = np.sqrt(weights / np.maximum(power_at_rates, 1e-12)[:, None]) * spectrum
     coherence = np.square(np.abs(unit @ unit.conj().T))
     coherence = np.clip((coherence - 1 / bins) / (1 - 1 / bins), 0, 1)
     return float(noise.mean()), count**2 / float(coherence.sum())
