@@ -49,8 +49,10 @@ def free_ringing(samples: np.ndarray, rate: float) -> slice:
 
 
 def decaying_lines(samples: np.ndarray, rate: float) -> list[DecayingLine]:
-    """Return at most 12 lines of free ringing (n,) at `rate` [Hz], the strongest
-    first."""
+    """Return at most 12 lines of free ringing (n,) at `rate` [Hz], the strongest first.
+
+    A line is returned only if its decay rate exceeds the standard error, because a steady
+    or growing line does not ring freely."""
     max_count = 12
     min_prominence = 15.0  # dB
     if len(samples) < 0.1 * rate:
@@ -75,6 +77,7 @@ def decaying_lines(samples: np.ndarray, rate: float) -> list[DecayingLine]:
             break
         found += _lines_of_band(samples, rate, top * spacing)
         above[max(top - reach, 0) : top + reach + 1] = 0
+    found = [entry for entry in found if entry[2] > entry[3]]
     found.sort(key=lambda entry: -entry[0])
     return [
         DecayingLine(

@@ -239,6 +239,20 @@ def test_the_decay_rates_of_a_close_pair_are_found(seed):
     assert [line.decay_rate for line in lines] == pytest.approx(decay, rel=0.1)
 
 
+@pytest.mark.parametrize("seed", [0, 2, 3])
+def test_a_steady_band_of_noise_does_not_ring(seed):
+    """A line rings freely only if its decay rate exceeds the error; the ring does."""
+    random = np.random.default_rng(seed)
+    time = np.arange(44100) / 44100
+    taps = firwin(2001, [7950, 8050], fs=44100, pass_zero=False)
+    band = oaconvolve(random.standard_normal(46100), taps, mode="valid")
+    ring = 0.3 * np.cos(2 * np.pi * 5000 * time) * np.exp(-8 * time)
+    lines = decaying_lines(band + ring, 44100)
+    assert any(line.frequency == pytest.approx(5000, abs=1) for line in lines)
+    for line in lines:
+        assert line.decay_rate > line.decay_error > 0
+
+
 def test_the_free_ringing_begins_after_the_strike_and_ends_before_the_next():
     time = np.arange(44100) / 44100
     ring = np.cos(2 * np.pi * 5000 * time) * np.exp(-5 * time)

@@ -4,7 +4,6 @@ laws."""
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import chain
 
 import numpy as np
 
@@ -13,11 +12,15 @@ from sonify.hearing.settling.onset_strength import FRAME_RATE, Frames, OnsetStre
 from sonify.hearing.settling.prediction_score import (
     independent_samples,
     predicted_gain,
+    single_component_score,
 )
 from sonify.hearing.settling.rate_laws import Law, distance_to_end, families
 from sonify.hearing.settling.refinement import refine
 from sonify.hearing.settling.settings import SETTLING
-from sonify.hearing.settling.warped_periodogram import likelihoods, strongest_laws
+from sonify.hearing.settling.warped_periodogram import (
+    largest_likelihoods,
+    strongest_laws,
+)
 
 STEADY_RIVALS = ("flat", "slowing")
 RISING_RIVALS = ("linear", "exponential")
@@ -66,18 +69,29 @@ class Candidate:
     """A window with the best channel and disk law for it, and the scores of rival laws.
 
     `scores` contains the prediction score of each family. `slope` is that of the pulse
-    levels against the remaining time."""
+    levels against the remaining time. `components` is the number of independent
+    components of the channel."""
 
     window: Window
     channel: int
     law: Law
     scores: dict[str, float]
     slope: float
+    components: float = 1.0
+
+    @property
+    def end_of_law(self):
+        """Frame at which the rate of the law diverges."""
+        window = self.window
+        left = distance_to_end(self.law.shape.ratio, self.law.shape.exponent)
+        return window.stop + round(left * window.seconds * FRAME_RATE)
 
     @property
     def score(self):
         """Score Q, by which candidates are ranked and detected."""
-        return score_of(self.scores)
+        return single_component_score(
+            score_of(self.scores), self.components, self.law.harmonics
+        )
 
 
 def rising_margin(scores: dict[str, float]) -> float:
@@ -119,7 +133,12 @@ def settling_candidates(
     search = partial(_best_candidates, onsets, broadband)
     # the compiled loops and transforms release the lock of Python
     with ThreadPoolExecutor() as pool:
-        found = chain(*pool.map(search, ends))
+        found = [
+            candidate
+            for channels in onsets.channels_by_components
+            for block_found in pool.map(partial(search, channels), ends)
+            for candidate in block_found
+        ]
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
@@ -129,35 +148,43 @@ def windows_before_end(end: int, drop: float | None) -> list[Window]:
     return [Window(end - count, end, end, drop) for count in frames if end >= count]
 
 
-def _best_candidates(onsets: OnsetStrength, broadband, ends):
-    """Return the refined candidates of the best windows of a block, before `ends`, each
-    with its drop [dB].
+def _best_candidates(onsets: OnsetStrength, broadband, every, ends):
+    """Return the refined candidates of the best windows of a block in the channels
+    `every`, before `ends`, each with its drop [dB].
 
     The best windows of a coarse search are searched again in their best channels, and
-    those with a sufficient score also with an earlier stop."""
+    those with a sufficient score also with earlier stops."""
     searched_window_count = 12
     searched_channel_count = 3
     refined_window_count = 6
     min_score = 6.0
-    every = np.arange(len(onsets.values))
     rough = []
     for end, drop in ends:
         for window in windows_before_end(end, drop):
             distance = SETTLING.coarse_distance
             channels, likelihood = _loudest_channels(onsets, window, distance, every)
             if likelihood[0] >= SETTLING.min_likelihood_for_rivals:
-                score = _rough_score(onsets, window, channels[0])
-                rough.append((score, window, channels[:searched_channel_count]))
+                best = _rough_likelihoods(onsets, window, channels[0])
+                channels = channels[:searched_channel_count]
+                rough.append((score_of(best), window, channels, best))
     rough.sort(key=lambda entry: -entry[0])
     promising = []
-    for _, window, channels in rough[:searched_window_count]:
+    for _, window, channels, best in rough[:searched_window_count]:
         distance = SETTLING.shape_distance
-        channel = _loudest_channels(onsets, window, distance, channels)[0][0]
+        ranked, likelihood = _loudest_channels(onsets, window, distance, channels)
+        channel = ranked[0]
+        if channel != channels[0]:
+            best = _rough_likelihoods(onsets, window, channel)
+        # the likelihoods of rivals only increase with the density of their shapes
+        if score_of({**best, "disk": likelihood[0]}) < min_score:
+            continue
         estimate = _estimate(onsets, window, channel)
-        earlier = _shifted_earlier(window)
         promising.append(estimate)
-        if estimate[0] >= min_score and earlier.first >= 0:
-            promising.append(_estimate(onsets, earlier, channel))
+        if estimate[0] >= min_score:
+            promising += [
+                _estimate(onsets, earlier, channel)
+                for earlier in _earlier_windows(window, len(onsets.values[channel]))
+            ]
     promising.sort(key=lambda entry: -entry[0])
     return [
         _refined(onsets, broadband, *others)
@@ -166,34 +193,47 @@ def _best_candidates(onsets: OnsetStrength, broadband, ends):
     ]
 
 
-def _shifted_earlier(window):
-    """Return a window shifted to earlier times by 40 ms."""
-    frames = round(0.04 * FRAME_RATE)
-    return replace(window, first=window.first - frames, stop=window.stop - frames)
+def _earlier_windows(window, component_count):
+    """Return a window shifted to earlier times by 40 ms, and by 80 ms for channels of
+    several components, in which a last knock may follow the end."""
+    seconds = (0.04,) if component_count == 1 else (0.04, 0.08)
+    shifts = [round(shift * FRAME_RATE) for shift in seconds]
+    return [
+        replace(window, first=window.first - frames, stop=window.stop - frames)
+        for frames in shifts
+        if window.first >= frames
+    ]
 
 
 def _loudest_channels(onsets, window, distance, channels):
     """Return channels (c,) in order of decreasing log likelihood of a disk, and these
     likelihoods (c,)."""
     disk = families(distance, "disk", window.min_ratio)
-    values = onsets.values[channels, window.frames]
-    best = likelihoods(values, onsets.scales_ms[channels], disk)[:, 0]
+    best = np.array(
+        [
+            largest_likelihoods(
+                onsets.values[one][:, window.frames], onsets.scales_ms[one], disk
+            )[0]
+            for one in channels
+        ]
+    )
     order = np.argsort(-best, kind="stable")
     return channels[order], best[order]
 
 
-def _rough_score(onsets, window, channel):
-    """Return a coarse estimate of the score of a window in a channel."""
+def _rough_likelihoods(onsets, window, channel):
+    """Return the largest log likelihoods of each family in a coarse search of a window
+    in a channel."""
     shapes = families(SETTLING.coarse_distance, None, window.min_ratio)
-    values = onsets.values[[channel], window.frames]
-    best = likelihoods(values, onsets.scales_ms[[channel]], shapes)[0]
-    return score_of(dict(zip(shapes.names, best.tolist(), strict=True)))
+    values = onsets.values[channel][:, window.frames]
+    best = largest_likelihoods(values, onsets.scales_ms[channel], shapes)
+    return dict(zip(shapes.names, best.tolist(), strict=True))
 
 
 def _estimate(onsets, window, channel):
     """Return a first estimate of the score of a window, with the window, the channel
     and the best laws."""
-    values = onsets.values[channel, window.frames]
+    values = onsets.values[channel][:, window.frames]
     shapes = families(SETTLING.shape_distance, None, window.min_ratio)
     starts = strongest_laws(values, onsets.scales_ms[channel], shapes)
     best = {name: laws[0].likelihood for name, laws in starts.items()}
@@ -220,15 +260,15 @@ def _refined(onsets, power, window, channel, starts):
     """Return the candidate of a window after refinement of its laws.
 
     The pulse levels are those of a power (frames,)."""
-    values = onsets.values[channel, window.frames]
+    values = onsets.values[channel][:, window.frames]
     scale = onsets.scales_ms[channel]
     laws = {
         family: refine(values, scale, laws, window.min_ratio)
         for family, laws in starts.items()
     }
-    independent = independent_samples(values, scale, laws["disk"])
+    samples, components = independent_samples(values, scale, laws["disk"])
     scores = {
-        family: independent * predicted_gain(values, law)
+        family: samples * components * predicted_gain(values, law)
         for family, law in laws.items()
     }
     after = 0.0
@@ -236,7 +276,7 @@ def _refined(onsets, power, window, channel, starts):
         after = power[window.end + 30 : window.end + 130].mean()
     pulses = power[window.frames]
     slope = pulse_slope(pulses, laws["disk"], window, 4 * after)
-    return Candidate(window, channel, laws["disk"], scores, slope)
+    return Candidate(window, channel, laws["disk"], scores, slope, components)
 
 
 def pulse_slope(power: np.ndarray, law: Law, window: Window, min_power: float) -> float:

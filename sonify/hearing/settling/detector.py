@@ -407,13 +407,25 @@ def _run_of_group(group: list[Candidate], frames: Frames, onsets: OnsetStrength)
         near = [one for one in near if one.score >= best.score - max_score_loss]
     last = max(near, key=lambda candidate: candidate.window.drop or 0.0).window
     power = frames.power.sum(axis=1)
-    stop = knee(power, last.end) if last.shows_end else last.end
+    stop = last.end
+    if last.shows_end:
+        stop = min(knee(power, last.end), _end_before_drop(near))
     region = joint_region(onsets, best.channel, stop, not last.shows_end)
     if region is None:
         return None
     run = _run_of_candidates(near, onsets, region)
     begins_slowly = run.rate(run.start) <= SETTLING.max_initial_rate
     return run if begins_slowly or best.score > SETTLING.min_clear_score else None
+
+
+def _end_before_drop(candidates):
+    """Return the mean end of the laws of candidates [frames] if all of them end clearly
+    before the drop of the best one, which is then that of another sound; otherwise
+    infinity."""
+    min_gap = 0.03 * FRAME_RATE
+    drop = candidates[0].window.end
+    ends = [one.end_of_law for one in candidates if one.window.end == drop]
+    return round(np.mean(ends)) if max(ends) < drop - min_gap else math.inf
 
 
 def _run_of_candidates(candidates, onsets, region, ridge=None):
@@ -461,9 +473,10 @@ def events_per_turn(onsets: OnsetStrength, candidate: Candidate) -> int:
     """Return 2 if the bursts of a candidate alternate in strength, otherwise 1."""
     min_gain = 2.0  # of the log likelihood
     window = candidate.window
-    values = onsets.values[candidate.channel, window.frames]
+    values = onsets.values[candidate.channel][:, window.frames]
     law = candidate.law
     half = replace(law, turns=law.turns / 2, harmonics=2 * law.harmonics)
     gain = predicted_gain(values, half) - predicted_gain(values, law)
-    gain *= independent_samples(values, onsets.scales_ms[candidate.channel], law)
+    scale = onsets.scales_ms[candidate.channel]
+    gain *= math.prod(independent_samples(values, scale, law))
     return 2 if gain > min_gain else 1

@@ -11,7 +11,10 @@ from functools import lru_cache
 import numpy as np
 
 from sonify.hearing.settling.onset_strength import FRAME_RATE, OnsetStrength
-from sonify.hearing.settling.prediction_score import correlation_length
+from sonify.hearing.settling.prediction_score import (
+    correlation_length,
+    without_harmonics,
+)
 from sonify.hearing.settling.rate_laws import Shape, ShapeSet
 from sonify.hearing.settling.refinement import laws_near
 from sonify.hearing.settling.settings import SETTLING
@@ -365,15 +368,15 @@ def _certainty(values, scale, warps, found, best):
     """Return the share of the likelihood of a law that its correlated residuals leave."""
     cuts = warps.index[best] + warps.fraction[best]
     turns = found.turns(best) * np.linspace(0, 1, len(cuts))
-    phases = np.interp(np.arange(len(values)) + 0.5, cuts, turns)
-    length = correlation_length(values, phases, int(found.harmonics[best]))
-    return min(1.0, scale / length)
+    phases = np.interp(np.arange(values.shape[1]) + 0.5, cuts, turns)
+    residual = without_harmonics(values, phases, int(found.harmonics[best]))
+    return min(1.0, scale / correlation_length(residual))
 
 
 def _likelihood_surface(onsets, channel, first, frames, grid):
     """Return the likelihood surface of the laws that one window admits."""
     max_likelihood_loss = 2.0  # of admitted laws
-    values = onsets.values[channel, first : first + frames]
+    values = onsets.values[channel][:, first : first + frames]
     scale = onsets.scales_ms[channel]
     warps = tabulated_warps(grid.shapes, frames, phase_step_count(frames, scale))
     found = search(values, scale, warps)

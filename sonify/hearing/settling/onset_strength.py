@@ -13,6 +13,8 @@ from sonify.hearing.settling.settings import SETTLING
 
 FRAME_RATE = 1000  # Hz
 TINY_POWER = 1e-14  # of full scale
+NARROW_SCALE_MS = 6
+"""Duration of bursts that are also sought in narrow bands."""
 
 
 @dataclass(frozen=True)
@@ -20,29 +22,62 @@ class Frames:
     """Power (frames, bands) and waveform (frames,) of a sound, with one frame per
     millisecond.
 
-    `edges` (bands + 1,) are the limits of the bands [Hz].
+    `edges` (bands + 1,) are the limits of the bands [Hz]. `narrow_power` (frames, narrow
+    bands) is the power in longer windows and narrower bands with `narrow_edges` [Hz].
     """
 
     power: np.ndarray
     waveform: np.ndarray
     edges: np.ndarray
+    narrow_power: np.ndarray
+    narrow_edges: np.ndarray
 
 
 @dataclass(frozen=True)
 class OnsetStrength:
-    """Channels `values` (channels, frames) that are searched for events, each with the
-    time [ms] per independent sample and a band [Hz]."""
+    """Channels that are searched for events: for each its components (components,
+    frames), which follow one law with independent waveforms, the time [ms] per
+    independent sample, and a band [Hz]."""
 
-    values: np.ndarray
+    values: list[np.ndarray]
     scales_ms: np.ndarray
     bands: list[tuple[float, float]]
+
+    @property
+    def channels_by_components(self) -> list[np.ndarray]:
+        """Indices of the channels with one component, and of those with several."""
+        is_single = np.array([len(channel) == 1 for channel in self.values])
+        kinds = [np.flatnonzero(is_single), np.flatnonzero(~is_single)]
+        return [kind for kind in kinds if len(kind)]
 
 
 def frames_of(samples: np.ndarray, rate: float) -> Frames:
     """Return the power and the waveform of samples (n,) at `rate` [Hz]."""
-    window_length = max(2 * round(rate * 4 / 3000), 8)
+    edges = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]  # Hz
+    narrow_range = (4000.0, 16000.0)  # Hz
+    narrow_width = 250.0  # Hz, about the resolution of the window
+    highest = SETTLING.max_frequency_per_rate * rate
+    edges = np.array(edges, dtype=float)
+    edges = edges[edges <= highest]
+    narrow_limit = max(min(narrow_range[1], highest), narrow_range[0])
+    narrow_edges = np.arange(narrow_range[0], narrow_limit + 1, narrow_width)
+    length = max(2 * round(rate * 4 / 3000), 8)
+    narrow_length = 2 * round(rate * NARROW_SCALE_MS / 2000)
+    power = _band_power(samples, rate, length, edges)
+    return Frames(
+        power=power,
+        waveform=waveform_of(samples, rate)[: len(power)],
+        edges=edges,
+        narrow_power=_band_power(samples, rate, narrow_length, narrow_edges),
+        narrow_edges=narrow_edges,
+    )
+
+
+def _band_power(samples, rate, window_length, edges):
+    """Return the power (frames, bands) of samples (n,) in bands with the given edges
+    [Hz]."""
     window = np.hanning(window_length + 2)[1:-1]
-    weights, edges = _band_weights(window_length, rate)
+    weights = _band_weights(window_length, rate, edges)
     count = int(len(samples) * FRAME_RATE / rate)
     centres = np.round(np.arange(count) * rate / FRAME_RATE).astype(int)
     padded = np.pad(np.asarray(samples, dtype=np.float32), window_length // 2)
@@ -55,7 +90,7 @@ def frames_of(samples: np.ndarray, rate: float) -> Frames:
             windows[centres[first : first + 4096]] * window.astype(np.float32)
         )
         power[first : first + 4096] = (spectrum.real**2 + spectrum.imag**2) @ weights
-    return Frames(power=power, waveform=waveform_of(samples, rate)[:count], edges=edges)
+    return power
 
 
 def waveform_of(samples: np.ndarray, rate: float) -> np.ndarray:
@@ -73,26 +108,21 @@ def waveform_of(samples: np.ndarray, rate: float) -> np.ndarray:
     return waveform[np.minimum(centres, len(waveform) - 1)].astype(np.float32)
 
 
-def _band_weights(window_length, rate):
-    """Return the fraction (bins, bands) of each spectral bin in each band, and the band
-    edges [Hz]."""
-    edges = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]  # Hz
+def _band_weights(window_length, rate, edges):
+    """Return the fraction (bins, bands) of each spectral bin in each band between edges
+    [Hz]."""
     spacing = rate / window_length
     bins = np.arange(window_length // 2 + 1) * spacing
-    edges = np.array(edges, dtype=float)
-    edges = edges[edges <= SETTLING.max_frequency_per_rate * rate]
     low = np.maximum(bins[:, None] - spacing / 2, edges[:-1])
     high = np.minimum(bins[:, None] + spacing / 2, edges[1:])
-    return np.maximum(high - low, 0) / spacing, edges
+    return np.maximum(high - low, 0) / spacing
 
 
 def onset_strength(frames: Frames) -> OnsetStrength:
-    """Return the onset strength of all bands and of the bright ones."""
-    floor_db = -40.0  # re the running mean
+    """Return the onset strength of all bands and of the bright ones, and of groups of
+    narrow bands, which are the components of common channels."""
     min_bright_frequency = 4000.0  # Hz
-    power = frames.power.T
-    mean = uniform_filter1d(power, 401, axis=1)
-    level = np.log(power + 10 ** (floor_db / 10) * mean + TINY_POWER)
+    level = _log_power(frames.power)
     bright = frames.edges[:-1] >= min_bright_frequency
     groups = [np.ones_like(bright)]
     if bright.any() and not bright.all():
@@ -104,23 +134,48 @@ def onset_strength(frames: Frames) -> OnsetStrength:
         short = uniform_filter1d(level, max(round(scale / 2), 1), axis=1)
         rise = normalised(short - uniform_filter1d(level, 8 * scale + 1, axis=1))
         for group in groups:
-            values.append(normalised(rise[group].mean(axis=0)))
+            values.append(normalised(rise[group].mean(axis=0))[None])
             scales.append(scale)
             bands.append(
                 (float(frames.edges[:-1][group][0]), float(frames.edges[1:][group][-1]))
             )
+    components = _narrow_components(frames.narrow_power)
+    if len(components) > 1:
+        values.append(components)
+        scales.append(NARROW_SCALE_MS)
+        bands.append((float(frames.narrow_edges[0]), float(frames.narrow_edges[-1])))
     return OnsetStrength(
-        np.array(values, dtype=np.float32),
+        [channel.astype(np.float32) for channel in values],
         np.array(scales, dtype=float),
         bands,
     )
+
+
+def _narrow_components(power):
+    """Return the onset strength (components, frames) of groups of adjacent narrow bands
+    with a power (frames, bands)."""
+    bands_per_component = 4
+    component_count = power.shape[1] // bands_per_component
+    if component_count == 0:
+        return np.empty((0, len(power)))
+    level = _log_power(power)
+    rise = normalised(level - uniform_filter1d(level, 8 * NARROW_SCALE_MS + 1, axis=1))
+    groups = np.array_split(rise, component_count)
+    return normalised(np.array([group.mean(axis=0) for group in groups]))
+
+
+def _log_power(power):
+    """Return the natural logarithm (bands, frames) of a power (frames, bands), above a
+    floor of -40 dB relative to its running mean."""
+    floor = 1e-4 * uniform_filter1d(power.T, 401, axis=1)
+    return np.log(power.T + floor + TINY_POWER)
 
 
 def tone_strength(waveform: np.ndarray) -> OnsetStrength:
     """Return the normalised waveform (frames,) as the only channel."""
     time_per_sample = 8.0  # ms
     return OnsetStrength(
-        normalised(waveform)[None].astype(np.float32),
+        [normalised(waveform)[None].astype(np.float32)],
         np.array([time_per_sample]),
         [SETTLING.waveform_band],
     )

@@ -7,41 +7,52 @@ import numpy as np
 from dynamics.numba_kernels import njit
 from sonify.hearing.settling.rate_laws import FAMILY_CODES, Law, Shape, places
 from sonify.hearing.settling.settings import SETTLING
+from sonify.hearing.settling.warped_periodogram import effective_components
 
 
 def _centred_window(values, scale_ms):
-    """Return the cumulative sum (frames + 1,) of a window (frames,) without its mean, its
-    length times its energy, and its number of independent samples."""
-    values = values - values.mean()
-    cumulative = np.concatenate([[0.0], np.cumsum(values, dtype=float)])
-    energy = max(float(np.sum(np.square(values, dtype=float))), 1e-9) * len(values)
-    return cumulative, energy, len(values) / scale_ms
+    """Return the cumulative sums (frames + 1, components) of a window (components,
+    frames) without its means, its length times its energies (components,), and its
+    numbers of independent samples and components."""
+    count, length = values.shape
+    effective = effective_components(values)
+    values = values - values.mean(axis=1, keepdims=True)
+    cumulative = np.zeros((length + 1, count))
+    np.cumsum(values.T, axis=0, dtype=float, out=cumulative[1:])
+    energy = np.sum(np.square(values, dtype=float), axis=1)
+    return cumulative, np.maximum(energy, 1e-9) * length, length / scale_ms, effective
 
 
 @njit(cache=True, nogil=True)
 def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
-    """Return the Fourier sums (harmonics, 2) of a centred window at the phase of a law."""
+    """Return the Fourier sums (harmonics, 2, components) of a centred window at the phase
+    of a law."""
     length = len(cumulative) - 1
+    count = cumulative.shape[1]
     steps = max(int(12 * turns), 128)
-    sums = np.zeros((harmonics, 2))
+    sums = np.zeros((harmonics, 2, count))
     turn = 2 * np.pi * turns / steps
     step_cos = np.cos(turn)
     step_sin = np.sin(turn)
     cosine = np.cos(turn / 2)
     sine = np.sin(turn / 2)
     phases = np.arange(1, steps + 1) / steps
-    before = 0.0
+    before = np.zeros(count)
+    part = np.empty(count)
     for place in places(code, ratio, exponent, phases):
         cut = length * place
         i = min(max(int(cut), 0), length - 1)
-        now = cumulative[i] + (cut - i) * (cumulative[i + 1] - cumulative[i])
-        part = now - before
-        before = now
+        for c in range(count):
+            step = cumulative[i + 1, c] - cumulative[i, c]
+            now = cumulative[i, c] + (cut - i) * step
+            part[c] = now - before[c]
+            before[c] = now
         real = cosine
         imaginary = sine
         for h in range(harmonics):
-            sums[h, 0] += part * real
-            sums[h, 1] += part * imaginary
+            for c in range(count):
+                sums[h, 0, c] += part[c] * real
+                sums[h, 1, c] += part[c] * imaginary
             real, imaginary = (
                 real * cosine - imaginary * sine,
                 real * sine + imaginary * cosine,
@@ -57,20 +68,22 @@ def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
 def _likelihood(window, code, ratio, exponent, turns, harmonics):
     """Return the log likelihood and the best number of harmonics of a law in a
     centred window."""
-    cumulative, energy, independent = window
+    cumulative, energy, independent, effective = window
     turns_per_harmonic = 4  # few turns with many harmonics would fit any pattern
+    count = cumulative.shape[1]
     harmonics = min(harmonics, max(int(turns / turns_per_harmonic), 1))
     sums = _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics)
     best = -np.inf
     order = 1
-    power = 0.0
+    power = np.zeros(count)
     for h in range(harmonics):
-        power += sums[h, 0] ** 2 + sums[h, 1] ** 2
-        value = -independent / 2 * math.log(1 - min(2 * power / energy, 0.999)) - (
-            h + 1
-        )
-        if value > best:
-            best = value
+        value = -(h + 1.0)
+        for c in range(count):
+            power[c] += sums[h, 0, c] ** 2 + sums[h, 1, c] ** 2
+            unexplained = 1 - min(2 * power[c] / energy[c], 0.999)
+            value -= independent / (2 * count) * math.log(unexplained)
+        if effective * value > best:
+            best = effective * value
             order = h + 1
     return best, order
 
@@ -140,8 +153,8 @@ def ratio_range(shape: Shape, min_ratio: float) -> tuple[float, float]:
 def refine(
     values: np.ndarray, scale_ms: float, starts: list[Law], min_ratio: float
 ) -> Law:
-    """Return the most likely law of a family in a window (frames,), refined from laws
-    `starts`; `min_ratio` is the minimum ratio of the rates of a disk."""
+    """Return the most likely law of a family in a window (components, frames), refined
+    from laws `starts`; `min_ratio` is the minimum ratio of the rates of a disk."""
     window = _centred_window(values, scale_ms)
     found = []
     for law in starts:

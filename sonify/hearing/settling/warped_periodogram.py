@@ -12,6 +12,10 @@ from dynamics.numba_kernels import njit
 from sonify.hearing.settling.rate_laws import Law, ShapeSet
 from sonify.hearing.settling.settings import SETTLING
 
+RATES_PER_TURN = 4
+"""Number of rates per turn in the window: two bins of the padded spectrum and two
+interpolated values."""
+
 
 @dataclass(frozen=True, eq=False)
 class TabulatedWarps:
@@ -38,61 +42,60 @@ def tabulated_warps(family: ShapeSet, length: int, steps: int) -> TabulatedWarps
 
 @njit(cache=True, nogil=True)
 def _warp(values, index, fraction, padded):
-    """Write sums of windows (windows, frames) over equal steps of phase into `padded`.
+    """Write sums of a window (frames,) over equal steps of phase into `padded`.
 
-    `padded` is (windows shapes, 2 steps); its second half is unchanged. Returns the
-    length of each window times its sum of squares about the mean (windows,)."""
-    windows, length = values.shape
+    `padded` is (shapes, 2 steps); its second half is unchanged. Returns the length of the
+    window times its sum of squares about the mean."""
+    length = len(values)
     shapes, cuts = index.shape
-    energy = np.empty(windows)
     cumulative = np.zeros(length + 1, dtype=np.float32)
-    for w in range(windows):
-        mean = 0.0
-        for i in range(length):
-            mean += values[w, i]
-        mean /= length
-        total = 0.0
-        squares = 0.0
-        for i in range(length):
-            deviation = values[w, i] - mean
-            total += deviation
-            squares += deviation * deviation
-            cumulative[i + 1] = total
-        energy[w] = max(squares, 1e-12 * length) * length
-        for s in range(shapes):
-            row = w * shapes + s
-            before = cumulative[0]
-            for j in range(1, cuts):
-                i = index[s, j]
-                now = cumulative[i] + fraction[s, j] * (
-                    cumulative[i + 1] - cumulative[i]
-                )
-                padded[row, j - 1] = now - before
-                before = now
-    return energy
+    mean = 0.0
+    for i in range(length):
+        mean += values[i]
+    mean /= length
+    total = 0.0
+    squares = 0.0
+    for i in range(length):
+        deviation = values[i] - mean
+        total += deviation
+        squares += deviation * deviation
+        cumulative[i + 1] = total
+    for s in range(shapes):
+        before = cumulative[0]
+        for j in range(1, cuts):
+            i = index[s, j]
+            now = cumulative[i] + fraction[s, j] * (cumulative[i + 1] - cumulative[i])
+            padded[s, j - 1] = now - before
+            before = now
+    return max(squares, 1e-12 * length) * length
 
 
 @njit(cache=True, nogil=True)
-def _doubled_power(spectrum, power):
-    """Write the power of a spectrum, with interpolated values between its bins, into
-    `power`."""
-    bins = len(spectrum)
-    for k in range(bins):
-        value = spectrum[k]
-        power[2 * k] = value.real * value.real + value.imag * value.imag
-    for k in range(1, bins - 2):
-        # neighbouring bins differ in phase by a quarter turn, the phase of the centre of the window
-        before = spectrum[k - 1]
-        here = spectrum[k]
-        after = spectrum[k + 1]
-        later = spectrum[k + 2]
-        inner = np.float32(0.5854)
-        outer = np.float32(-0.0912)
-        real = inner * (here.real - after.imag) + outer * (before.imag - later.real)
-        imaginary = inner * (here.imag + after.real) - outer * (
-            before.real + later.imag
-        )
-        power[2 * k + 1] = real * real + imaginary * imaginary
+def _add_explained_share(spectra, scale, share):
+    """Add the power of spectra (shapes, bins), with interpolated values between their
+    bins, times a scale to a share (shapes, rates) of the variance."""
+    inner = np.float32(0.5854)
+    outer = np.float32(-0.0912)
+    shapes, bins = spectra.shape
+    real = np.empty(bins, dtype=np.float32)  # contiguous parts vectorise
+    imag = np.empty(bins, dtype=np.float32)
+    for s in range(shapes):
+        for k in range(bins):
+            real[k] = spectra[s, k].real
+            imag[k] = spectra[s, k].imag
+        for k in range(bins):
+            share[s, 2 * k] += scale * (real[k] * real[k] + imag[k] * imag[k])
+        for k in range(1, bins - 2):
+            # neighbouring bins differ in phase by a quarter turn, the phase of the centre of the window
+            between_real = inner * (real[k] - imag[k + 1]) + outer * (
+                imag[k - 1] - real[k + 2]
+            )
+            between_imag = inner * (imag[k] + real[k + 1]) - outer * (
+                real[k - 1] + imag[k + 2]
+            )
+            share[s, 2 * k + 1] += scale * (
+                between_real * between_real + between_imag * between_imag
+            )
 
 
 @njit(cache=True, nogil=True)
@@ -111,49 +114,39 @@ def _largest_sums(power, first):
 
 
 @njit(cache=True, nogil=True)
-def _likelihoods(spectra, energy, independent, min_turns):
-    """Return log likelihoods and numbers of harmonics of the best rates (windows,
-    shapes).
+def _likelihoods(share, independent, effective, min_turns):
+    """Return log likelihoods and numbers of harmonics of the best rates (shapes,).
 
-    The spectra (windows shapes, bins) are those of zero-padded windows. `energy`
-    (windows,) is the length times the sum of squares of each window, `independent`
-    (windows,) the number of independent samples, and `min_turns` (shapes,) the minimum number
-    of turns."""
-    rows, bins = spectra.shape
-    shapes = len(min_turns)
-    likelihood = np.full((rows // shapes, shapes), -np.inf)
-    harmonics = np.ones((rows // shapes, shapes), dtype=np.int64)
-    power = np.zeros(2 * bins - 1, dtype=np.float32)
-    for row in range(rows):
-        w, s = divmod(row, shapes)
-        _doubled_power(spectra[row], power)
-        first = int(np.ceil(min_turns[s] * 4))
-        for h, top in enumerate(_largest_sums(power, first), 1):
-            value = (
-                -independent[w] / 2 * np.log(1 - min(2 * top / energy[w], 0.999)) - h
-            )
-            if value > likelihood[w, s]:
-                likelihood[w, s] = value
-                harmonics[w, s] = h
+    `share` (shapes, rates) is the share of the variance that each rate explains,
+    `independent` the number of independent samples, `effective` the number of
+    independent components, and `min_turns` (shapes,) the minimum number of turns."""
+    shapes = len(share)
+    likelihood = np.full(shapes, -np.inf)
+    harmonics = np.ones(shapes, dtype=np.int64)
+    for s in range(shapes):
+        first = int(np.ceil(min_turns[s] * RATES_PER_TURN))
+        for h, top in enumerate(_largest_sums(share[s], first), 1):
+            value = -independent / 2 * np.log(1 - min(top, 0.999)) - h
+            if effective * value > likelihood[s]:
+                likelihood[s] = effective * value
+                harmonics[s] = h
     return likelihood, harmonics
 
 
 @njit(cache=True, nogil=True)
-def turns_of(spectrum, min_turns, harmonics):
-    """Return the number of turns with the largest power of harmonics in a spectrum
-    (bins,)."""
-    power = np.zeros(2 * len(spectrum) - 1, dtype=np.float32)
-    _doubled_power(spectrum, power)
+def turns_of(share, min_turns, harmonics):
+    """Return the number of turns with the largest share (rates,) of harmonics."""
     top = -1.0
     place = 0
-    for k in range(int(np.ceil(min_turns * 4)), (len(power) - 1) // harmonics + 1):
+    first = int(np.ceil(min_turns * RATES_PER_TURN))
+    for k in range(first, (len(share) - 1) // harmonics + 1):
         value = 0.0
         for h in range(1, harmonics + 1):
-            value += power[k * h]
+            value += share[k * h]
         if value > top:
             top = value
             place = k
-    return place / 4
+    return place / RATES_PER_TURN
 
 
 def phase_step_count(length: int, scale_ms: float) -> int:
@@ -166,62 +159,75 @@ def phase_step_count(length: int, scale_ms: float) -> int:
 
 
 class SearchResult(NamedTuple):
-    """Log likelihoods and numbers of harmonics of shapes (..., shapes), the spectra
-    (shapes, bins) and the minimum numbers of turns (shapes,)."""
+    """Log likelihoods, numbers of harmonics and minimum numbers of turns of shapes
+    (shapes,), and the share (shapes, rates) of the variance that each rate explains."""
 
     likelihood: np.ndarray
     harmonics: np.ndarray
-    spectra: np.ndarray
+    share: np.ndarray
     min_turns: np.ndarray
 
     def turns(self, i: int) -> float:
-        """Return the number of turns of shape i in a single window."""
-        return turns_of(self.spectra[i], self.min_turns[i], self.harmonics[i])
+        """Return the number of turns of shape i."""
+        return turns_of(self.share[i], self.min_turns[i], self.harmonics[i])
 
 
-def search(values: np.ndarray, scale_ms, warps: TabulatedWarps) -> SearchResult:
-    """Return the result for the shapes of a table in windows (frames,) or (windows,
-    frames)."""
-    windows = np.atleast_2d(values)
-    count, length = windows.shape
+def effective_components(values: np.ndarray) -> float:
+    """Return the number of independent components in values (components, frames).
+
+    It is the squared number of components over the sum of their squared
+    correlations."""
+    if len(values) == 1:
+        return 1.0
+    covariance = np.cov(values)
+    deviation = np.sqrt(np.diag(covariance))
+    varies = deviation > 1e-6
+    if np.count_nonzero(varies) < 2:
+        return 1.0
+    covariance = covariance[np.ix_(varies, varies)]
+    correlation = covariance / np.outer(deviation[varies], deviation[varies])
+    return len(correlation) ** 2 / float(np.sum(np.square(correlation)))
+
+
+def search(values: np.ndarray, scale_ms: float, warps: TabulatedWarps) -> SearchResult:
+    """Return the result for the shapes of a table in a window (components, frames)."""
+    count, length = values.shape
     shapes, cuts = warps.index.shape
-    padded = np.zeros((count * shapes, 2 * (cuts - 1)), dtype=np.float32)
-    energy = _warp(windows, warps.index, warps.fraction, padded)
-    spectra = rfft(padded, axis=1, overwrite_x=True)
-    independent = length / np.atleast_1d(scale_ms)
+    padded = np.zeros((shapes, 2 * (cuts - 1)), dtype=np.float32)
+    share = np.zeros((shapes, 2 * cuts - 1), dtype=np.float32)
+    for component in values:
+        energy = _warp(component, warps.index, warps.fraction, padded)
+        spectra = rfft(padded, axis=1)
+        _add_explained_share(spectra, np.float32(2 / (energy * count)), share)
     min_turns = np.maximum(
         SETTLING.min_turns,
         SETTLING.min_initial_rate * length / 1000 / warps.first_rates,
     )
     min_turns = np.minimum(min_turns, (cuts - 1) / 2)
-    found = _likelihoods(spectra, energy, independent, min_turns)
-    likelihood, harmonics = (each.reshape(*values.shape[:-1], -1) for each in found)
-    return SearchResult(likelihood, harmonics, spectra, min_turns)
+    likelihood, harmonics = _likelihoods(
+        share, length / scale_ms, effective_components(values), min_turns
+    )
+    return SearchResult(likelihood, harmonics, share, min_turns)
 
 
-def likelihoods(
-    values: np.ndarray, scales_ms: np.ndarray, shapes: ShapeSet
+def largest_likelihoods(
+    values: np.ndarray, scale_ms: float, shapes: ShapeSet
 ) -> np.ndarray:
-    """Return the largest log likelihoods (channels, families) in a window (channels,
+    """Return the largest log likelihoods (families,) in a window (components,
     frames)."""
     length = values.shape[1]
-    found = np.empty((len(values), len(shapes.begins)))
-    steps = np.array([phase_step_count(length, scale) for scale in scales_ms])
-    for count in np.unique(steps):
-        warps = tabulated_warps(shapes, length, int(count))
-        same = np.flatnonzero(steps == count)
-        every = search(values[same], scales_ms[same], warps).likelihood
-        found[same] = np.maximum.reduceat(every, shapes.begins, axis=1)
-    return found
+    warps = tabulated_warps(shapes, length, phase_step_count(length, scale_ms))
+    every = search(values, scale_ms, warps).likelihood
+    return np.maximum.reduceat(every, shapes.begins)
 
 
 def strongest_laws(
     values: np.ndarray, scale_ms: float, shapes: ShapeSet
 ) -> dict[str, list[Law]]:
-    """Return the three most likely laws of every family in a window (frames,), the best
-    first."""
+    """Return the three most likely laws of every family in a window (components,
+    frames), the best first."""
     count = 3
-    length = len(values)
+    length = values.shape[1]
     warps = tabulated_warps(shapes, length, phase_step_count(length, scale_ms))
     result = search(values, scale_ms, warps)
 
