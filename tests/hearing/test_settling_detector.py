@@ -199,6 +199,7 @@ def test_a_cut_take_is_reported_with_its_missing_end(tmp_path):
     assert run["t_end"]["value"] is None
     assert run["t_end"]["low"] == pytest.approx(stop, abs=0.002)
     assert run["t_end"]["low"] < run["t_end"]["high"]
+    assert f"to {stop:.3f} s, end missing" in repr(listen(path))
     with pytest.raises(RecordingError, match="the end of the motion is missing"):
         sound_to_fit(SoundFile(path), "cut")
 
@@ -330,12 +331,9 @@ def degraded(samples, rate):
 @pytest.mark.parametrize("name", ["granite", "glass", "coin-polished", "published"])
 def test_the_last_five_seconds_of_a_scene_are_heard(name):
     """The paper's law of friction, n = 1, is heard only without noise."""
-    scene = load_scene(name)
-    scene = (
-        scene
-        if scene.surface.kind == "rigid"
-        else scene.replace("surface.action=sound")
-    )
+    scene = load_scene(name).replace("numerics.accuracy=draft")
+    if scene.surface.kind != "rigid":
+        scene = scene.replace("surface.action=sound")
     sound = solve(scene).sound
     rate = sound.sample_rate
     stop = int((sound.source_end + 0.6) * rate)

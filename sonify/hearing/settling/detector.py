@@ -98,8 +98,9 @@ class SettlingRun:
 
     def __repr__(self) -> str:
         exponent = self.exponent
+        missing = ", end missing" if self.t_end.value is None else ""
         return (
-            f"SettlingRun({self.kind} from {self.start:.2f} to {self.heard_until:.3f} s, "
+            f"SettlingRun({self.kind} from {self.start:.2f} to {self.heard_until:.3f} s{missing}, "
             f"n {exponent.low:.2f} to {exponent.high:.2f}, "
             f"{self.rate_at_1s.value:.1f} Hz, score {self.score:.1f})"
         )
