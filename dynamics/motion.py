@@ -16,13 +16,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.disk import Disk
+from dynamics.film.wedge import Film, film_loads_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
     from dynamics.compliant.stepping.rim_modes import RimModes
-    from dynamics.film.wedge import Film
+    from dynamics.landing.landing_motion import LandingMotion
     from dynamics.motion_plan import MotionPlan
 
 COLUMNS = (
@@ -46,6 +47,13 @@ frame, and the dissipated energy [J].
 """
 FORCE_COLUMNS = ("friction_1", "friction_2", "normal_force")
 """Names of the columns of `Motion.force` [N]: friction along a_1 and a_2, and the normal force."""
+FILM_COLUMNS = ("mean_gap", "lift", "moment_1", "moment_3", "half_arc")
+"""Names of the columns of `Motion.film_loads`.
+
+They contain the mean gap below the face [m], the lift of the film [N], its moments about
+e_1 and e_3 [N m], and half the arc of the rim that touches the table [rad], which is zero
+for a contact point.
+"""
 
 
 class Outcome(Enum):
@@ -242,7 +250,15 @@ class Motion(Protocol):
         """Parts that were solved with different models, in order of time."""
 
     @property
-    def film(self) -> "Film | None":
+    def rolling(self) -> "Motion":
+        """The motion up to the loss of its rolling contact, or the whole motion."""
+
+    @property
+    def landing(self) -> "LandingMotion | None":
+        """The motion from the loss of the rolling contact to rest, or None."""
+
+    @property
+    def film(self) -> Film | None:
         """The air film that acts on the disk, or None."""
 
     @property
@@ -352,6 +368,30 @@ class Motion(Protocol):
         -------
         ndarray, (k,)
             Normal force [N].
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+
+    def film_loads(self, t: ArrayLike, state: np.ndarray) -> np.ndarray:
+        """Return the loads on the disk besides the contact force, and the gap below it.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+        state : ndarray, (k, 11)
+            The state at these times.
+
+        Returns
+        -------
+        ndarray, (k, 5)
+            The columns FILM_COLUMNS: mean gap below the face [m], lift of the film [N],
+            moments about e_1 and e_3 [N m], and half the arc of the rim that touches the
+            table [rad]. A force on an arc acts at the low point, and the moments correct
+            for its distribution.
 
         Raises
         ------
@@ -639,6 +679,16 @@ class MotionBase:
         return (MotionPart(0.0, self),)
 
     @property
+    def rolling(self: Motion) -> Motion:
+        """The whole motion."""
+        return self
+
+    @property
+    def landing(self) -> "LandingMotion | None":
+        """None, because the motion does not land."""
+        return None
+
+    @property
     def finding_groups(self) -> tuple[FindingGroup, ...]:
         """Groups of findings that apply to the motion."""
         return SINGLE_CONTACT_GROUPS
@@ -666,6 +716,12 @@ class MotionBase:
     def contact_force(self: Motion, t: ArrayLike) -> np.ndarray:
         """Return the normal force of the contact (k,) [N] at times t (k,) [s]."""
         return self.force(t)[:, 2]
+
+    def film_loads(self: Motion, t: ArrayLike, state: np.ndarray) -> np.ndarray:
+        """Return the FILM_COLUMNS (k, 5) of a disk that touches with one point."""
+        gap = self.disk.radius * np.sin(state[:, 1])
+        lift, moment_1, moment_3 = film_loads_of(self.film, self.disk, state)
+        return np.column_stack([gap, lift, moment_1, moment_3, np.zeros(len(state))])
 
     def rim_vibration(self, t: ArrayLike) -> np.ndarray:
         """Return an empty array (k, 3, 0), because there are no `rim_modes`."""

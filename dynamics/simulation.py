@@ -55,8 +55,9 @@ def simulate(
 ) -> Motion:
     """Solve the motion of a scene.
 
-    The contact is rigid, unless the scene has an elastic contact that must be solved in
-    full (`numerics.contact`). The coupling to the table depends on `surface.action`:
+    A nearly flat disk that loses its rolling contact above an air film lands on it, over
+    a rigid table, until it is at rest. The contact is rigid, unless the scene has an elastic contact that must be
+    solved in full (`numerics.contact`). The coupling to the table depends on `surface.action`:
 
     * "sound": no coupling. The motion is the same as on a rigid table.
     * "motion": two-way coupling from the release on.
@@ -125,7 +126,14 @@ def solve_planned_motion(
     plan: MotionPlan, watch: Watch = lambda t, inclination, doing: None
 ) -> Motion:
     """Solve the motion of a plan; see `simulate`, which makes the plan from a scene."""
+    from dynamics.landing.after_rolling import landed  # SciPy is slow to import
+
     require_surface_modes(plan)
+    return landed(_solve_rolling_motion(plan, watch), plan)
+
+
+def _solve_rolling_motion(plan: MotionPlan, watch: Watch) -> Motion:
+    """Solve the motion of a plan up to the loss of the rolling contact."""
     if plan.switches_to_two_way:
         from dynamics.compliant.switched_motion import solve_switched
 

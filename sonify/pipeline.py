@@ -16,6 +16,7 @@ from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Finding, Findings
+from sonify.claims.landing import landing_findings
 from sonify.claims.listener import listen_in_worker
 from sonify.claims.literature import literature_findings
 from sonify.claims.rattling import rattling_findings
@@ -205,10 +206,11 @@ def motion_stage(motion_plan: MotionPlan, planned: Future, stages: Stages) -> Mo
 
 def two_way_stage(solved: SolvedMotion, stages: Stages) -> list[Finding]:
     """Return the findings on two-way coupling, from reruns of the end of the motion."""
-    if two_way_part(solved.motion) is None:
-        return two_way_findings(solved.scene, solved.motion)
+    motion = solved.motion.rolling
+    if two_way_part(motion) is None:
+        return two_way_findings(solved.scene, motion)
     with stages.stage("reruns of the end") as watch:
-        return two_way_findings(solved.scene, solved.motion, watch)
+        return two_way_findings(solved.scene, motion, watch)
 
 
 def sound_stage(solved: SolvedMotion, tools: Tools) -> Sound:
@@ -231,12 +233,12 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
     """Return the result of a run, with its checks and findings.
 
     `two_way` is the Future of the findings of `two_way_stage`."""
-    scene, plan, motion, modes = solved.scene, solved.plan, solved.motion, solved.modes
-    sound = solved.sound
+    scene, plan, modes, sound = solved.scene, solved.plan, solved.modes, solved.sound
+    motion = solved.motion.rolling
     assert sound is not None
     with tools.stages.stage("findings"):
         hearing = tools.executor.submit(analyse_sound, sound, tools.listen)
-        checks = all_checks(scene, motion, modes, sound)
+        checks = all_checks(scene, solved.motion, modes, sound)
         findings = motion_and_mode_findings(scene, motion, modes)
         heard, silence = hearing.result()
         tone = heard.tone if heard else None
@@ -253,14 +255,15 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
         )
         findings += rattling_findings(scene, motion, modes, sound)
         findings += air_findings(scene, motion, sound)
+        findings += landing_findings(solved.motion)
         on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
         findings += on_contact
         findings += literature_findings(scene, motion, modes, sound, tone)
     notes = [*limits_of_film_law(scene, motion), *silence, *contact_notes]
     return Result(
         scene=scene,
-        plan=with_motion_end(plan, motion, sound.ringing, notes),
-        motion=motion,
+        plan=with_motion_end(plan, solved.motion, sound.ringing, notes),
+        motion=solved.motion,
         modes=modes,
         table=solved.table,
         sound=sound,

@@ -265,10 +265,10 @@ def contact_curves(result: Result) -> tuple[dict[str, list[list[float]]], Number
 
     The number is the ratio of the band heard to that predicted at the steep beginning.
     """
-    expected = predicted_vibration(result.scene, result.motion)
-    heard = measured_noise_band(result.sound, result.motion, expected)
+    expected = predicted_vibration(result.scene, result.motion.rolling)
+    heard = measured_noise_band(result.sound, result.motion.rolling, expected)
     seen = np.isfinite(heard.frequency)
-    bands = radiated_bands(result.scene, result.motion, expected, heard)
+    bands = radiated_bands(result.scene, result.motion.rolling, expected, heard)
     shown = heard.time[seen][np.isin(heard.frequency[seen], bands.heard)]
     step = max(len(expected.t) // CURVE_POINTS, 1)
     curves = {
@@ -289,10 +289,12 @@ def contact_curves(result: Result) -> tuple[dict[str, list[list[float]]], Number
 def run_record(name: str) -> Record:
     """Solve a shipped scene with its sound."""
     result = solve(name)
-    curves = {"rate": rate_curve(result.motion)}
-    numbers = numbers_of_motion(result.motion) | numbers_of_findings(result.findings)
+    curves = {"rate": rate_curve(result.motion.rolling)}
+    numbers = numbers_of_motion(result.motion.rolling) | numbers_of_findings(
+        result.findings
+    )
     if name == "published":
-        curves["load"] = load_curve(result.motion)
+        curves["load"] = load_curve(result.motion.rolling)
     if name in NOISE_BAND_SCENES:
         of_contact, numbers["carrier_is_contact.at_first"] = contact_curves(result)
         curves |= of_contact
@@ -312,7 +314,7 @@ def run_record(name: str) -> Record:
         scatter=CHAOTIC_SCATTER if name in CHAOTIC else 1e-3,
         numbers=numbers | modes | checks,
         curves=curves,
-        words={"outcome": result.motion.outcome.name}
+        words={"outcome": result.motion.rolling.outcome.name}
         | {f"claim.{finding.key}": finding.claim for finding in result.findings},
         sound=last_seconds(
             np.concatenate(list(result.sound.audible.blocks())),
@@ -325,7 +327,7 @@ def motion_record(name: str) -> Record:
     """Solve the motion of a variant."""
     base, changes = MOTION_VARIANTS[name]
     scene, plan = solvable_scene(load_scene(base).replace(*changes), None)
-    motion = solve_motion(plan)
+    motion = solve_motion(plan).rolling
     exponents = (
         [rate_follows_unevenness(scene.roughness.exponent, motion)]
         if "rattling" in motion.finding_groups

@@ -22,6 +22,7 @@ from dynamics.film.forces import (
     film_forces,
 )
 from dynamics.kinematics import contact_arms, precession_rate
+from dynamics.regime import ARRAY_FORMULAS
 
 ROTATION_POWER_COEFFICIENT = 0.1067607949
 """I in the power of a rotating film, 12 mu R^3 I Omega^2/sin(beta).
@@ -155,6 +156,22 @@ def film_powers(disk: Disk, film: Film, state: np.ndarray) -> np.ndarray:
         )
         * unit
     )
+
+
+def film_loads_of(film: Film | None, disk: Disk, state: np.ndarray) -> np.ndarray:
+    """Return lift [N] and moments [N m] about e_1 and e_3, (3, k), at states (k, 11).
+
+    They are zero without a film.
+    """
+    if film is None:
+        return np.zeros((3, len(state)))
+    chi = disk.time_unit
+    frictionless = (0.0,) * 5
+    law = DiskConstants(disk.aspect, disk.gyration, *frictionless)
+    loads = film(state[:, 1], state[:, 5:8].T * chi, None, law, ARRAY_FORMULAS)
+    force = disk.mass * disk.radius / chi**2
+    moment = force * disk.radius
+    return np.array([force * loads.G3, moment * loads.M1, moment * loads.M3])
 
 
 def boundary_layer_ratio(beta: Any, rate: Any, radius: float, air: Air) -> Any:

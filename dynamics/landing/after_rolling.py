@@ -1,9 +1,8 @@
 """The landing that follows a rolling motion on a rigid table."""
 
-from typing import TYPE_CHECKING
-
 from dynamics.film.tilted_film import film_below
 from dynamics.landing.equations import LandingModel
+from dynamics.landing.landed_motion import LandedMotion
 from dynamics.landing.landing_motion import (
     MAX_LANDING_INCLINATION,
     LandingMotion,
@@ -11,9 +10,7 @@ from dynamics.landing.landing_motion import (
 )
 from dynamics.landing.stop import stop_below
 from dynamics.motion import Motion, Outcome
-
-if TYPE_CHECKING:
-    from dynamics.sections import MotionScene
+from dynamics.motion_plan import MotionPlan
 
 DEFAULT_STOP_RESTITUTION = 0.79
 """Coefficient of restitution of a level disk on the asperities."""
@@ -27,8 +24,32 @@ MAX_LANDING_TIME = 2.0
 """Longest duration of a landing [s]."""
 
 
+def landed(rolling: Motion, plan: MotionPlan) -> Motion:
+    """Return a rolling motion with its landing on the film of air, if there is one.
+
+    Parameters
+    ----------
+    rolling : Motion
+        The rolling motion.
+    plan : MotionPlan
+        The decisions of the whole motion.
+
+    Returns
+    -------
+    Motion
+        A `LandedMotion`, or the rolling motion itself; see `landing_after`.
+
+    Raises
+    ------
+    ArithmeticError
+        If the integrator fails.
+    """
+    landing = landing_after(rolling, plan) if rolling.film else None
+    return rolling if landing is None else LandedMotion(plan, rolling, landing)
+
+
 def landing_after(
-    motion: Motion, scene: "MotionScene", restitution: float = DEFAULT_STOP_RESTITUTION
+    motion: Motion, plan: MotionPlan, restitution: float | None = None
 ) -> LandingMotion | None:
     """Solve the landing of a disk that has lost its rolling contact.
 
@@ -38,32 +59,37 @@ def landing_after(
     ----------
     motion : Motion
         The rolling motion.
-    scene : MotionScene
-        Its scene.
+    plan : MotionPlan
+        Its decisions.
     restitution : float, optional
-        Coefficient of restitution of a level disk on the asperities, in (0, 1].
+        Coefficient of restitution of a level disk on the asperities, in (0, 1]; by
+        default that of the contact, or DEFAULT_STOP_RESTITUTION.
 
     Returns
     -------
     LandingMotion or None
-        The landing, or None if the motion does not end in one: the disk still rolls, or it
-        is too steep, or it is a shell.
+        The landing, or None if the motion does not end in one: the disk still rolls or
+        rattles, or it is too steep, or it is a shell, or the time limit is reached.
 
     Raises
     ------
     ArithmeticError
         If the integrator fails.
     """
+    scene = plan.scene
     cause = LANDING_CAUSES.get(motion.outcome)
     start = motion.state[-1]
-    is_solid = motion.disk.shape == "solid"
-    if cause is None or not is_solid or not 0 < start[1] <= MAX_LANDING_INCLINATION:
-        return None
+    left = min(MAX_LANDING_TIME, scene.numerics.time_limit - float(motion.t[-1]))
     disk = motion.disk
+    is_nearly_flat = 0 < start[1] <= MAX_LANDING_INCLINATION
+    rolls_on_edge = disk.shape == "solid" and motion.rim_modes is None
+    if cause is None or not (is_nearly_flat and rolls_on_edge and left > 0):
+        return None
     fillet = motion.rolling_fillet
     film = None
     if motion.film:
         film = film_below(disk.radius, fillet, scene.air, scene.surface.curvature)
+    restitution = restitution or scene.contact.restitution or DEFAULT_STOP_RESTITUTION
     stop = stop_below(disk.radius - fillet, disk.mass, restitution)
     model = LandingModel(disk, film, stop)
-    return solve_landing_motion(model, start, fillet, cause, MAX_LANDING_TIME)
+    return solve_landing_motion(model, start, fillet, cause, left, plan=plan)

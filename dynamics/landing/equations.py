@@ -2,13 +2,18 @@
 
 The centre of the lower face is at the height z above the asperities, and the horizontal
 components w of the downward normal are the slopes of the face: |w| = sin(beta), and w
-points to the high side. Terms of the order beta are dropped, except in the energy:
+points to the high side. With c = cos(beta), the rates of w along and across this
+direction have the kinetic energy I (w_along'^2/c^2 + w_across'^2)/2, and Lagrange's
+equations are
 
-    m z'' = F + N - W,    I w'' = M + H (F + N) w - C n (w_y', -w_x'),
+    m z'' = F + N - W,
+    w_along'' = c^2 Q_along/I - |w| (w_across'^2 + w_along'^2/c^2),    w_across'' = Q_across/I,
+    Q = M + H (F + N) w/c - C n/c (w_y', -w_x'),
 
 where z is the height of the centre of mass minus H, F and M are the loads of the film, N
-that of the stop, and n is the angular velocity about the axis. The disk glides and spins
-freely, except for the shear of the film.
+that of the stop, and n is the angular velocity about the axis. The loads are those of a
+nearly level face: terms of the order beta are dropped from them alone. The disk glides
+and spins freely, except for the shear of the film.
 """
 
 from collections.abc import Sequence
@@ -66,14 +71,14 @@ class LandingState(NamedTuple):
 
 
 class LandingLoads(NamedTuple):
-    """LandingLoads on the disk, with the moments along and across the direction of the high side.
+    """Loads on the disk, with the moments along and across the direction of the high side.
 
     Attributes
     ----------
     film, film_along, film_across : float
         Force [N] and moments [N m] of the film.
     stop : StopForces
-        LandingLoads of the asperities.
+        Loads of the asperities.
     """
 
     film: float
@@ -174,22 +179,26 @@ class LandingModel(NamedTuple):
         lift = film + stop.force
         squeezing = -film * at.opening - along * at.tip
         swirling = -across * at.turn
-        along += stop.along + disk.thickness / 2 * lift * at.slope
-        across += stop.across
         ux, uy = at.direction_x, at.direction_y
-        tx, ty = y[4:6]
-        spun = self.axial_inertia * y[11]
+        cosine = sqrt(1 - at.slope * at.slope)
+        spun = self.axial_inertia * y[11] / cosine
+        raising = disk.thickness / 2 * lift * at.slope / cosine
+        along += stop.along + raising - spun * at.turn
+        across += stop.across + spun * at.tip
         inertia = self.diametral_inertia
+        inertial = at.slope * (at.turn**2 + (at.tip / cosine) ** 2)
+        along = cosine**2 * along / inertia - inertial
+        across /= inertia
         drag, spin_drag = self._shear(at)
         vx, vy = y[8:10]
         n = y[11]
         return [
             y[3],
-            tx,
-            ty,
+            y[4],
+            y[5],
             lift / disk.mass - GRAVITY,
-            (along * ux - across * uy - spun * ty) / inertia,
-            (along * uy + across * ux + spun * tx) / inertia,
+            along * ux - across * uy,
+            along * uy + across * ux,
             vx,
             vy,
             -drag / disk.mass * vx,
@@ -221,6 +230,7 @@ class LandingModel(NamedTuple):
         disk = self.disk
         stored = self.stop.forces(at.gap, at.slope, 0.0, 0.0, 0.0).stored
         moving = disk.mass * (y[3] ** 2 + y[8] ** 2 + y[9] ** 2)
-        turning = self.diametral_inertia * (y[4] ** 2 + y[5] ** 2)
+        nutating = at.tip**2 / (1 - at.slope**2)
+        turning = self.diametral_inertia * (nutating + at.turn**2)
         spinning = self.axial_inertia * y[11] ** 2
         return (moving + turning + spinning) / 2 + disk.weight * y[0] + stored

@@ -11,8 +11,11 @@ from dynamics.disk import Disk
 from dynamics.kinematics import ContactPlace, centre_velocity, contact_place
 from dynamics.landing.equations import LandingModel, LandingState
 from dynamics.landing.solution import Landing, solve_landing
+from dynamics.landing.stop import contact_half_arc
 from dynamics.motion import (
     CAUSES,
+    COLUMNS,
+    FILM_COLUMNS,
     ForceJumps,
     MotionBase,
     MotionEvent,
@@ -36,7 +39,7 @@ class LandingMotion(MotionBase):
 
     Parameters
     ----------
-    landing : Landing
+    solution : Landing
         The solution.
     start : ndarray, (11,)
         The COLUMNS at the start.
@@ -44,12 +47,15 @@ class LandingMotion(MotionBase):
         Radius of the edge [m] on which the disk rolled; 0 for a sharp edge.
     cause : str
         What ended the rolling contact, as the kind of an event.
+    plan : MotionPlan, optional
+        The decisions of the whole motion.
     """
 
-    landing: Landing
+    solution: Landing
     start: np.ndarray
     rolling_fillet: float
     cause: str
+    plan: Any = None
 
     def __repr__(self) -> str:
         """Return a one-line summary."""
@@ -58,7 +64,7 @@ class LandingMotion(MotionBase):
     @property
     def model(self) -> LandingModel:
         """Disk, film and stop."""
-        return self.landing.model
+        return self.solution.model
 
     @property
     def disk(self) -> Disk:
@@ -68,7 +74,7 @@ class LandingMotion(MotionBase):
     @property
     def outcome(self) -> Outcome:
         """AT_REST, or TIME_LIMIT."""
-        return Outcome.AT_REST if self.landing.is_at_rest else Outcome.TIME_LIMIT
+        return Outcome.AT_REST if self.solution.is_at_rest else Outcome.TIME_LIMIT
 
     @property
     def integrator(self) -> str:
@@ -108,7 +114,7 @@ class LandingMotion(MotionBase):
     @cached_property
     def t(self) -> np.ndarray:
         """Breakpoints (n,) [s] of the solution."""
-        return read_only(self.landing.path.x)
+        return read_only(self.solution.path.x)
 
     @property
     def t_end(self) -> float:
@@ -117,7 +123,7 @@ class LandingMotion(MotionBase):
 
     def _states(self, t: ArrayLike) -> np.ndarray:
         """Return the states (k, 16) in the order of `LandingState` at times t (k,) [s]."""
-        return self.landing.path(times_within(t, self.t[-1]))
+        return self.solution.path(times_within(t, self.t[-1]))
 
     def at(self, t: ArrayLike) -> np.ndarray:
         """Return the state at times t; see `Motion.at`."""
@@ -126,12 +132,12 @@ class LandingMotion(MotionBase):
             self._columns(y, before)
             for y, before in zip(states.tolist(), self._turned_before(t), strict=True)
         ]
-        return np.array(rows)
+        return np.reshape(rows, (-1, len(COLUMNS)))
 
     @cached_property
     def _precession(self) -> np.ndarray:
         """Precession (n,) [rad] at the breakpoints, continuous through whole turns."""
-        states = self.landing.path(self.t)
+        states = self.solution.path(self.t)
         angle = np.arctan2(states[:, 1], -states[:, 2])
         return self.start[0] + np.unwrap(angle) - angle[0]
 
@@ -161,7 +167,29 @@ class LandingMotion(MotionBase):
         loads = (
             self.model.loads(self.model.geometry(y)) for y in self._states(t).tolist()
         )
-        return np.array([[0.0, 0.0, load.stop.force] for load in loads])
+        return np.reshape([[0.0, 0.0, load.stop.force] for load in loads], (-1, 3))
+
+    def film_loads(self, t: ArrayLike, state: np.ndarray) -> np.ndarray:
+        """Return the loads of the film, and what distributes the force of the stop.
+
+        See `Motion.film_loads`. The moments contain the difference between those of the
+        ring and those of the same force at the low point.
+        """
+        rows = [self._film_row(y) for y in self._states(t).tolist()]
+        return np.reshape(rows, (-1, len(FILM_COLUMNS)))
+
+    def _film_row(self, y: list[float]) -> list[float]:
+        """Return the FILM_COLUMNS of a state (16,)."""
+        model = self.model
+        at = model.geometry(y)
+        film, along, across, stop = model.loads(at)
+        cosine = np.sqrt(1 - at.slope**2)
+        disk = self.disk
+        raising = along * cosine + disk.thickness / 2 * film * at.slope
+        at_low_point = -disk.radius * stop.force
+        moment_1 = -raising - cosine * (stop.along - at_low_point)
+        arc = contact_half_arc(at.gap, model.stop.radius * at.slope)
+        return [model.film_gap(at), film, moment_1, across + stop.across, arc]
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
         """Return the normal force (k,) [N] at times t (k,) [s]."""
@@ -203,19 +231,24 @@ class LandingMotion(MotionBase):
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
-        rates = np.array([self.model.rates(0.0, y) for y in self._states(t).tolist()])
+        rows = [self.model.rates(0.0, y) for y in self._states(t).tolist()]
+        rates = np.reshape(rows, (-1, len(LandingState._fields)))
         power = dict.fromkeys(CAUSES, np.zeros(len(rates)))
         film = rates[:, 12] + rates[:, 13] + rates[:, 15]
         return power | {"contact": rates[:, 14], "film": film}
 
     def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
-        lost = self.landing.path(self.t)[:, 12:].sum(axis=1)
+        lost = self.solution.path(self.t)[:, 12:].sum(axis=1)
         return float(np.max(np.maximum.accumulate(lost) - lost))
 
     def friction_excess(self) -> float:
         """Return 0: there is no friction."""
         return 0.0
+
+    def tensile_time(self) -> float:
+        """Return the time [s] in which the dashpots of the asperities pull the disk."""
+        return float(np.diff(self.t) @ (self.force(self.t[:-1])[:, 2] < 0))
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return 'land' for each of the times t (k,) [s]."""
@@ -247,7 +280,7 @@ class LandingMotion(MotionBase):
 
     def _rest(self):
         """Yield the rest, and the predicted touch of a disk that sinks on its cushion."""
-        if not self.landing.is_at_rest:
+        if not self.solution.is_at_rest:
             return
         t = self.t_end
         energy = float(self.energy(t)[0])
@@ -263,7 +296,7 @@ class LandingMotion(MotionBase):
         )
         height = self.model.stop.height
         if height > 0:
-            sunk = t + film.sink_time(gap, height, weight)
+            sunk = t + float(film.sink_time(gap, height, weight))
             yield MotionEvent(
                 sunk, "has sunk to the asperities", film.sink_rate(height, weight), 0.0
             )
@@ -289,6 +322,7 @@ def solve_landing_motion(
     cause: str,
     time_limit: float,
     clearance: float = 0.0,
+    plan: Any = None,
 ) -> LandingMotion:
     """Solve the landing of a disk from the columns of the motion that ends.
 
@@ -306,6 +340,8 @@ def solve_landing_motion(
         Longest duration [s].
     clearance : float, optional
         Height of the low point above the asperities at the start [m].
+    plan : MotionPlan, optional
+        The decisions of the whole motion.
 
     Returns
     -------
@@ -346,5 +382,5 @@ def solve_landing_motion(
     )
     landing = solve_landing(model, LandingState(*map(float, start)), time_limit)
     return LandingMotion(
-        landing=landing, start=columns, rolling_fillet=fillet, cause=cause
+        solution=landing, start=columns, rolling_fillet=fillet, cause=cause, plan=plan
     )

@@ -74,7 +74,7 @@ class Stop(NamedTuple):
         reach = self.radius * slope
         if height >= reach:
             return NO_STOP_FORCES
-        half_arc = acos(max(height / reach, -1.0)) if reach > -height else pi
+        half_arc = contact_half_arc(height, reach)
         sine = sin(half_arc)
         # integrals of 1, cos, cos^2 and sin^2 over the arc
         one = 2 * half_arc
@@ -99,6 +99,17 @@ class Stop(NamedTuple):
         return StopForces(
             pressing, -R * tipping, -R * c * R * turn * other, stored, lost
         )
+
+
+def contact_half_arc(height: float, reach: float) -> float:
+    """Return half the arc [rad] of the ring that is in contact: 0 above it, pi all around.
+
+    The centre of the face is at a height [m] above the asperities, and its low point
+    `reach` [m] deeper.
+    """
+    if height >= reach:
+        return 0.0
+    return acos(height / reach) if reach > -height else pi
 
 
 def stop_below(

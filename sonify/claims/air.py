@@ -22,7 +22,6 @@ from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
-from sonify.claims.landing import landing_findings
 from sonify.claims.limits import FINAL_ENERGY_SHARE
 from sonify.claims.reference_scenes import may_lie_on_granite
 from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
@@ -82,7 +81,6 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
         air_negligible(motion, film),
         *ended,
         carried_by_air(motion, film),
-        *landing_findings(scene, motion),
         *friction,
     ]
 

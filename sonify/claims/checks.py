@@ -181,17 +181,33 @@ def no_sample_clipped(sound: Sound):
 
 
 def motion_checks(motion: Motion) -> list[Check]:
-    """Return every check of a motion."""
+    """Return every check of a motion and of its landing."""
+    rolling = motion.rolling
     balance = (
-        energy_balance if motion.max_energy_error is None else rattling_energy_balance
+        energy_balance if rolling.max_energy_error is None else rattling_energy_balance
     )
     checks = (balance, dissipation_never_falls, friction_cone, pushing_contact)
-    return [judge(motion) for judge in checks]
+    landing = [landing_energy_balance(motion)] if motion.landing else []
+    return [*(judge(rolling) for judge in checks), *landing]
 
 
 def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
     """Return every check of the modes."""
     return [mode_residuals(modes), mode_errors(modes), discrete_mass(modes, scene.disk)]
+
+
+@check(
+    "the energy of the landing is accounted for",
+    "energy and losses to film and asperities after each step",
+    needs=("motion",),
+    tolerance=1e-6,
+)
+def landing_energy_balance(motion: Motion):
+    """The largest change of energy plus losses after the loss of contact, relative to
+    the energy at that moment."""
+    late = motion.t >= motion.rolling.t[-1]
+    total = (motion.energy(motion.t) + motion.state[:, 10])[late]
+    return np.ptp(total) / motion.energy(motion.rolling.t[-1])[0]
 
 
 def all_checks(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Check]:

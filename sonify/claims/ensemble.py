@@ -122,7 +122,7 @@ def repeat_from_release(scene: Scene, factors, table: Any) -> Motion:
     """
     omega = tuple(np.multiply(scene.release.omega, factors).tolist())
     perturbed = replace(scene, release=replace(scene.release, omega=omega))
-    return simulate(perturbed, surface_modes=table)
+    return simulate(perturbed, surface_modes=table).rolling
 
 
 def repeat_two_way_part(

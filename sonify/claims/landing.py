@@ -1,21 +1,16 @@
 """Findings on the halt of a disk that the air lifts off the table."""
 
-from functools import lru_cache
-
 import numpy as np
 
 from dynamics import Motion
-from dynamics.landing.after_rolling import landing_after
 from dynamics.landing.landing_motion import TOUCH, LandingMotion
-from dynamics.motion import MotionEvent
 from dynamics.observables import precession_rate
 from sonify.claims.finding import Finding, Measured, finding
-from sonify.scene import Scene
 
 
-def landing_findings(scene: Scene, motion: Motion) -> list[Finding]:
+def landing_findings(motion: Motion) -> list[Finding]:
     """Return the findings on the landing; empty unless the film lifts the disk."""
-    landing = landing_of(scene, motion)
+    landing = motion.landing
     if landing is None:
         return []
     return [
@@ -23,20 +18,6 @@ def landing_findings(scene: Scene, motion: Motion) -> list[Finding]:
         air_catches_disk(landing),
         one_impact_ends_it(landing),
     ]
-
-
-@lru_cache(maxsize=1)
-def landing_of(scene: Scene, motion: Motion) -> LandingMotion | None:
-    """Return the landing of a disk that the film lifts, or None."""
-    return landing_after(motion, scene) if motion.film else None
-
-
-def run_events(scene: Scene, motion: Motion) -> list[MotionEvent]:
-    """Return the events of a motion and of its landing, in order of time."""
-    landing = landing_of(scene, motion)
-    later = landing.events if landing else ()
-    begin = float(motion.t[-1])
-    return [*motion.events, *(event._replace(t=begin + event.t) for event in later)]
 
 
 @finding(needs=("motion",), at_most=1.0)

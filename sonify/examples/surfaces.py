@@ -22,7 +22,7 @@ def findings_in_air(name: str, accuracy: str) -> list[Finding]:
     """Return the findings on the motion of a scene with its air film."""
     in_air = load_scene(name).replace("air.film=acts")
     scene, plan = solvable_scene(in_air, accuracy)
-    motion = solve_motion(motion_plan_with_table(scene, plan))
+    motion = solve_motion(motion_plan_with_table(scene, plan)).rolling
     return [
         *air.motion_findings(scene, motion),
         *two_way.motion_findings(scene, motion),

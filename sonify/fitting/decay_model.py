@@ -173,7 +173,7 @@ class DecayModel:
                 release=release,
                 numerics=replace(scene.numerics, time_limit=12 / turns),
             )
-        )
+        ).rolling
         return float(np.median(nutations_per_turn(motion)))
 
     def remaining_time(self, shares) -> np.ndarray:
@@ -276,7 +276,7 @@ class DecayModel:
         return self._solved[key]
 
     def _lines_of(self, shares):
-        motion = simulate(self._scene_of(*map(float, shares)))
+        motion = simulate(self._scene_of(*map(float, shares))).rolling
         end = motion.t[-1] + self._remaining_time_at(
             motion.at(motion.t[-1:])[0, 1], shares
         )

@@ -279,8 +279,10 @@ def decay_decision(ringing: RingDown) -> Decision:
 def omissions_after_end(motion: Motion) -> list[str]:
     """Return sentences on what is neglected after the end of a motion.
 
-    The list is empty if the disk settled or sank.
+    It is about the landing of a disk that lands, and empty if the disk settled or sank.
     """
+    if motion.landing is not None:
+        return [sentences.NEGLECTED_LANDING]
     if motion.outcome in (Outcome.SETTLED, Outcome.SANK):
         return []
     omitted = [f"The end of the motion and its sound: {motion.outcome.sentence}."]

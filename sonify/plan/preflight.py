@@ -147,7 +147,7 @@ def solve_motion(motion: MotionPlan, watch: Watch = ignore_progress) -> Motion:
 
     try:
         solved: Any = solve_planned_motion(motion, show)
-        if (end := table_exit_time(solved)) is None:
+        if (end := table_exit_time(solved.rolling)) is None:
             return solved
         numerics = replace(motion.scene.numerics, time_limit=end)
         solved = solve_planned_motion(motion.part(numerics=numerics), show)

@@ -280,15 +280,19 @@ NEAR_LISTENER_NEGLECTED = (
     "time."
 )
 MOTION_EVENT = (
-    "At t = {t:.6g} s the disk {kind}, at {speed:.3g} mm/s and with {energy:.2g} J, {share:.2%} of "
+    "At t = {t:.6g} s: {kind}, at {speed:.3g} mm/s and with {energy:.2g} J, {share:.2%} of "
     "the initial energy."
 )
 NEGLECTED_AFTER_END = {
     Outcome.FELL: "The final impact of the face on the table and the ringing that it excites.",
-    Outcome.AIRBORNE: "The sound of the landing, at most 50 dB for a toy at 0.5 m: the disk falls on its "
-    "film of air without a touch. The modes decay above the film at the loss of contact; in reality "
-    "the film closes as the disk settles, which changes their damping.",
+    Outcome.AIRBORNE: "The sound of the landing: the disk falls on its film of air. The modes decay above "
+    "the film at the loss of contact; in reality the film closes as the disk settles, which changes "
+    "their damping.",
 }
+NEGLECTED_LANDING = (
+    "As the disk lands: inertia, compression and rarefaction of the air, motion of the table, and "
+    "the effect of the modes on the impacts."
+)
 """Omitted events after the motion, by outcome."""
 RAREFACTION_LIMITS = (
     (

@@ -81,7 +81,7 @@ class Clip:
         motion = self.result.motion
         sound = self.result.sound
         return motion.at(
-            np.clip(t - sound.source_end + motion.t[-1], 0.0, motion.t[-1])
+            np.clip(t - sound.source_end + motion.rolling.t[-1], 0.0, motion.t[-1])
         )
 
     def drawn_inclination(self, state) -> np.ndarray:
@@ -250,7 +250,8 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
 def frame_caption(clip, t: float) -> str:
     """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
-    settled = clip.result.motion.outcome in (Outcome.SETTLED, Outcome.SANK)
+    resting = (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST)
+    settled = clip.result.motion.outcome in resting
     lines = [f"{'at rest' if settled else 'solution ended'}; its modes ring", ""]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)

@@ -98,7 +98,7 @@ def describe_modes(result: "Result") -> str:
 def omitted_effects(result: "Result") -> list[str]:
     """Return one sentence for each omitted effect, with the time after which it is
     significant."""
-    end = result.motion.t[-1]
+    end = result.motion.rolling.t[-1]
     found = {finding.key: finding for finding in result.findings}
     items = [
         f"{what} from t = {end - found[key].value:.3f} s on, {found[key].measured} "

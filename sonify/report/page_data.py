@@ -51,11 +51,11 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
         "duration": sound.duration,
         "sample_rate": sound.sample_rate,
         "source_end": sound.source_end,
-        "delay": sound.source_end - float(motion.t[-1]),
+        "delay": sound.source_end - float(motion.rolling.t[-1]),
         "start": parts["sound"]["start"],
         "sounds": parts["sound"]["content"],
         "lines": {
-            "rates": encoded_rates(motion),
+            "rates": encoded_rates(motion.rolling),
             "modes": base64_array(np.unique(result.modes.frequency.round(1))),
         },
         "colours": base64_array(np.frombuffer(parts["colours"], np.uint8)),

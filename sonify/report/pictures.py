@@ -110,7 +110,7 @@ PAGE_PARTS: dict[str, Callable[[Any], Any]] = {
 
 def _is_omitted(name, found):
     if name == "energy":
-        return not two_way_part(found.motion)
+        return not two_way_part(found.motion.rolling)
     return name == "stems" and found.plan.accuracy == "draft"
 
 
@@ -130,7 +130,7 @@ def picture(result: "Result", name: str) -> "Image":
 
 
 def spectrogram_data(found):
-    motion = found.motion
+    motion = found.motion.rolling
     sound = found.sound
     low = spectrogram(sound.pressure, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ)
     high = spectrogram(sound.pressure, MODE_WINDOW_S)
@@ -165,8 +165,9 @@ def motion_curve_data(found):
     """Return the time histories of a motion and, for the paper's scene, the curves of
     its figures.
     """
-    paper = _paper_figures(found.motion) if is_paper_scene(found.scene) else None
-    return {"motion": _time_histories(found.motion), "paper": paper}
+    motion = found.motion.rolling
+    paper = _paper_figures(motion) if is_paper_scene(found.scene) else None
+    return {"motion": _time_histories(motion), "paper": paper}
 
 
 def _time_histories(motion):
@@ -215,10 +216,11 @@ def _paper_figures(motion):
 def energy_data(found):
     """Return the energies of a two-way coupled motion at times that are spaced more
     closely towards its end."""
-    end = found.motion.t[-1]
-    t = times_towards_end(two_way_part(found.motion)[1], end)
+    motion = found.motion.rolling
+    end = motion.t[-1]
+    t = times_towards_end(two_way_part(motion)[1], end)
     heard = radiated_power(found.sound, listener_of(found.scene))
-    budget = energy_budget(found.motion, t, heard)
+    budget = energy_budget(motion, t, heard)
     held = {
         "disk": budget.disk,
         "modes of the table": budget.table,
@@ -240,7 +242,7 @@ def times_towards_end(begin: float, end: float) -> np.ndarray:
 
 def mode_shape_data(found):
     """Return the modes of disk and table; drafts omit the oblique view."""
-    steps = modes_over_run(found.scene, found.motion, found.plan.highest_mode)
+    steps = modes_over_run(found.scene, found.motion.rolling, found.plan.highest_mode)
     shown = {
         "modes": found.modes,
         "slanted": found.plan.accuracy != "draft",

@@ -11,6 +11,7 @@ from sonify.claims.finding_texts import PITCH_QUESTION, texts_with
 from sonify.claims.surface_summary import ANSWERS
 
 END_CLAUSES = {
+    Outcome.AT_REST: "the disk is at rest",
     Outcome.SETTLED: "the disk lies flat",
     Outcome.TIME_LIMIT: "the computation stops before the disk is at rest",
     Outcome.LIFTED_OFF: "the disk jumps off the table",
@@ -35,7 +36,7 @@ def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:
     """
     by_key = {finding.key: finding for finding in findings}
     return [
-        movement_sentence(motion),
+        movement_sentence(motion.rolling),
         pitch_sentence(by_key),
         source_sentence(by_key),
         contact_sentence(by_key),

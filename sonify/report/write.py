@@ -19,7 +19,6 @@ from sonify.claims.air import end_cause_scalars
 from sonify.claims.checks import Check
 from sonify.claims.ensemble import Ensemble, repeat_final_part
 from sonify.claims.finding import Finding
-from sonify.claims.landing import run_events
 from sonify.hearing.loudness import MissingExtraError, roughness
 from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
@@ -164,9 +163,8 @@ def run_record(result: "Result") -> dict:
             "name": result.motion.outcome.name,
             "sentence": result.motion.outcome.sentence,
         },
-        "events": [
-            event._asdict() for event in run_events(result.scene, result.motion)
-        ],
+        "hand_over": hand_over_record(result.motion),
+        "events": [event._asdict() for event in result.motion.events],
         "motion": {
             "end": float(result.motion.t[-1]),
             "integrator": result.motion.integrator,
@@ -203,10 +201,24 @@ def run_record(result: "Result") -> dict:
     }
 
 
+def hand_over_record(motion: Motion) -> dict | None:
+    """Return the end of the rolling motion [s] and its reason; None without a landing."""
+    if motion.landing is None:
+        return None
+    rolling = motion.rolling
+    return {
+        "t": float(rolling.t[-1]),
+        "reason": rolling.outcome.name,
+        "sentence": rolling.outcome.sentence,
+    }
+
+
 def write_ensemble(result: "Result", count: int, watch: Watch) -> Ensemble:
     """Repeat the final part of the motion of a result and write ensemble.json to its
     folder."""
-    repeated = repeat_final_part(result.scene, result.motion, count, watch=watch)
+    repeated = repeat_final_part(
+        result.scene, result.motion.rolling, count, watch=watch
+    )
     write_json(json_safe(repeated.record()), result.out / "ensemble.json")
     return repeated
 
@@ -245,7 +257,7 @@ def summary(result: "Result") -> dict[str, Any]:
     Returns
     -------
     dict
-        Scalars by column name: the outcome, the end of the motion [s], the duration [s]
+        Scalars by column name: outcome and end [s] of the rolling motion, the duration [s]
         and peak [Pa] of the sound, the causes of the end, the value and verdict of each
         finding and check, and the duration of each stage [s].
 
@@ -256,12 +268,12 @@ def summary(result: "Result") -> dict[str, Any]:
     """
     below_100_hz, below_300_hz = result.sound.low_frequency_shares
     return {
-        "outcome": result.motion.outcome.name,
-        "t_end": float(result.motion.t[-1]),
+        "outcome": result.motion.rolling.outcome.name,
+        "t_end": float(result.motion.rolling.t[-1]),
         "passed": result.passed,
         "sound_seconds": result.sound.duration,
         "peak_pascal": result.sound.peak,
-        **end_cause_scalars(result.scene, result.motion),
+        **end_cause_scalars(result.scene, result.motion.rolling),
         "energy_below_100_hz": below_100_hz,
         "energy_below_300_hz": below_300_hz,
         **verdict_columns(result.findings, result.checks),

@@ -97,7 +97,7 @@ class ContactForce:
         )
 
 
-def force_in_newton(force, state):
+def force_in_newton(force, state, film):
     """Use the force (k, 3) [N] along a_1, a_2 and the normal as channels."""
     return force
 
@@ -131,8 +131,9 @@ class ForceSampler:
     start : float
         Time of sample 0 [s].
     channels : callable
-        Function channels(force (k, 3) [N], state (k, 11)) -> (k, c); at a jump of the
-        force it must be linear in the force.
+        Function channels(force (k, 3) [N], state (k, 11), film (k, 5)) -> (k, c), where
+        film contains the columns of `Motion.film_loads`; at a jump of the force it must
+        be linear in the force.
     rest : float or ndarray, shape (c,)
         Value of each channel after the motion; NaN selects its mean.
     max_contact_turn : float
@@ -254,8 +255,9 @@ class ForceSampler:
     def _prepare_jumps(self, jumps):
         self.jump_time = np.asarray(jumps.t)
         state = self.motion.at(self.jump_time)
+        film = self.motion.film_loads(self.jump_time, state)
         before, after = (
-            self.channels(np.asarray(force), state)
+            self.channels(np.asarray(force), state, film)
             for force in (jumps.before, jumps.after)
         )
         self.jump = self._fade_factor(self.jump_time) * (after - before)
@@ -281,8 +283,10 @@ class ForceSampler:
         """Return states (k, 11) and channels (k, c) at t (k,) [s], clipped to the
         motion."""
         self.evaluations += len(t)
-        state, force = self.motion.at_and_force(self._clip_to_motion(t))
-        return state, self.channels(force, state)
+        inside = self._clip_to_motion(t)
+        state, force = self.motion.at_and_force(inside)
+        film = self.motion.film_loads(inside, state)
+        return state, self.channels(force, state, film)
 
     def _continuous_part(self, t):
         """Return states (k, 11) and the continuous part of the channels (k, c) at t

@@ -106,6 +106,28 @@ def modal_forcing_function(modes: Modes, scene: Scene):
     )
 
 
+def arc_shares(half_arc, order) -> np.ndarray:
+    """Return the share (k, m) of a force that modes of the orders (m,) receive.
+
+    The force acts on an arc of the rim, and its density is that of a plane face pressed
+    into springs, cos(phi) - cos(a) with the `half_arc` a (k,) [rad]. For a point, a = 0,
+    the share is 1.
+    """
+    if not half_arc.any():
+        return np.ones((1, 1))
+    a = np.maximum(half_arc, MIN_HALF_ARC)[:, None]
+    n = np.asarray(order, dtype=float)
+    n = np.where(n == 1, 1 + 1e-6, np.where(n == 0, 1e-6, n))
+    near = np.sin((n - 1) * a) / (n - 1) + np.sin((n + 1) * a) / (n + 1)
+    moment = near - 2 * np.cos(a) * np.sin(n * a) / n
+    shares = moment / (2 * (np.sin(a) - a * np.cos(a)))
+    return np.where(half_arc[:, None] > MIN_HALF_ARC, shares, 1.0)
+
+
+MIN_HALF_ARC = 1e-2
+"""Half an arc [rad] that counts as a point; the error is n^2 a^2/10."""
+
+
 def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
     """Return the modal forcing (3, m) due to 1 N along x, y, z of the patch.
 

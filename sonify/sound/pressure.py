@@ -91,8 +91,8 @@ class Sound:
     columns : ndarray or ScratchFile, shape (n, 1 + s)
         Pressure and its stems [Pa], float32, read by slices of rows.
     source_end : float
-        Time [s] at which the sound of the end of the motion reaches the listener; only
-        the ring-down of the modes follows.
+        Time [s] at which the sound of the end of the rolling motion reaches the listener;
+        the landing and the ring-down of the modes follow.
     outcome : Outcome
         Outcome of the motion.
     ringing : RingDown

@@ -69,7 +69,7 @@ class Renderer:
     samples : int
         Length of the sound [samples].
     source_end : float
-        Time [s] at which the sound of the end of the motion reaches the listener.
+        Time [s] at which the sound of the end of the rolling motion reaches the listener.
     ringing : RingDown
         Frequencies and decay rates of the modes after the motion.
     """
@@ -131,8 +131,9 @@ class Renderer:
             fade,
         )
         self.ringing = elastic.ringing
-        self.source_end = self.sampler.end + self.listener.delay
-        duration = self.source_end + self._group.tail_duration
+        self.source_end = float(self.motion.rolling.t[-1]) + self.listener.delay
+        sounding = self.sampler.end + self.listener.delay
+        duration = sounding + self._group.tail_duration
         self.samples = ceil(duration * self.sample_rate)
 
     def _sources_at(self, listener) -> tuple[ElasticDisk, list[SoundSource]]:

@@ -45,7 +45,7 @@ def write_sound(
     pascal = "1.0 = 1 pascal at the listener"
     unfinished = (
         ""
-        if sound.outcome in (Outcome.SETTLED, Outcome.SANK)
+        if sound.outcome in (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST)
         else MISSING_END_TEXT.format(sound.outcome.sentence)
     )
     amplified = AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT

@@ -4,7 +4,16 @@ from collections.abc import Iterable
 from functools import cache
 
 from dynamics import Motion
-from sonify.claims import air, checks, literature, rigid_motion, table, two_way, verdict
+from sonify.claims import (
+    air,
+    checks,
+    landing,
+    literature,
+    rigid_motion,
+    table,
+    two_way,
+    verdict,
+)
 from sonify.claims.finding import Finding
 from sonify.claims.provenance import registered_judges
 from sonify.scene import Scene
@@ -30,7 +39,7 @@ FINDING_INPUTS_BY_STAGE = {
 """Inputs of the findings of each stage; findings with other inputs need the sound
 stage."""
 STAGE_MODULES = {
-    "motion": (air, checks, literature, rigid_motion, table, two_way),
+    "motion": (air, checks, landing, literature, rigid_motion, table, two_way),
     "modes": (checks, rigid_motion),
     "verdict": (verdict,),
 }
@@ -40,8 +49,11 @@ STAGE_OF_OUTPUT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return the findings that follow from the motion alone."""
+    """Return the findings that follow from a motion and its landing alone."""
+    landed = landing.landing_findings(motion)
+    motion = motion.rolling
     return [
+        *landed,
         *air.motion_findings(scene, motion),
         *literature.motion_findings(motion),
         *rigid_motion.motion_findings(scene, motion),

@@ -76,16 +76,18 @@ def solve_motion_only(scene, folder):
     motion = solve_motion(motion_plan_with_table(scene, plan))
     return (
         outcome_scalars(motion, folder)
-        | end_cause_scalars(scene, motion)
+        | end_cause_scalars(scene, motion.rolling)
         | verdict_columns(motion_findings(scene, motion), motion_checks(motion))
     )
 
 
 def outcome_scalars(motion, folder):
-    """Return the outcome and the end [s] of a motion; write it to `folder` if given."""
+    """Return outcome and end [s] of the rolling motion; write the motion to `folder` if
+    given."""
     if folder:
         write_motion(motion, folder / "motion.npz")
-    return {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
+    rolling = motion.rolling
+    return {"outcome": rolling.outcome.name, "t_end": float(rolling.t[-1])}
 
 
 def solve_modes_only(scene, folder):
@@ -102,7 +104,7 @@ def solve_verdict(scene, folder):
     simple, plan = planned_scene(simplest_scene(scene))
     motion = solve_motion(motion_plan_with_table(simple, plan))
     return outcome_scalars(motion, folder) | verdict_columns(
-        verdict_findings(scene, motion), motion_checks(motion)
+        verdict_findings(scene, motion.rolling), motion_checks(motion)
     )
 
 

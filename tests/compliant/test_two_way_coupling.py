@@ -552,7 +552,7 @@ def test_what_each_cause_takes_of_a_motion_in_two_parts_adds_up(handed):
     film = film_under(motion.disk, load_scene("toy").air)
     first = motion.passive_part
     over_film = replace(first, plan=replace(first.plan, loads=film))
-    assert replace(motion, passive_part=over_film).film is film
+    assert replace(motion, first=over_film).film is film
 
 
 def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
@@ -666,9 +666,7 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
             lambda *_, other=other: {"one": other, "another": other},
         )
         monkeypatch.setattr(two_way, "with_variation_margin", lambda *_: None)
-        broken, count, *_ = two_way.motion_findings(
-            scene, replace(motion, coupled_part=one)
-        )
+        broken, count, *_ = two_way.motion_findings(scene, replace(motion, then=one))
         assert (broken.answer, broken.value) == (answer, len(one.contact_losses))
         if answer == "no":
             assert count is None  # without a loss there is no number to be judged

@@ -142,7 +142,7 @@ class ContactVibration(SoundSource):
         self._motion = motion
         self._filter_from = partial(
             ContactFilter,
-            motion,
+            motion.rolling,
             motion.plan.tabulated_law,
             profiles(scene.roughness, scene.disk.radius),
             scene.audio.sample_rate,
@@ -151,7 +151,7 @@ class ContactVibration(SoundSource):
         self._vibrating = moved[0]
         self.latency = self._group.latency
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return an empty array (k, 0), because the filter provides the force."""
         return np.zeros((len(force), 0))
 
@@ -181,22 +181,25 @@ class ContactVibration(SoundSource):
             [ignore_energy] * len(self._group.parts),
         )
         for t, force in _added_force_blocks(added):
-            state = self._states(t)
-            channels = self._group.input_channels(force, state)
+            state, film = self._states_and_film(t)
+            channels = self._group.input_channels(force, state, film)
             # The channels are affine in the force: subtract their values at zero force.
-            unforced = self._vibrating.input_channels(0 * force, state)[:, :3]
+            unforced = self._vibrating.input_channels(0 * force, state, film)[:, :3]
             channels[:, : unforced.shape[1]] -= unforced
             driven = ContactForce.without_jumps(t, channels, np.zeros_like(channels))
             stems = [render(driven) for render in renderers]
             yield np.hstack(stems).sum(axis=1, keepdims=True)
 
-    def _states(self, t):
-        """Return the states (k, 11) at t (k,) [s], interpolated from every
-        INTERPOLATION_STRIDE-th time."""
+    def _states_and_film(self, t):
+        """Return the states (k, 11) and `Motion.film_loads` (k, 5) at t (k,) [s],
+        interpolated from every INTERPOLATION_STRIDE-th time."""
         inside = np.clip(t, 0.0, self._motion.t[-1])
         nodes = np.append(inside[:-1:INTERPOLATION_STRIDE], inside[-1])
-        return np.column_stack(
-            [np.interp(inside, nodes, column) for column in self._motion.at(nodes).T]
+        state = self._motion.at(nodes)
+        at_nodes = state, self._motion.film_loads(nodes, state)
+        return tuple(
+            np.column_stack([np.interp(inside, nodes, column) for column in rows.T])
+            for rows in at_nodes
         )
 
 
@@ -240,9 +243,9 @@ class SolvedContactVibration(SoundSource):
         self.tail_duration = max(rigid.tail_duration, elastic.tail_duration)
         self.latency = self._group.latency + len(self._weight) // 2
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return the input channels (k, c) of the disk."""
-        return self._group.input_channels(force, state)
+        return self._group.input_channels(force, state, film)
 
     def make_block_renderer(self, first, note):
         """Return a function that computes the stems (k, 5) [Pa] of successive blocks.

@@ -18,7 +18,6 @@ from sonify.sound.modal_forcing import (
     rigid_acceleration,
 )
 from sonify.sound.radiation import Listener
-from sonify.sound.sources.film import log_mean_gap
 from sonify.sound.sources.protocol import SoundSource
 
 COSINE_ORDERS = np.arange(MAX_RIM_ORDER + 1)
@@ -82,7 +81,7 @@ class VibratingDisk(SoundSource):
         )
         self._filters: dict[int, np.ndarray] = {}
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return the input channels (k, 6); the first three are linear in the force.
 
         The columns are the acceleration of the centre along the axis of the disk, the
@@ -90,7 +89,7 @@ class VibratingDisk(SoundSource):
         sine of the listener's azimuth relative to the widest gap, and the logarithm of
         the ratio of mean gap to radius."""
         azimuth = self._azimuth + listener_azimuth(state)
-        gap = log_mean_gap(state, self._disk) - np.log(self._disk.radius)
+        gap = np.log(film[:, 0] / self._disk.radius)
         return np.column_stack(
             [
                 self._accelerations(force, state[:, 1]),

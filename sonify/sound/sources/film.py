@@ -12,11 +12,8 @@ from pathlib import Path
 import numpy as np
 from scipy.linalg import expm
 
-from dynamics.equations import DiskConstants
-from dynamics.film.wedge import compressibility_number
+from dynamics.air import Air
 from dynamics.numba_kernels import njit
-from dynamics.observables import precession_rate
-from dynamics.regime import ARRAY_FORMULAS
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import (
     GapTunedOscillators,
@@ -33,6 +30,7 @@ from sonify.sound.radiation import Listener
 from sonify.sound.radiators import NearRim, RigidFace
 from sonify.sound.sources.protocol import (
     FADE_OUT,
+    MODAL_FORCE_FADE,
     ElasticDisk,
     RigidDisk,
     SourcePair,
@@ -69,6 +67,8 @@ RELAXATION_LOG_GAP_STEP = 0.01
 RELAXATION_LOG_GAP_STEP^2/2."""
 
 
+MIN_SLOPE = 1e-9
+"""Smallest inclination [rad] for which a precession rate is computed."""
 DIPOLE_PER_HEAVE = 4 * 0.4288
 """Dipole of the rim flow caused by heave, in units of that of the tilted face; int q
 cos(theta) ds / int q ds is 0.4288 for the open wedge."""
@@ -119,12 +119,12 @@ class RigidDiskOverFilm(RigidDisk):
         super().__init__(scene, face, listener.azimuth)
         self._listener = listener
         self._air = scene.air
-        self._film = motion.film
+        self._is_landing = motion.landing is not None
         self._a0, self._b0, self._a1, self._b1 = raised_disk_pressure_ratios(
             scene.disk.thickness, scene.disk.radius
         )
         self._h = 1 / scene.audio.sample_rate
-        gaps = log_mean_gap(motion.state, scene.disk)
+        gaps = np.log(mean_gaps(motion))
         self._lowest = gaps.min()
         tabulated = np.arange(
             self._lowest,
@@ -137,18 +137,23 @@ class RigidDiskOverFilm(RigidDisk):
     def channel_ends(self):
         """Rest values and fade times: accelerations fade to zero, the gap and the
         cosines hold their last values."""
-        fades = [0.0, FADE_OUT]
+        fades = [0.0, self._fade]
         stays = [np.nan, 0.0]
         second = [] if self._second_ear is None else [fades, fades, stays]
         return np.array([fades, fades, fades, stays, stays, *second])
 
-    def input_channels(self, force, state):
+    @property
+    def _fade(self) -> float:
+        """Time [s] of the fade at the end, which a disk at rest hardly needs."""
+        return MODAL_FORCE_FADE if self._is_landing else FADE_OUT
+
+    def input_channels(self, force, state, film):
         """Return the input channels, (k, 5 or 8).
 
         The columns are heave, tilt and second harmonic of the rim flow as radiated
         towards the listener [m/s^2], the logarithm of the mean gap [m], and the cosine
         of the azimuth. A second ear adds its own tilt, second harmonic and cosine."""
-        heave, tilt, rate, first, second = self._accelerations(force, state)
+        heave, tilt, rate, first, second = self._accelerations(force, state, film)
         tilt = (self._a1 - self._b1 * first) * tilt
         second = (
             self._b1 * second * self._second_harmonic_acceleration(state[:, 1], rate)
@@ -160,24 +165,25 @@ class RigidDiskOverFilm(RigidDisk):
 
         azimuth = self._azimuth + listener_azimuth(state)
         *flows, cosine = towards(azimuth)
-        columns = [heave, *flows, log_mean_gap(state, self._disk), cosine]
+        columns = [heave, *flows, np.log(film[:, 0]), cosine]
         if self._second_ear is not None:
             columns += towards(azimuth + self._second_ear)
         return np.column_stack(columns)
 
-    def _accelerations(self, force, state):
+    def _accelerations(self, force, state, film):
         """Return heave (k,) and complex tilt of the rim (k,) [m/s^2], precession rate
         [rad/s], and the shares of the first and second harmonic of the rim flow."""
         disk = self._disk
-        lift, across, along = self._film_load(state)
+        gap, lift, moment_1, moment_3, _ = film.T
         turn = (
             in_patch_frame(force, state[:, 1])
             @ rigid_acceleration(np.eye(3), disk)[:, 3:]
         )
-        turn[:, :2] -= np.column_stack([along, across]) / inertia(disk)[3:5]
+        turn[:, :2] -= np.column_stack([moment_3, moment_1]) / inertia(disk)[3:5]
         heave = (force[:, 2] + lift - disk.weight) / disk.mass
-        rate = precession_rate(state)
-        shares = rim_flow_shares(compressibility_number(state[:, 1], rate, self._air))
+        tilted = np.maximum(np.sin(state[:, 1]), MIN_SLOPE)
+        rate = state[:, 7] / tilted
+        shares = rim_flow_shares(rotation_number(rate, gap / disk.radius, self._air))
         shares.imag *= np.sign(rate)
         return heave, disk.radius * (1j * turn[:, 0] - turn[:, 1]), rate, *shares
 
@@ -265,22 +271,6 @@ class RigidDiskOverFilm(RigidDisk):
         matrices[heavy, 1, 1] = -a[heavy] / b[heavy]
         return expm(matrices)
 
-    def _film_load(self, state):
-        """Return lift [N] and moments [N m] of the film about e_1 and e_3, (3, k), at
-        states (k, 11)."""
-        if self._film is None:
-            return np.zeros((3, len(state)))
-        disk = self._disk
-        chi = disk.time_unit
-        law = DiskConstants(disk.aspect, disk.gyration, *[0.0] * 5)
-        loads = self._film(
-            state[:, 1], state[:, 5:8].T * chi, None, law, ARRAY_FORMULAS
-        )
-        force = disk.mass * disk.radius / chi**2
-        return (
-            np.array([loads.G3, disk.radius * loads.M1, disk.radius * loads.M3]) * force
-        )
-
 
 class NearDiskOverFilm(RigidDiskOverFilm):
     """Heave and tilt above the film for a listener near the disk.
@@ -288,19 +278,22 @@ class NearDiskOverFilm(RigidDiskOverFilm):
     Face and rim radiate from their actual positions.
     """
 
-    channel_ends = np.array([[0.0, FADE_OUT]] * 4 + [[np.nan, 0.0]] * 2)
+    @property
+    def channel_ends(self):
+        """Rest values and fade times, as those of a distant listener."""
+        return np.array([[0.0, self._fade]] * 4 + [[np.nan, 0.0]] * 2)
 
     def with_second_ear(self, other, turn):
         """Return both sources; each ear has its own near field."""
         return SourcePair(self, other)
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return the input channels (k, 6).
 
         The columns are heave, tilt of the face, first and second harmonic of the rim
         flow towards the listener [m/s^2], the logarithm of the mean gap [m], and the
         cosine of the azimuth."""
-        heave, tilt, rate, first, second = self._accelerations(force, state)
+        heave, tilt, rate, first, second = self._accelerations(force, state, film)
         wave = _conjugate_phasor(self._azimuth + listener_azimuth(state))
         flow = self._disk.radius * np.sin(state[:, 1]) * rate**2
         return np.column_stack(
@@ -309,7 +302,7 @@ class NearDiskOverFilm(RigidDiskOverFilm):
                 (tilt * wave).real,
                 (first * tilt * wave).real,
                 (second * flow * wave**2).real,
-                log_mean_gap(state, self._disk),
+                np.log(film[:, 0]),
                 wave.real,
             ]
         )
@@ -350,13 +343,15 @@ class ElasticDiskOverFilm(ElasticDisk):
         super().__init__(scene, motion, modes, chosen, listener, latency)
         azimuth_ends, mode_ends = np.split(self.channel_ends, [2])
         self.channel_ends = np.vstack([azimuth_ends, [[np.nan, 0.0]], mode_ends])
-        self._smallest_gap = scene.disk.radius * np.sin(motion.state[:, 1].min())
+        gaps = mean_gaps(motion)
+        self._smallest_gap = gaps.min()
+        self._final_gap = gaps[-1]
 
     @cached_property
     def ringing(self) -> RingDown:
         """Frequencies and decay rates of the modes after the motion, at the final mean
         gap."""
-        gap = log_mean_gap(self._motion.state[-1:], self._scene.disk)[0]
+        gap = np.log(self._final_gap)
         frequency, decay_rate = self._loaded_modes.nearest_tuning(gap)
         return RingDown(
             frequency=frequency,
@@ -369,13 +364,11 @@ class ElasticDiskOverFilm(ElasticDisk):
     def _loaded_modes(self):
         return fluid_loaded_modes(self._modes, self._scene, self._smallest_gap)
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return (k, 3 + m): cosine and sine of the azimuth, logarithm of the mean gap
         [m], modal forces."""
-        own = super().input_channels(force, state)
-        return np.hstack(
-            [own[:, :2], log_mean_gap(state, self._scene.disk)[:, None], own[:, 2:]]
-        )
+        own = super().input_channels(force, state, film)
+        return np.hstack([own[:, :2], np.log(film[:, :1]), own[:, 2:]])
 
     def _response(self, first):
         oscillators = GapTunedOscillators(
@@ -403,9 +396,18 @@ def _conjugate_phasor(angle):
     return wave
 
 
-def log_mean_gap(state, disk):
-    """Return the logarithm of the mean gap [m] under the disk at states (k, 11)."""
-    return np.log(disk.radius * np.sin(state[:, 1]))
+def mean_gaps(motion) -> np.ndarray:
+    """Return the mean gap (n,) [m] under the disk at the breakpoints of a motion."""
+    return motion.film_loads(motion.t, motion.state)[:, 0]
+
+
+def rotation_number(rate, gap, air: Air) -> np.ndarray:
+    """Return the compressibility number Lam = 12 mu |Omega|/(p gap^2), (k,).
+
+    The precession rates (k,) are in rad/s, and the mean gap (k,) is divided by the
+    radius; it is sin(beta) for a disk in contact.
+    """
+    return 12 * air.viscosity * np.abs(rate) / (air.pressure * gap**2)
 
 
 def resting_heave(x: float) -> np.ndarray:

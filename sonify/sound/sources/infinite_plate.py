@@ -68,15 +68,18 @@ class InfiniteTable(SoundSource):
         self.tail_duration = 4 * FADE_OUT
         self.latency = ARRIVAL_MARGIN + int(self._max_advance)
 
-    def input_channels(self, force, state):
-        """Return (k, 2): normal force [N] and lead of its sound over sound from the
+    def input_channels(self, force, state, film):
+        """Return (k, 2): force of contact and film [N] and lead of its sound over sound from the
         centre [samples]."""
         disk = self._scene.disk
         fillet = self._scene.contact.rolling_fillet(disk)
         path = contact_position(state, disk, fillet) @ self._direction[:2]
         advance = path / self._air.sound_speed * self._rate
         return np.column_stack(
-            [force[:, 2], np.clip(advance, -self._max_advance, self._max_advance)]
+            [
+                force[:, 2] + film[:, 1],
+                np.clip(advance, -self._max_advance, self._max_advance),
+            ]
         )
 
     def make_block_renderer(self, first, note):

@@ -14,6 +14,7 @@ from dynamics import Outcome
 from sonify.sound.audible_modes import RingDown, ring_down_time
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.modal_forcing import (
+    arc_shares,
     heave_and_tilt_accelerations,
     listener_azimuth,
     modal_forcing_function,
@@ -62,8 +63,11 @@ class SoundSource(ABC):
     latency: Any
 
     @abstractmethod
-    def input_channels(self, force: np.ndarray, state: np.ndarray) -> np.ndarray:
-        """Return the input channels (k, c) for forces (k, 3) [N] and states (k, 11)."""
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
+        """Return the input channels (k, c) for forces (k, 3) [N], states (k, 11) and the
+        columns (k, 5) of `Motion.film_loads`."""
 
     @abstractmethod
     def make_block_renderer(self, first: np.ndarray, note) -> Advance:
@@ -114,7 +118,7 @@ class RigidDisk(TwoEarSource):
         """Rest values and fade times: every channel fades to zero."""
         return np.array([[0.0, FADE_OUT]] * (2 if self._second_ear is None else 3))
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return (k, 2 or 3) [m/s^2]: the heave and the tilt towards each ear."""
         ears = [self._azimuth]
         if self._second_ear is not None:
@@ -175,13 +179,17 @@ class ElasticDisk(TwoEarSource):
             ring_down_time(self._modes, self._scene, self.ringing.decay_rate) + FADE_OUT
         )
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return (k, 2 + m): cosine and sine of the listener's azimuth, and modal
         forces."""
         turning_with_body = self._scene.support.kind == "free"
         azimuth = self._listener.azimuth + listener_azimuth(state, turning_with_body)
         return np.column_stack(
-            [np.cos(azimuth), np.sin(azimuth), self._forcing(force, state)]
+            [
+                np.cos(azimuth),
+                np.sin(azimuth),
+                self._forcing(force, state) * arc_shares(film[:, 4], self._modes.order),
+            ]
         )
 
     def make_block_renderer(self, first, note):
@@ -241,10 +249,10 @@ class SourceGroup:
         self.latency = max(source.latency for source in sources)
         self.tail_duration = max(source.tail_duration for source in sources)
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return the input channels (k, c) of all sources."""
         return np.hstack(
-            [source.input_channels(force, state) for source in self._sources]
+            [source.input_channels(force, state, film) for source in self._sources]
         )
 
     def block_renderers(self, first, notes) -> list[Advance]:
@@ -285,9 +293,9 @@ class SourcePair(SoundSource):
         self.tail_duration = source.tail_duration
         self.latency = self._group.latency
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return the input channels of the first ear, then those of the second."""
-        return self._group.input_channels(force, state)
+        return self._group.input_channels(force, state, film)
 
     def make_block_renderer(self, first, note):
         """Return a function that computes the stems (k, s + 1) [Pa] of successive

@@ -67,7 +67,7 @@ class ElasticTable(SoundSource):
         )
         self.tail_duration = FADE_OUT + max(FADE_OUT, audible)
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         """Return the modal forces (k, m) [N kg^-1/2].
 
         They are minus the normal force times the shapes at the contact."""
