@@ -70,6 +70,8 @@ class Renderer:
         Length of the sound [samples].
     source_end : float
         Time [s] at which the sound of the end of the rolling motion reaches the listener.
+    rest : float
+        Time [s] at which the sound of the end of the whole motion reaches the listener.
     ringing : RingDown
         Frequencies and decay rates of the modes after the motion.
     """
@@ -132,8 +134,8 @@ class Renderer:
         )
         self.ringing = elastic.ringing
         self.source_end = float(self.motion.rolling.t[-1]) + self.listener.delay
-        sounding = self.sampler.end + self.listener.delay
-        duration = sounding + self._group.tail_duration
+        self.rest = self.sampler.end + self.listener.delay
+        duration = self.rest + self._group.tail_duration
         self.samples = ceil(duration * self.sample_rate)
 
     def _sources_at(self, listener) -> tuple[ElasticDisk, list[SoundSource]]:

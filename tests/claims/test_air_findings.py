@@ -42,7 +42,7 @@ def thorne():
 
 @pytest.fixture(scope="module")
 def in_air(thorne):
-    return simulate(thorne)
+    return simulate(thorne).rolling
 
 
 def test_film_and_contour_take_what_the_disk_on_glass_loses(thorne, in_air):
@@ -122,7 +122,7 @@ def falling_film_share(motion, air):
 )
 def test_the_share_that_the_air_carries_is_the_lift_of_its_film(name, changes, share):
     scene = load_scene(name).replace(*changes)
-    motion = simulate(scene)
+    motion = simulate(scene).rolling
     found = carried_by_air(motion, film_under(scene.disk, scene.air)).value
     assert found == pytest.approx(falling_film_share(motion, scene.air), rel=0.05)
     assert share is None or found == pytest.approx(share, rel=0.03)
@@ -141,7 +141,7 @@ def test_every_cause_of_loss_of_a_full_motion_has_its_name():
 
 def test_early_in_a_motion_in_a_vacuum_air_may_be_neglected():
     scene = load_scene("published").replace("numerics.time_limit=1")
-    motion = simulate(scene)
+    motion = simulate(scene).rolling
     film = film_under(scene.disk, scene.air)
     assert air_negligible(motion, film).holds
     assert not carried_by_air(motion, film).holds
@@ -171,7 +171,7 @@ def test_a_pressure_of_a_tenth_hardly_changes_the_film_but_the_law_of_its_author
     square root. The authors' laws, contour friction and Bildsten's, give 8.05 s and 10.70 s from
     0.12 rad, and are equal at 0.03(1) rad.
     """
-    thin = simulate(thorne.replace("air.pressure=10132.5", "air.density=0.118"))
+    thin = simulate(thorne.replace("air.pressure=10132.5", "air.density=0.118")).rolling
     assert thin.t[-1] / in_air.t[-1] == pytest.approx(1.02, abs=0.01)
     times = []
     sharp = "contact.fillet=1e-6", "friction.arm_pivoting=0"  # as in the authors' laws
@@ -276,11 +276,11 @@ def test_the_plan_says_whether_the_film_acts_and_how_wrong_its_law_is(thorne, in
         "mean free path" in sentence for sentence in limits_of_film_law(thorne, in_air)
     )
     slips = thorne.replace("air.pressure=2e3")
-    assert len(limits_of_film_law(slips, simulate(slips))) == 2
+    assert len(limits_of_film_law(slips, simulate(slips).rolling)) == 2
     rare = thorne.replace("air.pressure=20", "air.density=1e-4")
     assert any(
         "mean free path" in sentence
-        for sentence in limits_of_film_law(rare, simulate(rare))
+        for sentence in limits_of_film_law(rare, simulate(rare).rolling)
     )
 
 

@@ -21,6 +21,7 @@ from dynamics import Loads, Outcome, OwnLaw, rigid_motion, simulate
 from dynamics.compliant import compliant_motion
 from dynamics.compliant.stepping import normal, tangential, time_loop
 from dynamics.kinematics import contact_arms
+from dynamics.landing.equations import LandingModel, LandingState
 from dynamics.rattling import rattling_motion, rim_contacts
 from dynamics.rattling.layout import DASHPOT, ELASTIC, FRICTION, VELOCITY
 from dynamics.rigid_motion import RigidMotion
@@ -70,6 +71,15 @@ def rattling_coin():
     state = rattling_motion.rolling_state_at_release(model, 0.1, scene.release.omega)
     state[VELOCITY, 0] += 0.05
     return (rattling_motion.simulate_rattling(model, state, 5e-4, 0.0),)
+
+
+def lifted_disk():
+    """Return the last second of a disk that the air lifts."""
+    low = ("release.inclination_deg=0.6", "release.omega=[0.0,0.0,-3.2]")
+    scene = load_scene("published").replace(
+        "numerics.accuracy=draft", "air.film=acts", *low
+    )
+    return (simulate(scene),)
 
 
 def free_disk():
@@ -203,6 +213,18 @@ def no_record(correct):
     return lambda flights, flight, *rest: (False, flight)
 
 
+def no_swirling(correct):
+    """Return rates of a landing that forget the power of the precessing film."""
+    swirling = LandingState._fields.index("swirling")
+
+    def rates(model, t, y):
+        found = correct(model, t, y)
+        found[swirling] = 0.0
+        return found
+
+    return rates
+
+
 def disturbed_vectors(correct):
     """Return a fault of an eigenvalue solver that changes the first entry of each vector."""
 
@@ -306,6 +328,13 @@ MUTANTS = [
         fault=no_record,
     ),
     Mutant(key="pushing_contact", fault=scaled_force(DASHPOT, -1.0), **COIN),
+    Mutant(
+        key="landing_energy_balance",
+        run=lifted_disk,
+        where=LandingModel,
+        name="rates",
+        fault=no_swirling,
+    ),
     Mutant(
         key="mode_residuals",
         run=free_modes,

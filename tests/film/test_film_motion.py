@@ -11,9 +11,9 @@ from math import cos, sin
 
 import numpy as np
 import pytest
-from scenes import scene, whirling
+from scenes import rolling_motion, scene, whirling
 
-from dynamics import Air, Outcome, OwnLaw, plan_motion, simulate
+from dynamics import Air, Outcome, OwnLaw, plan_motion
 from dynamics.equations import ContactState, DiskConstants, Loads, disk_constants
 from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
@@ -114,7 +114,7 @@ def test_under_the_film_alone_the_cube_of_the_inclination_falls_linearly(
     under k_2.
     """
     thin = Air(film="acts", density=0.0)
-    motion = simulate(
+    motion = rolling_motion(
         whirling(0.02, air=thin, disk=disk, numerics={"time_limit": 0.15})
     )
     disk = motion.disk
@@ -137,7 +137,7 @@ def test_under_the_film_alone_the_cube_of_the_inclination_falls_linearly(
 
 @pytest.fixture(scope="module", params=["auto", "dop853"])
 def carried(request):
-    return simulate(scene({"integrator": request.param}, air=AIR))
+    return rolling_motion(scene({"integrator": request.param}, air=AIR))
 
 
 def test_the_air_carries_the_published_disk(carried):
@@ -148,7 +148,7 @@ def test_the_air_carries_the_published_disk(carried):
     """
     assert carried.outcome is Outcome.AIRBORNE
     assert carried.t[-1] == pytest.approx(12.35, abs=0.15)
-    stiff = simulate(scene({"integrator": carried.integrator}, air=STIFF))
+    stiff = rolling_motion(scene({"integrator": carried.integrator}, air=STIFF))
     assert stiff.t[-1] == pytest.approx(12.35, abs=0.15)
     assert stiff.state[-1, 1] == pytest.approx(2.6e-3, rel=0.05)
     assert 1.03 < carried.state[-1, 1] / stiff.state[-1, 1] < 1.06
@@ -168,7 +168,7 @@ def test_energy_and_work_add_up_with_the_film(carried):
 
 def test_both_integrators_lose_contact_at_one_instant():
     ends = [
-        simulate(scene({"integrator": name}, air=AIR)).t[-1]
+        rolling_motion(scene({"integrator": name}, air=AIR)).t[-1]
         for name in ("auto", "dop853")
     ]
     assert ends[0] == pytest.approx(ends[1], rel=1e-10)
@@ -183,7 +183,7 @@ def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
     """
     air = Air(film="acts", pressure=pressure)
     motions = [
-        simulate(scene({"integrator": name, "accuracy": "draft"}, air=air))
+        rolling_motion(scene({"integrator": name, "accuracy": "draft"}, air=air))
         for name in ("auto", "dop853")
     ]
     assert motions[0].t[-1] == pytest.approx(motions[1].t[-1], rel=1e-8)
@@ -212,7 +212,7 @@ def test_other_disks_in_other_air_end_alike_by_both_integrators(
     draft = {"accuracy": "draft", "time_limit": 30.0}
     ends = []
     for name in ("auto", "dop853"):
-        motion = simulate(
+        motion = rolling_motion(
             whirling(
                 inclination, disk=disk, air=air, numerics=draft | {"integrator": name}
             )
@@ -239,7 +239,9 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
     """A disk released at rest falls flat in a vacuum; in air the film stops it above the table."""
     fall = {"inclination_deg": 10.0, "omega": (0.0, 0.0, 1e-3)}
     free, caught = (
-        simulate(scene({"integrator": integrator}, disk=disk, release=fall, air=air))
+        rolling_motion(
+            scene({"integrator": integrator}, disk=disk, release=fall, air=air)
+        )
         for air in (None, Air(film="acts", pressure=pressure))
     )
     assert free.outcome is Outcome.FELL
@@ -258,7 +260,9 @@ def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
             "inclination_deg": 10.0 * (1 + 1e-13 * turned),
             "omega": (0.0, 0.0, 1e-3),
         }
-        motion = simulate(scene(release=fall, air=Air(film="acts", pressure=1000.0)))
+        motion = rolling_motion(
+            scene(release=fall, air=Air(film="acts", pressure=1000.0))
+        )
         assert motion.outcome is Outcome.AIRBORNE
         assert motion.force(motion.t[-1])[0, 2] == pytest.approx(
             0, abs=GONE * motion.disk.weight
@@ -269,7 +273,7 @@ def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
     """The disk spins so fast that the motion ends at 30 degrees, where the film is negligible."""
     fast = {"inclination_deg": 30.0, "omega": (0.0, 0.0, -45.0)}
     motions = [
-        simulate(scene(release=fast, air=air, numerics={"time_limit": 2.0}))
+        rolling_motion(scene(release=fast, air=air, numerics={"time_limit": 2.0}))
         for air in (None, AIR)
     ]
     assert motions[0].outcome is motions[1].outcome
@@ -294,9 +298,9 @@ def test_auto_takes_the_film_where_it_will_matter():
     assert told.film == film_under(disk, AIR)
     assert plan_motion(short).film_decision.film is None
     np.testing.assert_array_equal(
-        simulate(short).state, simulate(scene({"time_limit": 5.0})).state
+        rolling_motion(short).state, rolling_motion(scene({"time_limit": 5.0})).state
     )
-    motion = simulate(scene({"time_limit": 10.0}))
+    motion = rolling_motion(scene({"time_limit": 10.0}))
     rate = steady_precession(told.inclination, disk.aspect, disk.gyration) * sin(
         told.inclination
     )
@@ -327,13 +331,13 @@ def test_where_auto_leaves_the_film_out(air, others):
 
 def test_a_shell_has_no_film_that_could_act():
     with pytest.raises(ValueError, match="solid"):
-        simulate(scene(air=AIR, disk={"shape": "shell"}))
+        rolling_motion(scene(air=AIR, disk={"shape": "shell"}))
     with pytest.raises(SceneError, match="solid"):
         solve_scene(load_scene("hoop").replace("air.film=acts"))
 
 
 def test_a_law_of_ones_own_acts_beside_the_film():
-    ends = [simulate(scene(air=air), loads=Sticky(1e-4)) for air in (None, AIR)]
+    ends = [rolling_motion(scene(air=air), loads=Sticky(1e-4)) for air in (None, AIR)]
     assert ends[0].outcome is Outcome.SETTLED
     assert ends[1].outcome is Outcome.AIRBORNE
     assert ends[1].t[-1] < ends[0].t[-1]

@@ -3,14 +3,16 @@ a motion ends."""
 
 from math import degrees, inf, pi, sin, sqrt
 
+import numpy as np
 import pytest
 
-from dynamics import MotionScene, Outcome
+from dynamics import Motion, MotionScene, Outcome, simulate
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.face_contact import MIN_FALL_SPEED
 from dynamics.guards import FALL_RATE_THRESHOLD
+from dynamics.motion import MotionBase
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
 
@@ -71,6 +73,28 @@ def whirling(inclination, disk=None, **changes) -> MotionScene:
         "omega": (0.0, body.aspect * in_plane, in_plane),
     }
     return conservative(release=release, disk=disk, **changes)
+
+
+class Attitudes(MotionBase):
+    """A motion of which only the states (n, 11) at the times (n,) [s] are known, without a film."""
+
+    film = None
+
+    def __init__(self, disk: Disk, state, t=None, **attributes):
+        self.disk = disk
+        self.state = state
+        self.t = np.arange(len(state)) if t is None else t
+        vars(self).update(attributes)
+
+    @property
+    def loads(self):
+        """The columns (n, 5) of `film_loads` at all times."""
+        return self.film_loads(self.t, self.state)
+
+
+def rolling_motion(scene: MotionScene, **options) -> Motion:
+    """Return the motion of a scene up to the loss of the rolling contact."""
+    return simulate(scene, **options).rolling
 
 
 def proves_its_outcome(motion, limit) -> bool:

@@ -89,7 +89,8 @@ def test_the_sound_of_an_infinite_plate_leaves_from_this_place(rolling):
     )
     listener = listener_of(infinite)
     force = np.ones((len(state), 3))
-    lead = InfiniteTable(infinite, listener).input_channels(force, state)[:, 1]
+    film = np.zeros((len(state), 5))
+    lead = InfiniteTable(infinite, listener).input_channels(force, state, film)[:, 1]
     towards = listener.position[:2] / listener.distance
     samples = place @ towards / listener.air.sound_speed * scene.audio.sample_rate
     assert lead == pytest.approx(samples, abs=1e-3)

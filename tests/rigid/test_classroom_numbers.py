@@ -44,7 +44,7 @@ def turns_per_second(motion, time, window=0.1):
 @pytest.mark.parametrize("row", ROWS, ids=[row[0] for row in ROWS])
 def test_a_row_is_the_run(row):
     scene = scene_of(row[1])
-    motion = simulate(scene)
+    motion = simulate(scene).rolling
     lasts, at_first, before_the_end = map(float, row[2:])
     assert motion.t[-1] == pytest.approx(lasts, rel=0.005)
     assert turns_per_second(motion, 0.5) == pytest.approx(at_first, abs=0.06)

@@ -143,7 +143,7 @@ def test_what_turns_faster_than_the_samples_leaves_no_alias(motion):
     """At a sample rate of 8 kHz, a load that turns with the contact is kept up to 4 kHz and
     suppressed above."""
 
-    def turning(force, attitude):
+    def turning(force, attitude, film):
         return np.stack([np.cos(attitude[:, 0]), np.sin(attitude[:, 0])], axis=1)
 
     load = ForceSampler(motion, 8000, channels=turning).block(
@@ -193,14 +193,14 @@ def test_a_disk_that_stands_still_at_its_last_instant_is_not_silent(motion):
 
 
 def test_channels_may_turn_with_the_attitude(motion):
-    def turning(force, attitude):
+    def turning(force, attitude, film):
         angle = attitude[:, 0]
         return np.stack(
             [force[:, 2] * np.cos(angle), force[:, 2] * np.sin(angle)], axis=1
         )
 
     force = ForceSampler(motion, RATE, channels=turning).block(0, 4 * RATE)
-    expected = turning(motion.force(force.t), motion.at(force.t)[:, :3])
+    expected = turning(motion.force(force.t), motion.at(force.t)[:, :3], None)
     assert np.abs(force.samples - expected).max() < 1e-11
 
 

@@ -13,6 +13,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from contact_scenes import steady_precession_rate, steady_speed
+from scenes import Attitudes
 from scipy.signal import welch
 from scipy.special import jv
 
@@ -140,11 +141,12 @@ def steadily(table, beta, seconds):
         state[:, 2] = -speed / disk.radius * t
         return state
 
-    return SimpleNamespace(
-        disk=disk, t=np.array([0.0, seconds]), state=at(np.array([0.0, seconds])), jumps=none, at=at,
+    t = np.array([0.0, seconds])
+    return Attitudes(
+        disk, at(t), t, jumps=none, at=at,
         force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
         bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
-        outcome=Outcome.TIME_LIMIT, film=None, rim_modes=None, vibration_crossover=None,
+        outcome=Outcome.TIME_LIMIT,
         plan=SimpleNamespace(film=None, tabulated_law=table),
     )  # fmt: skip
 

@@ -7,10 +7,10 @@ slowly varying mode.
 """
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scenes import Attitudes
 from scipy.integrate import solve_ivp
 from scipy.linalg import solve_banded
 
@@ -219,16 +219,14 @@ def filmed_disk(scene, state, azimuth):
         distance=0.5, elevation=np.pi / 4, azimuth=azimuth, air=scene.air
     )
     face = RigidFace(scene.disk, listener, 1 / RATE)
-    return RigidDiskOverFilm(
-        scene, SimpleNamespace(state=state, film=None), face, listener
-    )
+    return RigidDiskOverFilm(scene, Attitudes(scene.disk, state), face, listener)
 
 
 def stems_of(disk, state):
     """Return the radiated pressure (k, s) [Pa] of the disk under its weight."""
-    channels = disk.input_channels(
-        np.tile([0.0, 0.0, disk._disk.weight], (len(state), 1)), state
-    )
+    weight = np.tile([0.0, 0.0, disk._disk.weight], (len(state), 1))
+    film = Attitudes(disk._disk, state).loads
+    channels = disk.input_channels(weight, state, film)
     none = np.zeros((0, channels.shape[1]))
     t = np.arange(len(state)) / RATE
     force = ContactForce(
@@ -299,11 +297,10 @@ def test_without_a_film_the_sources_are_those_of_a_disk_in_a_baffle(scene, flexu
 
     def classes(air_film):
         in_air = scene.replace(f"air.film={air_film}")
-        motion = SimpleNamespace(
-            state=steady(1e-3, 300.0, 2),
-            film=None,
+        motion = Attitudes(
+            scene.disk,
+            steady(1e-3, 300.0, 2),
             outcome=Outcome.SETTLED,
-            rim_modes=None,
             plan=plan_motion(in_air),
         )
         pair = disk_sources(

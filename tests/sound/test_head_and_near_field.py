@@ -259,7 +259,7 @@ class LateSource(SoundSource):
     def __init__(self, latency):
         self.latency = latency
 
-    def input_channels(self, force, state):
+    def input_channels(self, force, state, film):
         return force[:, 2:]
 
     def make_block_renderer(self, first, note):

@@ -312,7 +312,7 @@ def test_a_scene_may_have_any_causes_of_sound(scene, short, modes, tmp_path):
         tail_duration = 0.0
         latency = 0
 
-        def input_channels(self, force, state):
+        def input_channels(self, force, state, film):
             return force[:, 2:]
 
         def make_block_renderer(self, first, note):

@@ -235,7 +235,7 @@ def test_a_constant_force_at_rest_is_silent(scene, table):
     source = ElasticTable(scene, table, listener_of(scene))
     state = np.zeros((1, 11))
     state[0, 1] = 0.3
-    force = source.input_channels(np.array([[0.0, 0.0, 4.3]]), state)[0]
+    force = source.input_channels(np.array([[0.0, 0.0, 4.3]]), state, None)[0]
 
     def pressure(first):
         return source.make_block_renderer(first, lambda *noted: None)(
