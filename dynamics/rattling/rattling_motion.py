@@ -31,7 +31,7 @@ from dynamics.compliant.stepping.row_store import interpolate_rows
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.kinematics import contact_place
-from dynamics.motion import FindingGroup, Outcome
+from dynamics.motion import FILM_COLUMNS, FindingGroup, Outcome
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.rattling import layout, time_loop
 from dynamics.rattling.body import MotionState, motion_state
@@ -291,6 +291,12 @@ class RattlingMotion(CompliantMotion):
         """
         force = self._impulse_rate(self.contact_impulses[:, None], t)[:, 0]
         return np.where(force > 1e-9 * self.disk.weight, force, 0.0)
+
+    def film_loads(self, t: ArrayLike, state: np.ndarray) -> np.ndarray:
+        """Return the FILM_COLUMNS (k, 5), where the film adds nothing to `force`."""
+        loads = np.zeros((len(state), len(FILM_COLUMNS)))
+        loads[:, 0] = self.disk.radius * np.sin(state[:, 1])
+        return loads
 
     def contact_resonance(self, inclination) -> np.ndarray:
         """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""

@@ -48,24 +48,36 @@ def inertia(disk: Disk) -> np.ndarray:
     return np.array([disk.mass] * 3 + [about_diameter, about_diameter, about_axis])
 
 
+def turning_acceleration(force, inclination, film, disk: Disk) -> np.ndarray:
+    """Return the angular acceleration (k, 3) [rad/s^2] of the rigid disk in the patch
+    frame.
+
+    It is due to contact forces (k, 3) [N] and to the moments in the columns (k, 5) of
+    `Motion.film_loads`, at inclinations (k,) [rad]."""
+    turn = (
+        in_patch_frame(force, inclination) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
+    )
+    _, _, moment_1, moment_3, _ = film.T
+    turn[:, :2] -= np.column_stack([moment_3, moment_1]) / inertia(disk)[3:5]
+    return turn
+
+
 def heave_and_tilt_accelerations(
-    force, attitude, disk: Disk, *ears: float
+    force, attitude, film, disk: Disk, *ears: float
 ) -> np.ndarray:
     """Return the sound-radiating accelerations (k, 1 + e) [m/s^2] of the rigid disk.
 
     The first column is the heave, which is 0 when the force equals the weight. The
     others are the accelerations of the rim at the azimuths `ears` [rad] due to tilting.
-    The shapes are `force` (k, 3) [N] and `attitude` (k, 3) [rad]."""
-    turn = (
-        in_patch_frame(force, attitude[:, 1])
-        @ rigid_acceleration(np.eye(3), disk)[:, 3:]
-    )
+    The shapes are `force` (k, 3) [N] and `attitude` (k, 3) [rad]; `film` (k, 5) contains
+    the columns of `Motion.film_loads`."""
+    turn = turning_acceleration(force, attitude[:, 1], film, disk)
     azimuth = listener_azimuth(attitude)
     tilts = [
         turn[:, 0] * np.sin(azimuth + ear) - turn[:, 1] * np.cos(azimuth + ear)
         for ear in ears
     ]
-    heave = (force[:, 2] - disk.weight) / disk.mass
+    heave = (force[:, 2] + film[:, 1] - disk.weight) / disk.mass
     return np.stack([heave, *(disk.radius * tilt for tilt in tilts)], axis=1)
 
 

@@ -20,12 +20,7 @@ from sonify.sound.fluid_loaded_modes import (
     fluid_loaded_modes,
     raised_disk_pressure_ratios,
 )
-from sonify.sound.modal_forcing import (
-    in_patch_frame,
-    inertia,
-    listener_azimuth,
-    rigid_acceleration,
-)
+from sonify.sound.modal_forcing import listener_azimuth, turning_acceleration
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import NearRim, RigidFace
 from sonify.sound.sources.protocol import (
@@ -174,12 +169,8 @@ class RigidDiskOverFilm(RigidDisk):
         """Return heave (k,) and complex tilt of the rim (k,) [m/s^2], precession rate
         [rad/s], and the shares of the first and second harmonic of the rim flow."""
         disk = self._disk
-        gap, lift, moment_1, moment_3, _ = film.T
-        turn = (
-            in_patch_frame(force, state[:, 1])
-            @ rigid_acceleration(np.eye(3), disk)[:, 3:]
-        )
-        turn[:, :2] -= np.column_stack([moment_3, moment_1]) / inertia(disk)[3:5]
+        gap, lift, *_ = film.T
+        turn = turning_acceleration(force, state[:, 1], film, disk)
         heave = (force[:, 2] + lift - disk.weight) / disk.mass
         tilted = np.maximum(np.sin(state[:, 1]), MIN_SLOPE)
         rate = state[:, 7] / tilted

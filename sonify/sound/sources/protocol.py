@@ -123,7 +123,7 @@ class RigidDisk(TwoEarSource):
         ears = [self._azimuth]
         if self._second_ear is not None:
             ears.append(self._azimuth + self._second_ear)
-        return heave_and_tilt_accelerations(force, state, self._disk, *ears)
+        return heave_and_tilt_accelerations(force, state, film, self._disk, *ears)
 
     def make_block_renderer(self, first, note):
         """Return a function that computes the stems (k, s) [Pa] of successive blocks.
