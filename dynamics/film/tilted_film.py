@@ -49,6 +49,17 @@ def tabulated_resistance(tilt: float, depth: float = 0.0) -> FilmResistance:
     return _unscaled(in_opening @ (in_depth @ _COEFFICIENTS).reshape(-1, 4), depth)
 
 
+def plane_series() -> np.ndarray:
+    """Return the coefficients (OPENING_NODES, 4) of the film on a plane, without wall slip.
+
+    They are those of Chebyshev polynomials of 2 sqrt(1 - eps) - 1. The functions are the
+    resistances a00 to heave, a00 + a01 and a00 + 2 a01 + a11 about the low point of the
+    rim, and a22 to precession.
+    """
+    in_depth = _chebyshev_polynomials(-1.0, DEPTH_NODES)
+    return (in_depth @ _COEFFICIENTS).reshape(OPENING_NODES, 4)
+
+
 def _chebyshev_polynomials(x: float, count: int) -> np.ndarray:
     """Return the first polynomials (count,) at x in [-1, 1]."""
     return np.cos(np.arange(count) * acos(x))

@@ -1,16 +1,16 @@
-"""Impulses of the air film under a rattling disk.
+"""Impulses of the air film under a rattling disk, at its present gap and tilt.
 
-The film is that of a disk in contact, because hops are low compared with the mean gap.
-A drag opposes the precession. The pressure force acts at the centre of pressure, normal
-to the face, and opposes the normal velocity there. The compressed air exerts no
-pressure when it stores no energy.
+A drag opposes the precession. The resistance to heave and tilt is that of a force and of
+a moment which each oppose one velocity: that of the face at the centre of pressure of a
+heaving disk, and the tilting about it. The compressed air exerts no pressure when it
+stores no energy.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.film.film_kernels import film_loads
+from dynamics.film.film_kernels import film_loads, open_film
 from dynamics.numba_kernels import kernel
 from dynamics.rattling.body import add_force
 from dynamics.rattling.layout import FILM, RECORD
@@ -25,6 +25,8 @@ class FilmLoad(NamedTuple):
         Force along the axis [N].
     place : float
         Distance [m] of this force from the axis, up the slope of the face.
+    righting : float
+        Torque [N m] about the horizontal diameter that raises the high side.
     drag : float
         Torque [N m] about the direction up the slope.
     work : float
@@ -33,47 +35,75 @@ class FilmLoad(NamedTuple):
 
     pressure: float
     place: float
+    righting: float
     drag: float
     work: float
 
 
 @kernel
-def film_load(disk, axis, up_slope, velocity, stored_energy, step):
+def film_load(disk, axis, up_slope, velocity, clearance, stored_energy, step):
     """Return the `FilmLoad` in a step with an energy [J] stored in the compressed air.
 
-    `disk` is a `RattlingDisk`, `axis` (3,) the unit vector along its axis, and `up_slope` that
-    up its slope, whose height is the sine of the inclination.
+    `disk` is a `RattlingDisk`, `axis` (3,) the unit vector along its axis, `up_slope` that
+    up its slope, whose height is the sine of the inclination, and `clearance` [m] the
+    height of the low point of the rim. The laws of the closed wedge, for wall slip,
+    inertia, compression and a concave table, are those at the same mean gap.
     """
     min_rate = 1e-9  # rad/s; the drag of slower precession is independent of the rate
     sine = up_slope[2]
+    gap = sine + clearance / disk.radius  # mean gap over the radius
     spin = velocity.angular
     turning = spin[0] * up_slope[0] + spin[1] * up_slope[1] + spin[2] * up_slope[2]
     rate = abs(turning) / sine + min_rate
-    drag, fall, lever, tip, lift = film_loads(disk.film, sine, rate)
+    drag, fall, _, tip, lift = film_loads(disk.film, gap, rate)
+    _, _, closed_fall, closed_across = open_film(1.0)
+    eps = sine / gap
+    heave, about, falling, across = open_film(eps)
     # exponential damping is stable at every gap
-    torque = (turning * disk.diametral_inertia / step) * np.expm1(
-        -step * drag / (rate * sine * disk.diametral_inertia)
-    )
-    distance = disk.radius / lever
-    place = distance - disk.radius
+    inertia = disk.diametral_inertia
+    turned = drag / (rate * gap) * across / closed_across
+    torque = turning * inertia / step * np.expm1(-step * turned / inertia)
+    scale = fall / closed_fall  # N m s
+    radius = disk.radius
+    place = radius * (about / heave - 1)
     speed = normal_speed(disk, axis, up_slope, velocity, place)
     mobility = normal_mobility(disk, place)
-    pressure = (
-        speed / (mobility * step) * np.expm1(-step * fall / distance**2 * mobility)
-    )
+    resisted = scale * heave / radius**2
+    pressure = speed / (mobility * step) * np.expm1(-step * resisted * mobility)
     moment = pressure * place
+    tilting = tilt_rate(axis, up_slope, velocity) + step * moment / inertia
+    resisted = scale * (falling - about**2 / heave)
+    righting = tilting * inertia / step * np.expm1(-step * resisted / inertia)
     work = 0.0
     if lift > 0:
-        place = disk.radius * tip / lift - disk.radius
+        # the pressure of the compressed air vanishes with the square of the tilt
+        lift *= eps * eps
+        place = radius * tip / lift * eps * eps - radius
         speed = normal_speed(disk, axis, up_slope, velocity, place)
         mobility = normal_mobility(disk, place)
         fastest = np.sqrt(speed**2 + 2 * mobility * stored_energy)
-        impulse = min(step * lift / disk.radius, (fastest - speed) / mobility)
+        impulse = min(step * lift / radius, (fastest - speed) / mobility)
         work = impulse * (speed + impulse * mobility / 2)
         pressure += impulse / step
         moment += impulse / step * place
     place = moment / pressure if pressure != 0 else 0.0
-    return FilmLoad(pressure, place, torque, work)
+    return FilmLoad(pressure, place, righting, torque, work)
+
+
+@kernel
+def level_diameter(axis, up_slope):
+    """Return the unit vector of the horizontal diameter about which the high side rises."""
+    x = up_slope[1] * axis[2] - up_slope[2] * axis[1]
+    y = up_slope[2] * axis[0] - up_slope[0] * axis[2]
+    z = up_slope[0] * axis[1] - up_slope[1] * axis[0]
+    return x, y, z
+
+
+@kernel
+def tilt_rate(axis, up_slope, velocity):
+    """Return the rate [rad/s] at which the high side of a disk rises."""
+    x, y, z = level_diameter(axis, up_slope)
+    return velocity.angular[0] * x + velocity.angular[1] * y + velocity.angular[2] * z
 
 
 @kernel
@@ -111,9 +141,11 @@ def add_film(disk, motion, rim, velocity, step, contacts):
     axis = rim.axis
     up_slope = (-axis[0] * axis[2] / rim.sine, -axis[1] * axis[2] / rim.sine, rim.sine)
     stored = motion.record[RECORD.compressed_air_energy]
-    film = film_load(disk, axis, up_slope, velocity, stored, step)
+    clearance = max(rim.height - rim.tilt, 0.0)
+    film = film_load(disk, axis, up_slope, velocity, clearance, stored, step)
     force = (film.pressure * axis[0], film.pressure * axis[1], film.pressure * axis[2])
     add_force(contacts, FILM, force, point_on_face(disk, axis, up_slope, film.place))
+    level = level_diameter(axis, up_slope)
     for i in range(3):
-        contacts.torque[FILM, i] += film.drag * up_slope[i]
+        contacts.torque[FILM, i] += film.drag * up_slope[i] + film.righting * level[i]
     return film.work

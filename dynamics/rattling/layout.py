@@ -47,8 +47,6 @@ class RecordLayout(NamedTuple):
     """Time at which the contact was last lost [s]; negative while there is contact."""
     max_flight_height: int
     """Largest height of the lowest rim point above the table since the loss of contact [m]."""
-    flight_film_impulse: int
-    """Impulse of the film pressure since the loss of contact [N s]."""
 
 
 RECORD, RECORD_SIZE = first_indices(RecordLayout)

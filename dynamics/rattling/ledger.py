@@ -24,14 +24,3 @@ def add_half_sample(motion, row):
     for j in range(motion.mode_loss.size):
         row[modes + 2 * j] += 0.5 * motion.modes[0, j]
         row[modes + 2 * j + 1] += 0.5 * motion.modes[1, j]
-
-
-@kernel
-def is_carried_by_film(record, now, weight):
-    """Return True if the air film has supported the disk since the loss of contact."""
-    min_duration = 2e-3  # s
-    min_lift = 0.5  # mean force of the film divided by the weight
-    duration = now - record[RECORD.flight_start]
-    if record[RECORD.flight_start] < 0 or duration < min_duration:
-        return False
-    return record[RECORD.flight_film_impulse] > min_lift * weight * duration

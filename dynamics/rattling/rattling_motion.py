@@ -31,7 +31,7 @@ from dynamics.compliant.stepping.row_store import interpolate_rows
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.kinematics import contact_place
-from dynamics.motion import FILM_COLUMNS, FindingGroup, Outcome
+from dynamics.motion import FILM_COLUMNS, FindingGroup, MotionEvent, Outcome
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
 from dynamics.rattling import layout, time_loop
 from dynamics.rattling.body import MotionState, motion_state
@@ -49,10 +49,9 @@ PROGRESS_INTERVAL = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
     time_loop.CONTINUES: Outcome.TIME_LIMIT,
-    time_loop.LIES_FLAT: Outcome.SETTLED,
+    time_loop.LIES_FLAT: Outcome.AT_REST,
     time_loop.STANDS_UPRIGHT: Outcome.UPRIGHT,
     time_loop.LIFTS_OFF: Outcome.LIFTED_OFF,
-    time_loop.IS_AIRBORNE: Outcome.AIRBORNE,
 }
 """Outcome of a motion for each reason for ending `step_rattling_disk`."""
 
@@ -278,10 +277,18 @@ class RattlingMotion(CompliantMotion):
         above = np.flatnonzero(inclination > 5 * inclination[-1])
         first = above[-1] if len(above) else 0
         fall = inclination[first] - inclination[-1]
-        if self.outcome is not Outcome.SETTLED or not fall > 0:
+        if self.outcome is not Outcome.AT_REST or not fall > 0:
             return self._end
         duration = self._end - first * self._row_duration
         return float(self._end + inclination[-1] * duration / fall)
+
+    @property
+    def events(self) -> tuple[MotionEvent, ...]:
+        """The rest of a disk that lies flat."""
+        if self.outcome is not Outcome.AT_REST:
+            return ()
+        end = self._end
+        return (MotionEvent(end, "lies flat", 0.0, float(self.energy(end)[0])),)
 
     def contact_force(self, t: ArrayLike) -> np.ndarray:
         """Return the normal force of the contact (k,) [N] at t (k,) [s], without the

@@ -26,16 +26,11 @@ from dynamics.rattling.body import (
 from dynamics.rattling.layout import (
     DASHPOT,
     ELASTIC,
-    FILM,
     RECORD,
     RIM_BLOCK_POINTS,
     Contacts,
 )
-from dynamics.rattling.ledger import (
-    add_half_sample,
-    is_carried_by_film,
-    record_mode_losses,
-)
+from dynamics.rattling.ledger import add_half_sample, record_mode_losses
 from dynamics.rattling.resistance import add_resistance
 from dynamics.rattling.rim_contacts import press_rim, stays_clear
 from dynamics.rattling.vibration import (
@@ -46,7 +41,7 @@ from dynamics.rattling.vibration import (
     write_propagator,
 )
 
-CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF, IS_AIRBORNE = range(5)
+CONTINUES, LIES_FLAT, STANDS_UPRIGHT, LIFTS_OFF = range(4)
 """Reasons for ending the time steps."""
 
 
@@ -217,7 +212,8 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
                 work = add_film(disk, motion, rim, before, duration, contacts)
                 left = max(record[RECORD.compressed_air_energy] - work, 0.0)
                 rate = np.hypot(before.angular[0], before.angular[1]) / rim.sine
-                kept = min(left, film_capacity(disk.film, rim.sine, rate))
+                gap = max(rim.height, rim.tilt) / disk.radius
+                kept = min(left, film_capacity(disk.film, gap, rate))
                 record[RECORD.film_loss] += record[RECORD.compressed_air_energy] - kept
                 record[RECORD.compressed_air_energy] = kept
             if (
@@ -235,9 +231,7 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
                 if record[RECORD.flight_start] < 0:
                     record[RECORD.flight_start] = now
                     record[RECORD.max_flight_height] = 0.0
-                    record[RECORD.flight_film_impulse] = 0.0
                 record[RECORD.open_time] += duration
-                record[RECORD.flight_film_impulse] += duration * contacts.force[FILM, 2]
                 record[RECORD.max_flight_height] = max(
                     record[RECORD.max_flight_height], rim.height - rim.tilt
                 )
@@ -278,8 +272,6 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
                 RECORD.max_flight_height
             ] > max(rim.tilt, 10 * highest):
                 return sample, losses, LIFTS_OFF
-            if is_carried_by_film(record, now, weight):
-                return sample, losses, IS_AIRBORNE
     if table is not None:
         fly_table(table, motion, table_propagators[waiting - 1])
         energy = table_energy(table, motion)
