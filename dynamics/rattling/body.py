@@ -104,6 +104,15 @@ def write_velocity(disk, motion, out):
 
 
 @kernel
+def falling_energy(disk, velocity):
+    """Return the kinetic energy [J] of heave and tilt, without gliding and spinning."""
+    linear = velocity.linear
+    angular = velocity.angular
+    tilting = disk.diametral_inertia * (angular[0] ** 2 + angular[1] ** 2)
+    return (disk.mass * linear[2] ** 2 + tilting) / 2
+
+
+@kernel
 def rotate(vector, axis, angle):
     """Rotate a vector (3,) in place about a unit vector `axis` by an angle [rad]."""
     x, y, z = axis

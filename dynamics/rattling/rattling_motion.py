@@ -2,8 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
-from math import ceil, pi, radians, sqrt
+from math import ceil, inf, pi, radians, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -265,23 +264,6 @@ class RattlingMotion(CompliantMotion):
         """Normal impulse (n,) [N s] of the contact since the start, without the film."""
         return self.impulses[:, 2] - self.film_impulses
 
-    @cached_property
-    def t_end(self) -> float:
-        """Time [s] at which a settled disk would be flat; the end of any other motion.
-
-        The inclination is extrapolated to zero at its mean rate of fall from five times
-        its final value on, which includes several hops. Impacts on unevenness without a
-        preferred scale lower it at a constant rate.
-        """
-        inclination = self.rows[:, 1]
-        above = np.flatnonzero(inclination > 5 * inclination[-1])
-        first = above[-1] if len(above) else 0
-        fall = inclination[first] - inclination[-1]
-        if self.outcome is not Outcome.AT_REST or not fall > 0:
-            return self._end
-        duration = self._end - first * self._row_duration
-        return float(self._end + inclination[-1] * duration / fall)
-
     @property
     def events(self) -> tuple[MotionEvent, ...]:
         """The rest of a disk that lies flat."""
@@ -533,7 +515,10 @@ def solve_rattling_motion(
         model.disk.radius * last,
         model.depth(0.1),
     )
-    return simulate_rattling(model, state, scene.numerics.time_limit, final_tilt, watch)
+    rest_share = 1e-6  # kinetic energy of a disk at rest over the energy at the release
+    rest_energy = rest_share * float(rigid_energy(model, state[None])[0])
+    limit = scene.numerics.time_limit
+    return simulate_rattling(model, state, limit, final_tilt, watch, rest_energy)
 
 
 def simulate_rattling(
@@ -542,9 +527,12 @@ def simulate_rattling(
     time_limit: float,
     final_tilt: float,
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
+    rest_energy: float = inf,
     gravity: float = GRAVITY,
 ) -> RattlingMotion:
     """Advance a state (5, 3) in place until a time [s] or a final tilt of the rim [m].
+
+    At the final tilt, the kinetic energy of heave and tilt [J] must be below `rest_energy`.
 
     A table with modes is initially at rest and deflected by the weight of the disk,
     which is lowered accordingly.
@@ -553,7 +541,7 @@ def simulate_rattling(
     table = model.table()
     motion = _motion_at_rest(model, table, state, gravity)
     per_sample = round(model.rate / FORCE_SAMPLE_RATE)
-    steps = TimeSteps(1 / model.rate, per_sample, gravity, final_tilt)
+    steps = TimeSteps(1 / model.rate, per_sample, gravity, final_tilt, rest_energy)
     chunk = round(PROGRESS_INTERVAL * FORCE_SAMPLE_RATE)
     sizes = (state.size, motion.record.size, 2 * len(model.rim.order), 1)
     blocks = []

@@ -15,6 +15,7 @@ from dynamics.rattling.air_impulses import add_film
 from dynamics.rattling.body import (
     clear,
     energy_of_change,
+    falling_energy,
     fly,
     kick,
     rim_geometry,
@@ -57,13 +58,16 @@ class TimeSteps(NamedTuple):
     gravity : float
         Acceleration of gravity [m/s^2].
     final_tilt : float
-        `RimGeometry.tilt` [m] below which the disk lies flat.
+        `RimGeometry.tilt` [m] below which the disk may lie flat.
+    rest_energy : float
+        `falling_energy` [J] below which it then does.
     """
 
     duration: float
     per_sample: int
     gravity: float
     final_tilt: float
+    rest_energy: float
 
 
 @outermost
@@ -96,7 +100,7 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
     tuple of int
         Number of samples and of flights written, and the reason for the end.
     """
-    step, per_sample, gravity, final_tilt = steps
+    step, per_sample, gravity, final_tilt, rest_energy = steps
     upright_cosine_limit = 0.05  # cosine of the inclination of an upright disk
     mode_count = motion.modes.shape[1]
     disk_modes = motion.mode_loss.size
@@ -264,13 +268,13 @@ def step_rattling_disk(disk, edge, table, steps, motion, begin, samples, flights
                 add_half_sample(motion, samples[sample])
             fly(disk, gravity, edge, motion, propagator, duration / 2)
             waiting += merged
-            if rim.tilt < final_tilt:
+            if rim.tilt < final_tilt and falling_energy(disk, before) < rest_energy:
                 return sample, losses, LIES_FLAT
             if rim.upright < upright_cosine_limit:
                 return sample, losses, STANDS_UPRIGHT
-            if record[RECORD.flight_start] >= 0 and record[
-                RECORD.max_flight_height
-            ] > max(rim.tilt, 10 * highest):
+            flies = record[RECORD.flight_start] >= 0 and not has_film
+            limit = max(rim.tilt, 10 * highest)
+            if flies and record[RECORD.max_flight_height] > limit:
                 return sample, losses, LIFTS_OFF
     if table is not None:
         fly_table(table, motion, table_propagators[waiting - 1])

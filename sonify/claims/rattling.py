@@ -50,7 +50,7 @@ def findings_on_rattling(
             found.append(vibration_opens_contact(scene, motion))
     found.append(impacts_end_it(motion))
     rough = scene.roughness
-    ended = motion.outcome in (Outcome.SETTLED, Outcome.AIRBORNE)
+    ended = motion.outcome is Outcome.AT_REST
     if rough is not None and ended:
         found.append(rate_follows_unevenness(rough.exponent, motion))
         if rough.exponent == 1.0:  # heights without a preferred scale, H = 0

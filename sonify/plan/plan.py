@@ -283,7 +283,7 @@ def omissions_after_end(motion: Motion) -> list[str]:
     """
     if motion.landing is not None:
         return [sentences.NEGLECTED_LANDING]
-    if motion.outcome in (Outcome.SETTLED, Outcome.SANK):
+    if motion.outcome in (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST):
         return []
     omitted = [f"The end of the motion and its sound: {motion.outcome.sentence}."]
     if motion.outcome in sentences.NEGLECTED_AFTER_END:

@@ -39,7 +39,7 @@ def steps_of(model, state, seconds, per_sample=1):
         model.constants,
         model.edge(),
         model.table(),
-        TimeSteps(1 / model.rate, per_sample, GRAVITY, 0.0),
+        TimeSteps(1 / model.rate, per_sample, GRAVITY, 0.0, np.inf),
     )
     written, _, _ = step_rattling_disk(*options, motion, 0.0, samples, flights)
     assert written == count

@@ -277,18 +277,21 @@ def test_the_resonance_is_that_of_the_contact_on_the_fillet():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("last", [0.02, 0.01])
-def test_the_end_is_extrapolated_at_the_rate_of_fall(last):
-    """A coin on heights of 3 um falls at a constant rate, so that the end of the motion that is
-    followed to 4 mrad is that of one which is followed less far."""
-    scene = coin(3e-6, 1.0, 0.5, 1, 0.1)
-    model = model_of(scene)
-    early = settle(model, scene, last)
-    late = settle(model, scene, 0.004)
-    assert early.outcome is Outcome.SETTLED
-    left = late.t_end - early.t[-1]
-    assert early.t_end - early.t[-1] == pytest.approx(left, rel=0.3)
-    assert late.t_end - late.t[-1] < 0.02
+def test_a_disk_on_crests_comes_to_rest_on_them():
+    """With a film and without one; the heights have an rms of 3 um, and nothing moves at the end."""
+    for air in ("acts", "none"):
+        changes = (f"air.film={air}", "numerics.time_limit=5")
+        scene = coin(3e-6, 1.0, 0.5, 1, 0.02, *changes)
+        motion = simulate(scene)
+        assert motion.outcome is Outcome.AT_REST
+        assert motion.t_end == motion.t[-1]
+        (rest,) = motion.events
+        crest = motion.model.heights.max()
+        weight = motion.disk.weight
+        assert rest.kind == "lies flat"
+        assert 0 < rest.energy < 3 * weight * crest  # also of its free spin
+        assert np.ptp(motion.inclination(motion.t[-1] - np.array([0.0, 1e-4]))) < 1e-5
+        assert motion.inclination(motion.t[-1:])[0] * RADIUS < crest
 
 
 @pytest.mark.parametrize(("body", "restitution"), [("rigid", 0.8), ("elastic", 0.5)])
@@ -358,20 +361,37 @@ def test_the_modes_that_sound_are_those_of_the_motion():
 
 
 def test_the_film_slows_a_rolling_disk_as_it_does_with_a_rigid_contact():
-    """On a smooth table: the time at which the film carries the disk, and the inclination on the
-    way, from the event-driven motion on a rigid contact.
+    """On a smooth table: the time at which the film lifts the disk, the inclination on the way and at
+    the end, and the last turns, from the event-driven motion on a rigid contact and its landing.
+
+    The film of the rattling disk reaches to the outside of the rounded edge, which makes it 12 %
+    stronger than that of the landing.
     """
     scene = coin(1e-6, 1.0, 0.5, 0, 0.03, "air.film=acts")
     model = model_of(scene, np.zeros(8192))
-    motion = settle(model, scene, 0.0, 0.3)
+    motion = settle(model, scene, 0.0, 0.2)
     document = scene.document
     document["contact"] = {"law": "rigid", "fillet": 5e-4}
     document["numerics"]["contact"] = "auto"
     document["friction"]["mu_dynamic"] = 0.3
-    reference = simulate(from_document(document)).rolling
-    assert motion.outcome is reference.outcome is Outcome.AIRBORNE
-    assert motion.t[-1] == pytest.approx(reference.t[-1], rel=3e-3)
-    half = np.array([0.5 * motion.t[-1]])
+    reference = simulate(from_document(document))
+    assert reference.rolling.outcome is Outcome.AIRBORNE
+    (lifted, duration, _) = motion.contact_losses[-1]
+    assert lifted + duration == pytest.approx(motion.t[-1], abs=1e-3)  # no re-contact
+    assert lifted == pytest.approx(reference.switch_time, rel=0.03)
+    shifts = lifted - motion.t[0], reference.switch_time
+    later = np.array([0.0, 0.002, 0.005])
+    fallen, expected = (
+        one.inclination(begin + later)
+        for one, begin in zip((motion, reference), shifts, strict=True)
+    )
+    assert fallen == pytest.approx(expected, rel=0.1)
+    turns, halted = (
+        np.ptp(one.precession(begin + np.array([0.0, 0.01]))) / (2 * pi)
+        for one, begin in zip((motion, reference), shifts, strict=True)
+    )
+    assert turns == pytest.approx(halted, rel=0.15)
+    half = np.array([0.5 * lifted])
     assert motion.inclination(half) == pytest.approx(
         reference.inclination(half), rel=0.01
     )
@@ -412,7 +432,10 @@ def test_the_film_decides_how_often_a_recorded_coin_turns(rate, left, too_late):
     scene = coin(1e-6, 1.0, 0.5, 0, inclination, "air.film=acts")
     model = model_of(scene, np.zeros(8192))
     motion = settle(model, scene, 0.0, left)
-    floats = motion.outcome is Outcome.AIRBORNE and motion.t[-1] < left / 2
+    lifted, duration, _ = (
+        motion.contact_losses[-1] if motion.contact_losses else (left, 0, 0)
+    )
+    floats = lifted < left / 2 and lifted + duration > left - 1e-3
     assert floats == too_late
 
 

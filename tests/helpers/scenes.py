@@ -79,6 +79,7 @@ class Attitudes(MotionBase):
     """A motion of which only the states (n, 11) at the times (n,) [s] are known, without a film."""
 
     film = None
+    outcome = Outcome.TIME_LIMIT
 
     def __init__(self, disk: Disk, state, t=None, **attributes):
         self.disk = disk

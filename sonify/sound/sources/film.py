@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 from scipy.linalg import expm
 
+from dynamics import Outcome
 from dynamics.air import Air
 from dynamics.numba_kernels import njit
 from sonify.sound.audible_modes import RingDown
@@ -24,8 +25,6 @@ from sonify.sound.modal_forcing import listener_azimuth, turning_acceleration
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import NearRim, RigidFace
 from sonify.sound.sources.protocol import (
-    FADE_OUT,
-    MODAL_FORCE_FADE,
     ElasticDisk,
     RigidDisk,
     SourcePair,
@@ -76,16 +75,21 @@ def disk_sources(
     it is active."""
     elastic: type[ElasticDisk]
     if motion.rim_modes is not None:
-        rigid = RigidDisk(scene, face, listener.azimuth)
+        rigid = RigidDisk(scene, face, listener.azimuth, comes_to_rest(motion))
         elastic = RattlingModes
     elif motion.plan.film is None:
-        rigid = RigidDisk(scene, face, listener.azimuth)
+        rigid = RigidDisk(scene, face, listener.azimuth, comes_to_rest(motion))
         elastic = ElasticDisk
     else:
         over_film = NearDiskOverFilm if listener.is_in_near_field else RigidDiskOverFilm
         rigid = over_film(scene, motion, face, listener)
         elastic = ElasticDiskOverFilm
     return rigid, elastic(scene, motion, modes, chosen, listener, face.reach)
+
+
+def comes_to_rest(motion) -> bool:
+    """Return whether a motion was solved until nothing moves, so that it needs no fade."""
+    return motion.outcome is Outcome.AT_REST
 
 
 def rim_flow_shares(Lam) -> np.ndarray:
@@ -111,10 +115,9 @@ class RigidDiskOverFilm(RigidDisk):
     """
 
     def __init__(self, scene, motion, face: RigidFace, listener: Listener):
-        super().__init__(scene, face, listener.azimuth)
+        super().__init__(scene, face, listener.azimuth, comes_to_rest(motion))
         self._listener = listener
         self._air = scene.air
-        self._is_landing = motion.landing is not None
         self._a0, self._b0, self._a1, self._b1 = raised_disk_pressure_ratios(
             scene.disk.thickness, scene.disk.radius
         )
@@ -136,11 +139,6 @@ class RigidDiskOverFilm(RigidDisk):
         stays = [np.nan, 0.0]
         second = [] if self._second_ear is None else [fades, fades, stays]
         return np.array([fades, fades, fades, stays, stays, *second])
-
-    @property
-    def _fade(self) -> float:
-        """Time [s] of the fade at the end, which a disk at rest hardly needs."""
-        return MODAL_FORCE_FADE if self._is_landing else FADE_OUT
 
     def input_channels(self, force, state, film):
         """Return the input channels, (k, 5 or 8).

@@ -107,7 +107,8 @@ class RigidDisk(TwoEarSource):
     names = ("heave", "tilt")
     tail_duration = 2 * FADE_OUT
 
-    def __init__(self, scene, face: RigidFace, azimuth: float):
+    def __init__(self, scene, face: RigidFace, azimuth: float, comes_to_rest: bool):
+        self._fade = MODAL_FORCE_FADE if comes_to_rest else FADE_OUT
         self._disk = scene.disk
         self._face = face
         self._azimuth = azimuth
@@ -116,7 +117,7 @@ class RigidDisk(TwoEarSource):
     @property
     def channel_ends(self):
         """Rest values and fade times: every channel fades to zero."""
-        return np.array([[0.0, FADE_OUT]] * (2 if self._second_ear is None else 3))
+        return np.array([[0.0, self._fade]] * (2 if self._second_ear is None else 3))
 
     def input_channels(self, force, state, film):
         """Return (k, 2 or 3) [m/s^2]: the heave and the tilt towards each ear."""
