@@ -30,6 +30,8 @@ MAX_STORED_MOTION_TIMES = 22_000
 
 Half of them are evenly spaced in time and half in the angle of the contact.
 """
+MAX_STORED_LANDING_TIMES = 400
+"""Number of times of a landing in the page."""
 MAX_PAGE_SOUND_DURATION = 30.0
 """Maximum duration of the final part of a sound in the page [s]."""
 MAX_PAGE_SOUND_SIZE = 2_800_000
@@ -52,6 +54,7 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
         "sample_rate": sound.sample_rate,
         "source_end": sound.source_end,
         "delay": sound.source_end - float(motion.rolling.t[-1]),
+        "lands": motion.landing is not None,
         "start": parts["sound"]["start"],
         "sounds": parts["sound"]["content"],
         "lines": {
@@ -138,7 +141,9 @@ def encoded_motion(motion: Motion) -> dict[str, Any]:
     The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
     [J].
     """
-    t = sample_times(motion, max(motion.t_end - MAX_PAGE_SOUND_DURATION, 0.0))
+    t = sample_times(motion.rolling, max(motion.t_end - MAX_PAGE_SOUND_DURATION, 0.0))
+    if motion.landing is not None:
+        t = np.append(t, landing_times(motion))
     state, force = motion.at_and_force(t)
     columns = dict(
         zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True)
@@ -163,6 +168,15 @@ def encoded_contact(motion: Motion) -> dict[str, Any]:
         "height": centre_height(*place),
     }
     return {name: base64_array(column) for name, column in columns.items()}
+
+
+def landing_times(motion: Motion) -> np.ndarray:
+    """Return MAX_STORED_LANDING_TIMES times [s] of a landing, half of them in its first 30 ms."""
+    begin = float(motion.rolling.t[-1])
+    half = MAX_STORED_LANDING_TIMES // 2
+    soon = min(begin + 0.03, float(motion.t[-1]))
+    later = np.linspace(soon, motion.t[-1], half + 1)[1:]
+    return np.append(np.linspace(begin, soon, half + 1)[1:], later)
 
 
 def sample_times(motion: Motion, begin: float) -> np.ndarray:

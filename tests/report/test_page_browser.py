@@ -392,6 +392,7 @@ def test_a_selected_stretch_loops_and_stays_in_view(page):
     page.click("#slow")
     page.wait_for_function("sonify.player.playing")
     assert page.evaluate("sonify.player.speed") == 0.1
+    assert page.locator("#landing").is_hidden()  # a motion in a vacuum does not land
     page.click("#loop")
     assert not page.evaluate("sonify.timeline.looping")
 

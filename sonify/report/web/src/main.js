@@ -11,6 +11,8 @@ import { Timeline } from './timeline.js'
 
 const END_SPAN = 1 // [s], played by the buttons for the last second
 const SLOW_SPEED = 0.1 // playback speed of slow motion
+const LANDING_SPEED = 0.01 // playback speed of a landing
+const LANDING_SPAN = [-0.005, 0.03] // [s], played around the loss of contact
 const METER_MIN = -20 // [dB SPL], lower end of the level meters
 const METER_MAX = 100 // [dB SPL], upper end of the level meters
 const LINE_LEGEND = 'white: turns of the contact; blue, dashed: rocking; dotted: modes'
@@ -109,14 +111,18 @@ function addTransport(player, timeline, all) {
   })
   $('#closer').addEventListener('click', () => timeline.zoom(0.5))
   $('#wider').addEventListener('click', () => timeline.zoom(2))
-  const loopEnd = async (speed) => {
+  const loopEnd = async (speed, [before, after] = [-END_SPAN, END_SPAN / 10]) => {
     const end = all[player.run].source_end
-    timeline.select(end - END_SPAN, end + END_SPAN / 10)
+    timeline.select(end + before, end + after)
     await atSpeed(speed)
     return attempt(player.play())
   }
   $('#end').addEventListener('click', () => loopEnd(1))
   $('#slow').addEventListener('click', () => loopEnd(SLOW_SPEED))
+  $('#landing').addEventListener('click', () => loopEnd(LANDING_SPEED, LANDING_SPAN))
+  const showLanding = () => ($('#landing').hidden = !all[player.run].lands)
+  player.onChange(showLanding)
+  showLanding()
   $('#loop').addEventListener('click', () => timeline.setLooping(!timeline.looping))
   timeline.onLoop = (looping) => $('#loop').setAttribute('aria-pressed', String(looping))
   timeline.onShow = (from, to) => {

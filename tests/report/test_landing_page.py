@@ -1,0 +1,43 @@
+"""Claim: page and picture files show how a lifted disk lands, and only then offer to play it slowly.
+
+Source: the landing solved by dynamics/landing. Oracle: the motion itself, evaluated at the times that the
+page contains.
+"""
+
+import base64
+
+import numpy as np
+import pytest
+from scenes import whirling
+
+from dynamics import Air, simulate
+from sonify.report.page_data import MAX_STORED_LANDING_TIMES, encoded_motion
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return simulate(whirling(0.01, air=Air(film="acts")))
+
+
+def decoded(array):
+    return np.frombuffer(base64.b64decode(array["base64"]), array["dtype"])
+
+
+def test_the_page_contains_the_landing_with_its_first_milliseconds(motion):
+    encoded = encoded_motion(motion)
+    t = decoded(encoded["t"])
+    assert np.all(np.diff(t) > 0)
+    begin = motion.rolling.t[-1]
+    landing = t[t > begin]
+    assert len(landing) == MAX_STORED_LANDING_TIMES
+    assert landing[-1] == motion.t[-1]
+    assert np.sum(landing < begin + 0.03) >= MAX_STORED_LANDING_TIMES // 2 - 1
+    inclination = decoded(encoded["inclination"])
+    assert inclination == pytest.approx(motion.inclination(t), rel=1e-6, abs=1e-12)
+    assert inclination[-1] < 0.01 * inclination[t <= begin][-1]
+
+
+def test_a_motion_without_a_landing_is_encoded_to_its_end():
+    rolling = simulate(whirling(0.01, numerics={"time_limit": 0.2}))
+    assert rolling.landing is None
+    assert decoded(encoded_motion(rolling)["t"])[-1] == rolling.t[-1]
