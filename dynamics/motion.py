@@ -62,13 +62,15 @@ class Outcome(Enum):
     Examples
     --------
     >>> from dynamics import Outcome
-    >>> Outcome.TIME_LIMIT.sentence
+    >>> Outcome.ROLLING_ON.sentence
     'the time limit was reached before the disk came to rest'
     """
 
     AT_REST = "the disk came to rest"
     SETTLED = "the disk settled: its inclination reached the final value"
-    TIME_LIMIT = "the time limit was reached before the disk came to rest"
+    ROLLING_ON = "the time limit was reached before the disk came to rest"
+    TIME_LIMIT = ROLLING_ON
+    """Former name of ROLLING_ON."""
     LIFTED_OFF = "the disk lifted off: the normal force fell to zero"
     AIRBORNE = (
         "the disk became airborne: the lift of the air film reached the contact force"

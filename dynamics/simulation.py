@@ -40,7 +40,7 @@ OUTCOMES = {
     guards.PRECESSION_STOPS: Outcome.PRECESSION_STOPPED,
     EVENT_CASCADE: Outcome.CASCADE,
     STALLED: Outcome.STALLED,
-    None: Outcome.TIME_LIMIT,
+    None: Outcome.ROLLING_ON,
 }
 """Outcome of a motion for the guard that ended it, or None at the time limit."""
 Watch = Callable[[float, float, str], None]

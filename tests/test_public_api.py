@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from paths import REFERENCES
 
-from dynamics import simulate
+from dynamics import Outcome, simulate
 from dynamics.motion import COLUMNS, FORCE_COLUMNS
 from sonify import load_scene
 from sonify.claims.finding import Finding, Findings
@@ -108,3 +108,9 @@ if __name__ == "__main__":
     STORED.write_text(
         json.dumps(public_api(), indent=1, sort_keys=True) + "\n", encoding="utf-8"
     )
+
+
+def test_the_former_name_of_an_outcome_is_an_alias():
+    assert Outcome.TIME_LIMIT is Outcome.ROLLING_ON
+    assert Outcome["TIME_LIMIT"].name == "ROLLING_ON"
+    assert [outcome.name for outcome in Outcome].count("TIME_LIMIT") == 0

@@ -59,7 +59,7 @@ OUTCOME_OF_END = {
     EndReason.LIES_FLAT: Outcome.SETTLED,
     EndReason.STANDS_UPRIGHT: Outcome.UPRIGHT,
     EndReason.UNSOLVED: Outcome.STALLED,
-    EndReason.CONTINUES: Outcome.TIME_LIMIT,
+    EndReason.CONTINUES: Outcome.ROLLING_ON,
     EndReason.IS_AIRBORNE: Outcome.AIRBORNE,
 }
 """Outcome of a motion for each end reason of `step_motion`."""

@@ -73,8 +73,8 @@ class LandingMotion(MotionBase):
 
     @property
     def outcome(self) -> Outcome:
-        """AT_REST, or TIME_LIMIT."""
-        return Outcome.AT_REST if self.solution.is_at_rest else Outcome.TIME_LIMIT
+        """AT_REST, or ROLLING_ON at the time limit."""
+        return Outcome.AT_REST if self.solution.is_at_rest else Outcome.ROLLING_ON
 
     @property
     def integrator(self) -> str:

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 PROGRESS_INTERVAL = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
 OUTCOME_OF_END = {
-    time_loop.CONTINUES: Outcome.TIME_LIMIT,
+    time_loop.CONTINUES: Outcome.ROLLING_ON,
     time_loop.LIES_FLAT: Outcome.AT_REST,
     time_loop.STANDS_UPRIGHT: Outcome.UPRIGHT,
     time_loop.LIFTS_OFF: Outcome.LIFTED_OFF,

@@ -40,7 +40,7 @@ CAUSE_IN_WORDS = {
 }
 """Descriptions of the causes of energy loss."""
 OUTCOMES_WITHOUT_END = {
-    Outcome.TIME_LIMIT,
+    Outcome.ROLLING_ON,
     Outcome.LIFTED_OFF,
     Outcome.UPRIGHT,
     Outcome.LEFT_TABLE,

@@ -13,7 +13,7 @@ from sonify.claims.surface_summary import ANSWERS
 END_CLAUSES = {
     Outcome.AT_REST: "the disk is at rest",
     Outcome.SETTLED: "the disk lies flat",
-    Outcome.TIME_LIMIT: "the computation stops before the disk is at rest",
+    Outcome.ROLLING_ON: "the computation stops before the disk is at rest",
     Outcome.LIFTED_OFF: "the disk jumps off the table",
     Outcome.AIRBORNE: "the disk floats on the air under it",
     Outcome.LEFT_TABLE: "the disk falls off the table",

@@ -146,7 +146,7 @@ def test_early_in_a_motion_in_a_vacuum_air_may_be_neglected():
     assert air_negligible(motion, film).holds
     assert not carried_by_air(motion, film).holds
     assert not what_ends(motion).claim.endswith("film of air")
-    assert motion.outcome is Outcome.TIME_LIMIT
+    assert motion.outcome is Outcome.ROLLING_ON
     assert "what_ends" not in {
         finding.key for finding in motion_findings(scene, motion)
     }  # no mechanism has ended it

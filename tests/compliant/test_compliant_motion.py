@@ -126,7 +126,7 @@ def test_it_is_a_motion_that_passes_every_check(rough):
     assert isinstance(rough, Motion)
     checks = motion_checks(rough)
     assert [check.key for check in checks if not check.passed] == []
-    assert rough.outcome.name == "TIME_LIMIT"
+    assert rough.outcome.name == "ROLLING_ON"
     assert (
         0.3 - FORCES_PER_ROW * rough.dt
         <= rough.t[-1]

@@ -79,7 +79,7 @@ class Attitudes(MotionBase):
     """A motion of which only the states (n, 11) at the times (n,) [s] are known, without a film."""
 
     film = None
-    outcome = Outcome.TIME_LIMIT
+    outcome = Outcome.ROLLING_ON
 
     def __init__(self, disk: Disk, state, t=None, **attributes):
         self.disk = disk
@@ -106,7 +106,7 @@ def proves_its_outcome(motion, limit) -> bool:
     limit_of_fall = pytest.approx(FALL_RATE_THRESHOLD, rel=1e-9)
     falls = motion.events and nutation / sqrt(beta) == limit_of_fall
     return {
-        Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
+        Outcome.ROLLING_ON: motion.t[-1] == pytest.approx(limit, rel=1e-12),
         Outcome.SETTLED: beta < 1e-8,
         Outcome.SANK: falls and motion.events[0].speed < MIN_FALL_SPEED,
         Outcome.FELL: falls and motion.events[0].speed >= MIN_FALL_SPEED,
