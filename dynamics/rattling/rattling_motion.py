@@ -199,12 +199,15 @@ class RattlingMotion(CompliantMotion):
         Vertical impulse of the pressure in the air film [N s], a part of the impulses.
     open_time : float
         Time without contact [s].
+    final_gap : float
+        Mean gap [m] below the face at the end.
     """
 
     model: RattlingModel  # type: ignore[assignment]
     ringing: np.ndarray
     film_impulses: np.ndarray
     open_time: float
+    final_gap: float
 
     @property
     def disk(self) -> Disk:
@@ -666,6 +669,7 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         ringing=np.ascontiguousarray(ringing),
         film_impulses=record[:, RECORD.film_impulse].copy(),
         open_time=float(record[-1, RECORD.open_time]),
+        final_gap=float(state[-1, layout.CENTRE, 2] - model.constants.half_thickness),
     )
 
 

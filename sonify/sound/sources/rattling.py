@@ -21,7 +21,7 @@ class RattlingModes(ElasticDisk):
     def ringing(self) -> RingDown:
         """Frequencies and decay rates of the modes after the motion, at the last mean
         gap."""
-        gap = self._scene.disk.radius * np.sin(self._motion.state[-1, 1])
+        gap = self._motion.final_gap
         film = fluid_loaded_modes(self._modes, self._scene, gap)
         frequency, decay_rate = film.nearest_tuning(np.log(gap))
         return RingDown(
