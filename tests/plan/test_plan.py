@@ -83,6 +83,10 @@ def disagreements(scene):
     return wrong
 
 
+LIKE_GRANITE = ("polished",)
+"""Scenes that differ from `granite` in the height of their roughness alone."""
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("support", ["patch", "free"])
 def test_the_published_run_is_as_wrong_as_predicted(scene, support):
@@ -91,7 +95,8 @@ def test_the_published_run_is_as_wrong_as_predicted(scene, support):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "name", sorted(set(shipped_scenes()) - {"published", *CHAOTIC_SCENES})
+    "name",
+    sorted(set(shipped_scenes()) - {"published", *CHAOTIC_SCENES, *LIKE_GRANITE}),
 )
 def test_every_shipped_scene_is_as_wrong_as_predicted(name):
     assert disagreements(load_scene(name)) == []
