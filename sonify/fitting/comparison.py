@@ -27,8 +27,9 @@ def simulated_numbers(scene: Scene, seconds: float) -> dict:
     """
     result = solve(scene)
     sound = result.sound
-    time, rate = precession_frequency(result.motion)
-    end = float(result.motion.t[-1])
+    motion = result.motion.rolling
+    time, rate = precession_frequency(motion)
+    end = float(motion.t[-1])
     heard = settling_runs(sound.pressure)
     span = min(1.0, seconds)
     turns = _exact_value(np.interp(end - span, time, rate))

@@ -49,7 +49,7 @@ def describe_stems(result: "Result") -> str:
 def describe_motion(result: "Result") -> str:
     """Return a description of the curves of the motion with their initial and final
     values."""
-    solved = result.motion
+    solved = result.motion.rolling
     state = solved.at(solved.t[[0, -1]])
     first, last = np.degrees(state[:, 1])
     load = solved.force(solved.t)[:, 2]
@@ -71,9 +71,10 @@ def describe_motion(result: "Result") -> str:
 def describe_energy(result: "Result") -> str:
     """Return a description of the energy picture with the losses in descending
     order."""
-    begin = two_way_part(result.motion)[1]
-    end = result.motion.t[-1]
-    lost = energy_budget(result.motion, np.array([begin, end])).lost
+    motion = result.motion.rolling
+    begin = two_way_part(motion)[1]
+    end = motion.t[-1]
+    lost = energy_budget(motion, np.array([begin, end])).lost
     items = [
         f"{CAUSE_IN_WORDS[cause]} {energy[-1]:.2g} J"
         for cause, energy in sorted(lost.items(), key=lambda item: -item[1][-1])

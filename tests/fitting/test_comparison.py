@@ -79,6 +79,7 @@ def test_bursts_are_compared_with_bursts_and_turns_with_turns(monkeypatch):
     motion = SimpleNamespace(
         t=t, state=turned[:, None], at=lambda at: np.interp(at, t, turned)[:, None]
     )
+    motion.rolling = motion
     solved = SimpleNamespace(
         motion=motion, sound=SimpleNamespace(pressure=record, source_end=end)
     )
