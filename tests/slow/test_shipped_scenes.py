@@ -30,9 +30,9 @@ from sonify.plan.preflight import solve_motion
 from sonify.plan.table import audible_table_modes, solve_table
 from sonify.scene import FORMER_SCENES, load_scene, shipped_scenes
 
-LARGEST_CHANGE = {"carried_by_air": 0.2}
-"""Relative changes above 2 % that are allowed: in a vacuum, that of a ratio to the vanishing force
-of the last contact."""
+LARGEST_CHANGE = {"carried_by_air": 0.2, "halt_is_abrupt": 0.1}
+"""Relative changes above 2 % that are allowed: of a ratio to the vanishing force of the last contact
+in a vacuum, and of the landing after a contact that hops."""
 NUMBER_PATTERN = r"[-+]?\d+(?:\.\d+)?"
 KNOWN = json.loads((REFERENCES / "finding_values.json").read_text("utf-8"))
 CHAOTIC = {
@@ -50,7 +50,11 @@ CHAOTIC_SLIPS = ("light-plate", "wavy")
 """Scenes with hundreds of slips, whose values depend on rounding and therefore on the processor: 310
 slips on one and 325 on another, with a pitch that rises 8.3-fold or 6.3-fold. Only the presence of
 their findings is compared, and the words of the README's row where both are decided."""
-LEAST_CHANGE = {"carriers_are_steady": 0.2, "modes_carry_the_end": 0.3}
+LEAST_CHANGE = {
+    "carriers_are_steady": 0.2,
+    "modes_carry_the_end": 0.3,
+    "sound_is_audible": 2.5,
+}
 """Changes [in the unit of the finding] below which a value is zero: rounding decides it."""
 
 
