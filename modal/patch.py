@@ -76,7 +76,9 @@ def synthesised_classes(
         return FreeDisk(plate=plate, richness=richness).held(
             full_height, below, sample.rim_angles()
         )
-    except np.linalg.LinAlgError:  # a foil: its tractions are dependent to round-off
+    except (
+        np.linalg.LinAlgError
+    ):  # round-off exceeds the tractions of a foil or tiny patch
         return None
 
 

@@ -41,7 +41,8 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
     """Return the `HeldSymmetryClass` with symmetries `y` in y and `even` in z below a
     frequency [Hz].
 
-    The rim is evaluated at angles (n,) [rad]."""
+    The rim is evaluated at angles (n,) [rad]. Raises LinAlgError if round-off exceeds the
+    effect of the patch."""
     orders = orders_of_class(disk, y, even)
     through = patch.axial_work(even)[patch.held]
     held_rows = np.ravel(
@@ -66,6 +67,8 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
     )
     limit = (2 * pi * below) ** 2
     square, modes, tractions = coupled_modes(free, limit)
+    if (square <= 0).any():
+        raise np.linalg.LinAlgError("round-off exceeds the effect of the patch")
     parts = np.split(modes, np.cumsum([work.shape[1] for work in works])[:-1])
     rim: Any = 0.0
     for (n, o), b, q in zip(orders.items(), nodal, parts, strict=True):

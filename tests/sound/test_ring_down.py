@@ -191,15 +191,12 @@ def test_modes_that_a_motion_carries_ring_as_stated_too():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "first", "last"), [("coin-polished", 0.01, 0.02), ("granite", 0.01, 0.05)]
-)
-def test_a_run_writes_a_ring_of_the_stated_rates(name, first, last, tmp_path):
-    """Both disks vibrate on an elastic, rough contact until the air film carries them.
+def test_a_run_writes_a_ring_of_the_stated_rates(tmp_path):
+    """The disk vibrates on an elastic, rough contact until the air film lifts it.
 
-    The fastest mode of the coin falls by 58 dB in 10 ms.
+    A coin no longer rings when it rests: its modes fall by 58 dB in 10 ms.
     """
-    result = run(name, tmp_path, "draft")
+    result = run("granite", tmp_path, "draft")
     assert result.motion.outcome is Outcome.AT_REST
     assert result.motion.rolling.outcome is Outcome.AIRBORNE
     sound = result.sound
@@ -216,7 +213,7 @@ def test_a_run_writes_a_ring_of_the_stated_rates(name, first, last, tmp_path):
         sound.sample_rate,
         sound.source_end + result.motion.landing.t_end,
         sound.ringing,
-        first,
-        last,
+        0.01,
+        0.05,
     )
     assert any("lands" in line for line in record["plan"]["left_out"])
