@@ -257,9 +257,10 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
         sound = Renderer(
             scene, motion, modes, plan.sounding, plan.max_contact_turn
         ).sound()
+        motion = motion.rolling
         found = {
             finding.key: finding
-            for finding in contact_findings(scene, motion.rolling, sound)[0]
+            for finding in contact_findings(scene, motion, sound)[0]
         }
         assert found["carrier_is_contact"].value == pytest.approx(1.0, abs=0.02)
         solved = predicted_vibration(scene, motion)
