@@ -91,6 +91,11 @@ class Outcome(Enum):
         return self.value
 
     @property
+    def is_rest(self) -> bool:
+        """True if the end of the motion was solved: the disk settled, sank or is at rest."""
+        return self in (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST)
+
+    @property
     def lies_flat(self) -> bool:
         """True if the disk finally lies flat on the table."""
         return self in (Outcome.SETTLED, Outcome.SANK, Outcome.FELL)

@@ -191,7 +191,15 @@ def compressibility_number(beta: Any, rate: Any, air: Air) -> Any:
 
     `rate` is the precession rate Omega [rad/s].
     """
-    return 12 * air.viscosity * np.abs(rate) / (air.pressure * np.sin(beta) ** 2)
+    return rotation_number(rate, np.sin(beta), air)
+
+
+def rotation_number(rate: Any, gap: Any, air: Air) -> Any:
+    """Return Lam = 12 mu |Omega|/(p gap^2) at a precession rate Omega [rad/s].
+
+    The mean gap is divided by the radius; it is sin(beta) for a disk in contact.
+    """
+    return 12 * air.viscosity * np.abs(rate) / (air.pressure * gap**2)
 
 
 def squeeze_number(beta: Any, nutation: ArrayLike, radius: float, air: Air) -> Any:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from dynamics import Disk, Motion, MotionPlan, Outcome, plan_motion
+from dynamics import Disk, Motion, MotionPlan, plan_motion
 from dynamics.film.activation import MAX_KNUDSEN_NUMBER
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY, resolved_integrator_name
 from dynamics.steady_motion import squared_rate_times_inclination
@@ -283,7 +283,7 @@ def omissions_after_end(motion: Motion) -> list[str]:
     """
     if motion.landing is not None:
         return [sentences.NEGLECTED_LANDING]
-    if motion.outcome in (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST):
+    if motion.outcome.is_rest:
         return []
     omitted = [f"The end of the motion and its sound: {motion.outcome.sentence}."]
     if motion.outcome in sentences.NEGLECTED_AFTER_END:

@@ -13,7 +13,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image, ImageDraw, ImageFont
 
-from dynamics import Outcome
 from dynamics.observables import precession_rate
 from sonify.hearing.spectrogram import spectrogram
 from sonify.report.perspective import (
@@ -250,8 +249,7 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
 def frame_caption(clip, t: float) -> str:
     """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
-    resting = (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST)
-    settled = clip.result.motion.outcome in resting
+    settled = clip.result.motion.outcome.is_rest
     lines = [f"{'at rest' if settled else 'solution ended'}; its modes ring", ""]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import soundfile
 
-from dynamics import Outcome
 from sonify import __version__
 from sonify.runtime.files import atomic_write, path_for_libsndfile
 from sonify.runtime.progress import Watch, ignore_progress
@@ -44,9 +43,7 @@ def write_sound(
     folder = Path(folder)
     pascal = "1.0 = 1 pascal at the listener"
     unfinished = (
-        ""
-        if sound.outcome in (Outcome.SETTLED, Outcome.SANK, Outcome.AT_REST)
-        else MISSING_END_TEXT.format(sound.outcome.sentence)
+        "" if sound.outcome.is_rest else MISSING_END_TEXT.format(sound.outcome.sentence)
     )
     amplified = AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT
     files = [

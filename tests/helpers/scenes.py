@@ -76,7 +76,7 @@ def whirling(inclination, disk=None, **changes) -> MotionScene:
 
 
 class Attitudes(MotionBase):
-    """A motion of which only the states (n, 11) at the times (n,) [s] are known, without a film."""
+    """A motion without a film, known by its states (n, 11) at times (n,) [s] alone."""
 
     film = None
     outcome = Outcome.ROLLING_ON

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from dynamics import Outcome
-from dynamics.air import Air
+from dynamics.film.wedge import rotation_number
 from dynamics.numba_kernels import njit
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import (
@@ -388,15 +388,6 @@ def _conjugate_phasor(angle):
 def mean_gaps(motion) -> np.ndarray:
     """Return the mean gap (n,) [m] under the disk at the breakpoints of a motion."""
     return motion.film_loads(motion.t, motion.state)[:, 0]
-
-
-def rotation_number(rate, gap, air: Air) -> np.ndarray:
-    """Return the compressibility number Lam = 12 mu |Omega|/(p gap^2), (k,).
-
-    The precession rates (k,) are in rad/s, and the mean gap (k,) is divided by the
-    radius; it is sin(beta) for a disk in contact.
-    """
-    return 12 * air.viscosity * np.abs(rate) / (air.pressure * gap**2)
 
 
 def resting_heave(x: float) -> np.ndarray:
