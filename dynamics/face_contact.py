@@ -87,13 +87,13 @@ def face_events(motion: Motion) -> tuple[MotionEvent, ...]:
 
     A fall converts the remaining potential energy. A disk that sinks keeps its speed.
     """
-    if motion.outcome not in FACE_EVENTS:
+    if motion.rolling_outcome not in FACE_EVENTS:
         return ()
     fall = final_fall(motion)
     speed = max(fall.speed, 0.0)
     energy = fall.kinetic
-    if motion.outcome is Outcome.FELL:
+    if motion.rolling_outcome is Outcome.FELL:
         energy += fall.potential
         speed *= sqrt(energy / fall.kinetic)
-    kind = FACE_EVENTS[motion.outcome]
+    kind = FACE_EVENTS[motion.rolling_outcome]
     return (MotionEvent(float(motion.t[-1]), kind, speed, energy),)

@@ -224,7 +224,7 @@ class Motion(Protocol):
     >>> state.shape
     (2, 11)
     >>> motion.outcome.name
-    'SETTLED'
+    'AT_REST'
     """
 
     def __hash__(self) -> int: ...
@@ -246,7 +246,11 @@ class Motion(Protocol):
 
     @property
     def outcome(self) -> Outcome:
-        """Outcome of the motion."""
+        """How the motion ended: AT_REST, or what prevented that."""
+
+    @property
+    def rolling_outcome(self) -> Outcome:
+        """How the rolling motion ended, such as SETTLED, FELL or AIRBORNE."""
 
     @property
     def integrator(self) -> str:
@@ -694,6 +698,12 @@ class MotionBase:
     def landing(self) -> "LandingMotion | None":
         """None, because the motion does not land."""
         return None
+
+    @property
+    def outcome(self: Motion) -> Outcome:
+        """AT_REST if the disk settled or sank; otherwise that of the rolling motion."""
+        ends_flat = self.rolling_outcome in (Outcome.SETTLED, Outcome.SANK)
+        return Outcome.AT_REST if ends_flat else self.rolling_outcome
 
     @property
     def finding_groups(self) -> tuple[FindingGroup, ...]:

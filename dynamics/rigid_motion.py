@@ -70,7 +70,7 @@ class RigidMotion(MotionBase):
         The changes of regime, in order of time.
     contact_losses : tuple
         Always empty, because a rigid motion ends when contact is lost.
-    outcome : Outcome
+    rolling_outcome : Outcome
         How the motion ended.
     integrator : str
         'taylor' or 'dop853'.
@@ -92,7 +92,7 @@ class RigidMotion(MotionBase):
     regime_of_piece: np.ndarray
     transitions: tuple[Transition, ...]
     contact_losses: tuple[()]
-    outcome: Outcome
+    rolling_outcome: Outcome
     integrator: str
 
     @property
@@ -297,7 +297,7 @@ class RigidMotion(MotionBase):
         The square root of the inclination, which decreases linearly on average, is
         extrapolated from its last decade to zero.
         """
-        if self.outcome is not Outcome.SETTLED:
+        if self.rolling_outcome is not Outcome.SETTLED:
             return float(self.t[-1])
         r = self.path.c[-1, :, R]
         i = np.searchsorted(-r, -10 * r[-1])

@@ -294,3 +294,12 @@ def initial_state(disk, release) -> list:
     """Return the initial state (7.4), with the disk centre above the origin."""
     r = math.sqrt(math.radians(release.inclination_deg))
     return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]
+
+
+def rolling_state(disk, columns) -> list:
+    """Return the state of a disk that rolls with the COLUMNS (11,) of a motion, without slip."""
+    precession, inclination, spin, x, y = map(float, columns[:5])
+    r = math.sqrt(inclination)
+    rates = (float(w) * disk.time_unit / r for w in columns[5:8])
+    R = disk.radius
+    return [r, *rates, 0.0, 0.0, precession, spin, x / R, y / R, 0.0]

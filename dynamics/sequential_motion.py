@@ -83,8 +83,10 @@ class SequentialMotion(MotionBase):
 
     @cached_property
     def jumps(self) -> ForceJumps:
-        """Jumps of the force in the first part; the second one has none."""
-        return self.first.jumps
+        """Jumps of the force in both parts."""
+        first, then = self.first.jumps, self.then.jumps
+        joined = zip(first, (then.t + self.switch_time, *then[1:]), strict=True)
+        return ForceJumps(*(read_only(np.concatenate(pair)) for pair in joined))
 
     @cached_property
     def transitions(self) -> tuple[Transition, ...]:

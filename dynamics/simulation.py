@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from importlib import import_module
 from typing import Any
 
@@ -27,7 +28,7 @@ from dynamics.regime import (
     slip_velocity,
 )
 from dynamics.rigid_motion import RigidMotion
-from dynamics.rolling import RollingDisk, initial_state
+from dynamics.rolling import RollingDisk, initial_state, rolling_state
 from dynamics.sections import MotionScene
 from dynamics.solver_settings import resolved_integrator_name
 from dynamics.switching import ImpossibleContactError
@@ -129,16 +130,35 @@ def solve_planned_motion(
     from dynamics.landing.after_rolling import landed  # SciPy is slow to import
 
     require_surface_modes(plan)
-    return landed(_solve_rolling_motion(plan, watch), plan)
+    has_rigid_contact = plan.contact.kind not in ("full", "many")
+    roll = partial(_solve_rolling_again, plan, watch) if has_rigid_contact else None
+    return landed(solve_rolling_motion(plan, watch), plan, roll)
 
 
-def _solve_rolling_motion(plan: MotionPlan, watch: Watch) -> Motion:
+def solve_rolling_motion(
+    plan: MotionPlan, watch: Watch = lambda t, inclination, doing: None
+) -> Motion:
     """Solve the motion of a plan up to the loss of the rolling contact."""
     if plan.switches_to_two_way:
         from dynamics.compliant.switched_motion import solve_switched
 
         return solve_switched(plan, _solve_one_model, watch)
     return _solve_one_model(plan, watch)
+
+
+def _solve_rolling_again(
+    plan: MotionPlan, watch: Watch, columns: np.ndarray, begin: float, limit: float
+) -> RigidMotion:
+    """Solve the motion of a disk that rolls in a state of COLUMNS (11,), up to a time limit [s].
+
+    The motion starts at the time `begin` [s] of the whole motion.
+    """
+    numerics = replace(plan.scene.numerics, time_limit=limit)
+    return _solve_rigid_motion(
+        plan.part(numerics=numerics),
+        lambda t, *rest: watch(begin + t, *rest),
+        rolling_state(plan.scene.disk, columns),
+    )
 
 
 def require_surface_modes(plan: MotionPlan) -> None:
@@ -165,8 +185,10 @@ def _solve_one_model(plan: MotionPlan, watch: Watch) -> Motion:
     return _solve_rigid_motion(plan, watch)
 
 
-def _solve_rigid_motion(plan: MotionPlan, watch: Watch) -> RigidMotion:
-    """Solve the motion of a plan on a rigid contact."""
+def _solve_rigid_motion(
+    plan: MotionPlan, watch: Watch, start: list[float] | None = None
+) -> RigidMotion:
+    """Solve the motion of a plan on a rigid contact, from its release or a state (11,)."""
     compile_in_background(plan)
     scene = plan.scene
     progress = _Progress(scene, watch)
@@ -174,7 +196,7 @@ def _solve_rigid_motion(plan: MotionPlan, watch: Watch) -> RigidMotion:
         rigid_contact_system(plan),
         announce_compilation=progress.announce_compilation,
     )
-    start = initial_state(scene.disk, scene.release)
+    start = start or initial_state(scene.disk, scene.release)
     time_limit = scene.numerics.time_limit / scene.disk.time_unit
     try:
         path, guard = run_events(system, start, time_limit, progress.record)
@@ -188,12 +210,12 @@ def _solve_rigid_motion(plan: MotionPlan, watch: Watch) -> RigidMotion:
         if load < contact_loss_load:
             # Without it, friction cannot hold the contact and the regimes alternate.
             outcome = outcome_after_guard(guards.LIFT_OFF, progress.state, system)
-            return replace(motion, outcome=outcome)
+            return replace(motion, rolling_outcome=outcome)
     if outcome is Outcome.FELL:
-        return replace(motion, outcome=face_outcome(motion))
+        return replace(motion, rolling_outcome=face_outcome(motion))
     if outcome is Outcome.SETTLED and motion.film is not None:
         outcome = outcome_when_flat(motion, turn_in_last_decade(motion))
-        return replace(motion, outcome=outcome)
+        return replace(motion, rolling_outcome=outcome)
     return motion
 
 
@@ -299,7 +321,7 @@ def _rigid_motion_from_path(
         regime_of_piece=read_only(regime_of_piece[has_duration]),
         transitions=tuple(transitions),
         contact_losses=(),
-        outcome=outcome,
+        rolling_outcome=outcome,
         integrator=resolved_integrator_name(plan.scene.numerics.integrator),
     )
 

@@ -86,7 +86,7 @@ class Result:
     >>> from sonify import run
     >>> result = run("published", accuracy="draft")  # doctest: +SKIP
     >>> result.motion.outcome.name, result.passed  # doctest: +SKIP
-    ('SETTLED', True)
+    ('AT_REST', True)
     """
 
     scene: Scene

@@ -314,7 +314,7 @@ def run_record(name: str) -> Record:
         scatter=CHAOTIC_SCATTER if name in CHAOTIC else 1e-3,
         numbers=numbers | modes | checks,
         curves=curves,
-        words={"outcome": result.motion.rolling.outcome.name}
+        words={"outcome": result.motion.rolling_outcome.name}
         | {f"claim.{finding.key}": finding.claim for finding in result.findings},
         sound=last_seconds(
             np.concatenate(list(result.sound.audible.blocks())),
@@ -346,7 +346,7 @@ def motion_record(name: str) -> Record:
         scatter=CHAOTIC_SCATTER,
         numbers=numbers_of_motion(motion) | numbers_of_findings(exponents) | heights,
         curves={"rate": rate_curve(motion)},
-        words={"outcome": motion.outcome.name},
+        words={"outcome": motion.rolling_outcome.name},
     )
 
 

@@ -100,7 +100,7 @@ class CompliantMotion(MotionBase):
         Losses of contact.
     max_friction_excess : float
         Largest excess of the friction over its cone [N].
-    outcome : Outcome
+    rolling_outcome : Outcome
         Outcome of the motion.
     """
 
@@ -112,7 +112,7 @@ class CompliantMotion(MotionBase):
     slides: np.ndarray
     contact_losses: ContactLosses
     max_friction_excess: float
-    outcome: Outcome
+    rolling_outcome: Outcome
 
     def __repr__(self) -> str:
         """Return a one-line summary."""
@@ -357,7 +357,7 @@ class CompliantMotion(MotionBase):
         """
         decade = self._last_decade
         before, last = np.sqrt(self.rows[[decade, -1], 1])
-        if self.outcome is not Outcome.SETTLED or not before > last:
+        if self.rolling_outcome is not Outcome.SETTLED or not before > last:
             return self._end
         duration = self._end - decade * self._row_duration
         return float(self._end + last * duration / (before - last))
@@ -548,11 +548,11 @@ def simulate_from(
         slides=slides.rows(),
         contact_losses=ContactLosses(flights[flights[:, 0] < last * row_duration]),
         max_friction_excess=float(y[STATE.friction_excess]),
-        outcome=OUTCOME_OF_END[piece.end_reason],
+        rolling_outcome=OUTCOME_OF_END[piece.end_reason],
     )
-    if motion.outcome is Outcome.SETTLED:
+    if motion.rolling_outcome is Outcome.SETTLED:
         outcome = outcome_when_flat(motion, motion.final_turn)
-        return replace(motion, outcome=outcome)
+        return replace(motion, rolling_outcome=outcome)
     return motion
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.compliant.compliant_motion import CompliantMotion, solve_compliant_motion
-from dynamics.compliant.stepping.model import ContactLosses
+from dynamics.contact_losses import ContactLosses
 from dynamics.face_contact import face_events
 from dynamics.motion import Motion, MotionEvent, Outcome
 from dynamics.sequential_motion import SequentialMotion
@@ -35,7 +35,7 @@ def solve_switched(
         return solve_compliant_motion(plan.coupled_part(), watch)
     short = replace(numerics, final_inclination=inclination)
     first = solve_passive(plan.part(numerics=short), watch)
-    if first.outcome not in (Outcome.SETTLED, Outcome.SANK):
+    if first.rolling_outcome not in (Outcome.SETTLED, Outcome.SANK):
         return first
     t = float(first.t[-1])
     left = replace(numerics, time_limit=numerics.time_limit - t)
@@ -47,7 +47,7 @@ def solve_switched(
         (state[0], force[0]),
         held,
     )
-    return SwitchedMotion(plan, first, then, then.outcome)
+    return SwitchedMotion(plan, first, then, then.rolling_outcome)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +60,7 @@ class SwitchedMotion(SequentialMotion):
 
     first: Motion
     then: CompliantMotion
-    outcome: Outcome
+    rolling_outcome: Outcome
 
     def __repr__(self) -> str:
         """Return a one-line summary."""

@@ -1,13 +1,14 @@
-"""The landing that follows a rolling motion on a rigid table."""
+"""What follows the loss of the rolling contact: a landing, or another rolling motion."""
+
+from collections.abc import Callable
+
+import numpy as np
 
 from dynamics.film.tilted_film import film_below
+from dynamics.landing.continued_motion import LandedMotion, ResumedMotion
 from dynamics.landing.equations import LandingModel
-from dynamics.landing.landed_motion import LandedMotion
-from dynamics.landing.landing_motion import (
-    MAX_LANDING_INCLINATION,
-    LandingMotion,
-    solve_landing_motion,
-)
+from dynamics.landing.landing_motion import LandingMotion, solve_landing_motion
+from dynamics.landing.rim_friction import RimFriction
 from dynamics.landing.stop import stop_below
 from dynamics.motion import Motion, Outcome
 from dynamics.motion_plan import MotionPlan
@@ -18,14 +19,19 @@ LANDING_CAUSES = {
     Outcome.AIRBORNE: "lifted by the film",
     Outcome.FELL: "falls about its contact",
     Outcome.LIFTED_OFF: "loses contact",
+    Outcome.UPRIGHT: "stands upright",
 }
 """Kind of the event that begins a landing, by the outcome of the rolling motion."""
-MAX_LANDING_TIME = 2.0
-"""Longest duration of a landing [s]."""
+MAX_RESUMPTIONS = 200
+"""Number of times that a disk may roll again; after that, its contacts are solved to the end."""
+MAX_RIM_FRICTION = 10.0
+"""Coefficient of friction of a rim that never slips as it rolls."""
+RollingSolver = Callable[[np.ndarray, float, float], Motion]
+"""Function that solves a rolling motion from COLUMNS (11,) at a time [s] for a duration [s]."""
 
 
-def landed(rolling: Motion, plan: MotionPlan) -> Motion:
-    """Return a rolling motion with its landing on the film of air, if there is one.
+def landed(rolling: Motion, plan: MotionPlan, roll: RollingSolver | None) -> Motion:
+    """Return a rolling motion with all that follows the loss of its contact.
 
     Parameters
     ----------
@@ -33,27 +39,46 @@ def landed(rolling: Motion, plan: MotionPlan) -> Motion:
         The rolling motion.
     plan : MotionPlan
         The decisions of the whole motion.
+    roll : RollingSolver or None
+        Solves the motion of a disk that rolls again, or None if the contact that ended is
+        not rigid; such a disk is solved with the contacts of the landing to the end.
 
     Returns
     -------
     Motion
-        A `LandedMotion`, or the rolling motion itself; see `landing_after`.
+        The rolling motion itself if it does not end in the loss of its contact, or else a
+        `LandedMotion`; its `rolling` motion may be a `ResumedMotion`.
 
     Raises
     ------
     ArithmeticError
         If the integrator fails.
     """
-    landing = landing_after(rolling, plan) if rolling.film else None
-    return rolling if landing is None else LandedMotion(plan, rolling, landing)
+    motion = rolling
+    for resumptions in range(MAX_RESUMPTIONS + 1):
+        may_roll = roll is not None and resumptions < MAX_RESUMPTIONS
+        landing = landing_after(motion, plan, may_roll=may_roll)
+        if landing is None:
+            return motion
+        motion = LandedMotion(plan, motion, landing)
+        if not landing.rolls_on:
+            return motion
+        assert roll is not None
+        t = float(motion.t[-1])
+        left = plan.scene.numerics.time_limit - t
+        motion = ResumedMotion(plan, motion, roll(landing.rolling_columns(), t, left))
+    return motion
 
 
 def landing_after(
-    motion: Motion, plan: MotionPlan, restitution: float | None = None
+    motion: Motion,
+    plan: MotionPlan,
+    restitution: float | None = None,
+    may_roll: bool = False,
 ) -> LandingMotion | None:
-    """Solve the landing of a disk that has lost its rolling contact.
+    """Solve the motion of a disk that has lost its rolling contact, over a rigid table.
 
-    The table is rigid below it. The disk leaves the table with its low point at rest.
+    The low point of the rim is at rest vertically when the disk leaves the table.
 
     Parameters
     ----------
@@ -64,12 +89,14 @@ def landing_after(
     restitution : float, optional
         Coefficient of restitution of a level disk on the asperities, in (0, 1]; by
         default that of the contact, or DEFAULT_STOP_RESTITUTION.
+    may_roll : bool, optional
+        True if the motion ends where the disk rolls steadily on one rim again.
 
     Returns
     -------
     LandingMotion or None
-        The landing, or None if the motion does not end in one: the disk still rolls or
-        rattles, or it is too steep, or it is a shell, or the time limit is reached.
+        The motion, or None if the rolling motion does not end in the loss of contact: the
+        disk is at rest, or the time limit is reached, or it is a shell.
 
     Raises
     ------
@@ -77,13 +104,10 @@ def landing_after(
         If the integrator fails.
     """
     scene = plan.scene
-    cause = LANDING_CAUSES.get(motion.outcome)
-    start = motion.state[-1]
-    left = min(MAX_LANDING_TIME, scene.numerics.time_limit - float(motion.t[-1]))
+    cause = LANDING_CAUSES.get(motion.rolling_outcome)
+    left = scene.numerics.time_limit - float(motion.t[-1])
     disk = motion.disk
-    is_nearly_flat = 0 < start[1] <= MAX_LANDING_INCLINATION
-    rolls_on_edge = disk.shape == "solid" and motion.rim_modes is None
-    if cause is None or not (is_nearly_flat and rolls_on_edge and left > 0):
+    if cause is None or disk.shape != "solid" or left <= 0:
         return None
     fillet = motion.rolling_fillet
     film = None
@@ -91,5 +115,23 @@ def landing_after(
         film = film_below(disk.radius, fillet, scene.air, scene.surface.curvature)
     restitution = restitution or scene.contact.restitution or DEFAULT_STOP_RESTITUTION
     stop = stop_below(disk.radius - fillet, disk.mass, restitution)
-    model = LandingModel(disk, film, stop)
-    return solve_landing_motion(model, start, fillet, cause, left, plan=plan)
+    model = LandingModel(disk, film, stop, rim_friction(plan))
+    start = motion.at(motion.t[-1])[0]
+    return solve_landing_motion(
+        model, start, fillet, cause, left, plan=plan, may_roll=may_roll
+    )
+
+
+def rim_friction(plan: MotionPlan) -> RimFriction:
+    """Return the friction of a plan: its dynamic coefficient, constant arms, contour moment."""
+    friction = plan.scene.friction
+    arm = friction.arm_pivoting
+    return RimFriction(
+        min(friction.mu_dynamic, MAX_RIM_FRICTION),
+        (
+            friction.arm_nutation,
+            friction.arm_rolling,
+            0.0 if isinstance(arm, str) else arm,
+        ),
+        plan.scene.dissipation.contour_moment,
+    )

@@ -7,10 +7,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dynamics.contact_losses import ContactLosses
 from dynamics.disk import Disk
 from dynamics.kinematics import ContactPlace, centre_velocity, contact_place
-from dynamics.landing.equations import LandingModel, LandingState
-from dynamics.landing.solution import Landing, solve_landing
+from dynamics.landing.equations import (
+    LOSSES,
+    Geometry,
+    LandingModel,
+    LandingState,
+)
+from dynamics.landing.solution import Landing, LandingEnd, solve_landing
 from dynamics.landing.stop import contact_half_arc
 from dynamics.motion import (
     CAUSES,
@@ -24,10 +30,6 @@ from dynamics.motion import (
     read_only,
     times_within,
 )
-
-MAX_LANDING_INCLINATION = 0.05
-"""Largest inclination [rad] at which a landing is solved; terms of its order are dropped."""
-
 
 TOUCH = "touches the asperities"
 """Kind of the event in which the low point of the rim meets the table again."""
@@ -73,8 +75,19 @@ class LandingMotion(MotionBase):
 
     @property
     def outcome(self) -> Outcome:
-        """AT_REST, or ROLLING_ON at the time limit."""
-        return Outcome.AT_REST if self.solution.is_at_rest else Outcome.ROLLING_ON
+        """AT_REST, or ROLLING_ON at the time limit or where the disk rolls again."""
+        rests = self.solution.end is LandingEnd.REST
+        return Outcome.AT_REST if rests else Outcome.ROLLING_ON
+
+    @property
+    def rolling_outcome(self) -> Outcome:
+        """The same as `outcome`: the disk does not roll."""
+        return self.outcome
+
+    @property
+    def rolls_on(self) -> bool:
+        """True if the disk rolls steadily on one rim at the end."""
+        return self.solution.end is LandingEnd.ROLLS
 
     @property
     def integrator(self) -> str:
@@ -101,10 +114,16 @@ class LandingMotion(MotionBase):
         """No change of regime."""
         return ()
 
-    @property
-    def contact_losses(self) -> tuple[()]:
-        """No loss of a rolling contact."""
-        return ()
+    @cached_property
+    def contact_losses(self) -> ContactLosses:
+        """Losses of contact: times in which the lowest point is above the asperities."""
+        height = self.clearance(self.t)
+        is_open = np.concatenate([[0], (height > 0).astype(int), [0]])
+        begin, end = (np.flatnonzero(np.diff(is_open) == sign) for sign in (1, -1))
+        last = np.minimum(end, len(self.t) - 1)
+        highest = [height[i:j].max() for i, j in zip(begin, end, strict=True)]
+        rows = np.column_stack([self.t[begin], self.t[last] - self.t[begin], highest])
+        return ContactLosses(np.reshape(rows, (-1, 3)))
 
     @property
     def jumps(self) -> ForceJumps:
@@ -122,7 +141,7 @@ class LandingMotion(MotionBase):
         return float(self.t[-1])
 
     def _states(self, t: ArrayLike) -> np.ndarray:
-        """Return the states (k, 16) in the order of `LandingState` at times t (k,) [s]."""
+        """Return the states (k, 20) in the order of `LandingState` at times t (k,) [s]."""
         return self.solution.path(times_within(t, self.t[-1]))
 
     def at(self, t: ArrayLike) -> np.ndarray:
@@ -137,8 +156,8 @@ class LandingMotion(MotionBase):
     @cached_property
     def _precession(self) -> np.ndarray:
         """Precession (n,) [rad] at the breakpoints, continuous through whole turns."""
-        states = self.solution.path(self.t)
-        angle = np.arctan2(states[:, 1], -states[:, 2])
+        geometry = [self.model.geometry(y) for y in self.solution.path(self.t).tolist()]
+        angle = np.array([precession_angle(at) for at in geometry])
         return self.start[0] + np.unwrap(angle) - angle[0]
 
     def _turned_before(self, t: ArrayLike) -> np.ndarray:
@@ -146,28 +165,54 @@ class LandingMotion(MotionBase):
         return np.interp(np.atleast_1d(t), self.t, self._precession)
 
     def _columns(self, y: list[float], near: float) -> list[float]:
-        """Return the COLUMNS of a state (16,) whose precession is close to `near` [rad]."""
+        """Return the COLUMNS of a state (20,) whose precession is close to `near` [rad].
+
+        They belong to the face that was the lower one at the start. If it is the upper
+        one, the inclination is above pi/2.
+        """
         at = self.model.geometry(y)
-        angle = np.arctan2(at.direction_x, -at.direction_y)
+        side = at.side
+        angle = precession_angle(at)
         precession = angle + 2 * np.pi * np.round((near - angle) / (2 * np.pi))
-        cosine = np.sqrt(1 - at.slope**2)
-        omega = -at.tip / cosine, y[11], at.turn
-        spin = self.start[2] + y[10] - (precession - self.start[0])
-        c, s = np.cos(precession), np.sin(precession)
-        centre = y[8] * c + y[9] * s, y[9] * c - y[8] * s
-        slip = centre_to_slip(
-            centre, omega, low_point(self.disk, self.rolling_fillet, at.slope)
-        )
-        lost = self.start[10] + sum(y[12:])
-        inclination = np.arcsin(at.slope)
-        return [precession, inclination, spin, y[6], y[7], *omega, *slip, lost]
+        spin = self.start[2] + y[12] - (precession - self.start[0])
+        inclination = np.arctan2(at.slope, side * at.cosine)
+        omega = side * at.E_p, side * at.spin, -at.E_q
+        slip = (side * speed for speed in self._slip(y, at))
+        lost = self.start[10] + sum(y[LOSSES])
+        return [precession, inclination, spin, *y[8:10], *omega, *slip, lost]
+
+    def _slip(self, y: list[float], at: Geometry) -> tuple[float, float]:
+        """Return the slip velocity [m/s] of the low point of the lower face in a state (20,)."""
+        ux, uy = at.direction_x, at.direction_y
+        vx, vy = y[10:12]
+        centre = ux * vy - uy * vx, -ux * vx - uy * vy
+        place = low_point(self.disk, self.rolling_fillet, at)
+        return centre_to_slip(centre, (at.E_p, at.spin, -at.E_q), place)
+
+    def rolling_columns(self) -> np.ndarray:
+        """Return the COLUMNS (11,) at the end, with respect to the face that is the lower one."""
+        (y,) = self._states(self.t_end).tolist()
+        at = self.model.geometry(y)
+        columns = np.array(self._columns(y, self._precession[-1]))
+        if at.side < 0:
+            columns[[0, 1]] = columns[0] + np.pi, np.pi - columns[1]
+            columns[[5, 6, 8, 9]] *= -1
+        return columns
 
     def force(self, t: ArrayLike) -> np.ndarray:
-        """Return the force (k, 3) [N] of the asperities, without friction."""
-        loads = (
-            self.model.loads(self.model.geometry(y)) for y in self._states(t).tolist()
+        """Return friction along a_1, a_2 and normal force (k, 3) [N] of the rims."""
+        return np.reshape(
+            [self._force_row(y) for y in self._states(t).tolist()], (-1, 3)
         )
-        return np.reshape([[0.0, 0.0, load.stop.force] for load in loads], (-1, 3))
+
+    def _force_row(self, y: list[float]) -> list[float]:
+        """Return the force (3,) [N] in a state (20,)."""
+        model = self.model
+        at = model.geometry(y)
+        loads = model.loads(at)
+        rim = model.rim_loads(y, at, loads)
+        normal = loads.stop.force + loads.upper_stop.force
+        return [at.side * rim.force_q, -at.side * rim.force_u, normal]
 
     def film_loads(self, t: ArrayLike, state: np.ndarray) -> np.ndarray:
         """Return the loads of the film, and what distributes the force of the stop.
@@ -179,15 +224,14 @@ class LandingMotion(MotionBase):
         return np.reshape(rows, (-1, len(FILM_COLUMNS)))
 
     def _film_row(self, y: list[float]) -> list[float]:
-        """Return the FILM_COLUMNS of a state (16,)."""
+        """Return the FILM_COLUMNS of a state (20,)."""
         model = self.model
         at = model.geometry(y)
-        film, along, across, stop = model.loads(at)
-        cosine = np.sqrt(1 - at.slope**2)
+        film, along, across, stop, _ = model.loads(at)
         disk = self.disk
-        raising = along * cosine + disk.thickness / 2 * film * at.slope
+        raising = along * at.cosine + disk.thickness / 2 * film * at.slope
         at_low_point = -disk.radius * stop.force
-        moment_1 = -raising - cosine * (stop.along - at_low_point)
+        moment_1 = -raising - at.cosine * (stop.along - at_low_point)
         arc = contact_half_arc(at.gap, model.stop.radius * at.slope)
         return [model.film_gap(at), film, moment_1, across + stop.across, arc]
 
@@ -207,10 +251,12 @@ class LandingMotion(MotionBase):
         )
 
     def clearance(self, t: ArrayLike) -> np.ndarray:
-        """Return the height (k,) [m] of the low point of the rim above the asperities."""
+        """Return the height (k,) [m] of the lowest point of both rims above the asperities."""
         radius = self.model.stop.radius
         at = [self.model.geometry(y) for y in self._states(t).tolist()]
-        return np.array([where.gap - radius * where.slope for where in at])
+        return np.array(
+            [min(one.gap, one.upper_gap) - radius * one.slope for one in at]
+        )
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] of the force: that of the stop."""
@@ -224,26 +270,20 @@ class LandingMotion(MotionBase):
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s]."""
-        states = self._states(t)
-        lost = dict.fromkeys(CAUSES, np.zeros(len(states)))
-        film = states[:, 12] + states[:, 13] + states[:, 15]
-        return lost | {"contact": states[:, 14], "film": film}
+        return _by_cause(self._states(t))
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
         rows = [self.model.rates(0.0, y) for y in self._states(t).tolist()]
-        rates = np.reshape(rows, (-1, len(LandingState._fields)))
-        power = dict.fromkeys(CAUSES, np.zeros(len(rates)))
-        film = rates[:, 12] + rates[:, 13] + rates[:, 15]
-        return power | {"contact": rates[:, 14], "film": film}
+        return _by_cause(np.reshape(rows, (-1, len(LandingState._fields))))
 
     def largest_energy_gain_error(self) -> float:
         """Return the largest decrease [J] of the dissipated energy; see `Motion`."""
-        lost = self.solution.path(self.t)[:, 12:].sum(axis=1)
+        lost = self.solution.path(self.t)[:, LOSSES].sum(axis=1)
         return float(np.max(np.maximum.accumulate(lost) - lost))
 
     def friction_excess(self) -> float:
-        """Return 0: there is no friction."""
+        """Return 0: the friction of the rims never exceeds its limit."""
         return 0.0
 
     def tensile_time(self) -> float:
@@ -259,7 +299,7 @@ class LandingMotion(MotionBase):
         """The start, each touch of the asperities, and the rest."""
         begin = MotionEvent(0.0, self.cause, 0.0, float(self.energy(0.0)[0]))
         touches = tuple(self._touches())
-        return begin, *touches, *self._rest()
+        return begin, *touches, *self._end()
 
     def _touches(self):
         """Yield the touches after the low point was once clearly above the asperities."""
@@ -278,12 +318,21 @@ class LandingMotion(MotionBase):
             speed = self.model.stop.radius * at.tip - at.opening
             yield MotionEvent(float(t), TOUCH, speed, float(self.energy(t)[0]))
 
-    def _rest(self):
-        """Yield the rest, and the predicted touch of a disk that sinks on its cushion."""
-        if not self.solution.is_at_rest:
-            return
+    def _end(self):
+        """Yield the rest, and the predicted touch of a disk that sinks on its cushion; or
+        the rim on which the disk rolls again.
+        """
         t = self.t_end
         energy = float(self.energy(t)[0])
+        if self.rolls_on:
+            at = self.model.geometry(self._states(t)[0].tolist())
+            other = "its other rim" if at.side < 0 else "the same rim"
+            yield MotionEvent(t, f"rolls again on {other}", 0.0, energy)
+        if self.solution.end is not LandingEnd.REST:
+            return
+        if self.inclination(t)[0] > 1:
+            yield MotionEvent(t, "stands still on its edge", 0.0, energy)
+            return
         if self.clearance(t)[0] <= 0:
             yield MotionEvent(t, "rests on the asperities", 0.0, energy)
             return
@@ -308,10 +357,27 @@ def centre_to_slip(centre: Any, omega: Any, place: ContactPlace) -> tuple[Any, A
     return centre[0] - rolling[0], centre[1] - rolling[1]
 
 
-def low_point(disk: Disk, fillet: float, slope: float) -> ContactPlace:
-    """Return the place of the low point [m] of a disk with the slope sin(beta)."""
+def precession_angle(at: Geometry) -> float:
+    """Return the precession [rad] within half a turn, of the face that began as the lower one."""
+    return float(np.arctan2(at.side * at.direction_x, -at.side * at.direction_y))
+
+
+def _by_cause(states: np.ndarray) -> dict[str, np.ndarray]:
+    """Return losses, or their rates, (k,) by cause, in states or rates (k, 20)."""
+    squeezing, swirling, striking, shearing, rubbing, resisting = states[:, LOSSES].T
+    found = dict.fromkeys(CAUSES, np.zeros(len(states)))
+    return found | {
+        "contact": striking,
+        "film": squeezing + swirling + shearing,
+        "slip": rubbing,
+        "moments": resisting,
+    }
+
+
+def low_point(disk: Disk, fillet: float, at: Geometry) -> ContactPlace:
+    """Return the place of the low point [m] of a disk."""
     R = disk.radius
-    place = contact_place(np.sqrt(1 - slope**2), slope, disk.aspect, fillet / R)
+    place = contact_place(at.cosine, at.slope, disk.aspect, fillet / R)
     return ContactPlace(*(R * length for length in place))
 
 
@@ -323,6 +389,7 @@ def solve_landing_motion(
     time_limit: float,
     clearance: float = 0.0,
     plan: Any = None,
+    may_roll: bool = False,
 ) -> LandingMotion:
     """Solve the landing of a disk from the columns of the motion that ends.
 
@@ -342,6 +409,8 @@ def solve_landing_motion(
         Height of the low point above the asperities at the start [m].
     plan : MotionPlan, optional
         The decisions of the whole motion.
+    may_roll : bool, optional
+        True if the motion ends where the disk rolls steadily on one rim.
 
     Returns
     -------
@@ -350,37 +419,46 @@ def solve_landing_motion(
 
     Raises
     ------
-    ValueError
-        If the inclination exceeds MAX_LANDING_INCLINATION.
     ArithmeticError
         If the integrator fails.
     """
-    precession, inclination = columns[:2]
-    if not inclination <= MAX_LANDING_INCLINATION:
-        raise ValueError(
-            f"inclination = {inclination:g}: must be at most {MAX_LANDING_INCLINATION:g} rad"
-        )
-    place = low_point(model.disk, fillet, np.sin(inclination))
-    omega = columns[5:8]
-    along, across = centre_velocity(columns[8:10], omega, place)
-    c, s = np.cos(precession), np.sin(precession)
-    slope = np.sin(inclination)
-    tip = -omega[0] * np.cos(inclination)
-    start = LandingState(
-        height=place.e - model.disk.thickness / 2 + clearance,
-        slope_x=slope * s,
-        slope_y=-slope * c,
-        rise=place.f * omega[0],
-        tip_x=tip * s + omega[2] * c,
-        tip_y=-tip * c + omega[2] * s,
-        x=columns[3],
-        y=columns[4],
-        speed_x=along * c - across * s,
-        speed_y=along * s + across * c,
-        turned=0.0,
-        axial_rate=omega[1],
-    )
-    landing = solve_landing(model, LandingState(*map(float, start)), time_limit)
+    start = landing_state(model, columns, fillet, clearance)
+    landing = solve_landing(model, start, time_limit, may_roll)
     return LandingMotion(
         solution=landing, start=columns, rolling_fillet=fillet, cause=cause, plan=plan
     )
+
+
+def landing_state(
+    model: LandingModel, columns: np.ndarray, fillet: float, clearance: float = 0.0
+) -> LandingState:
+    """Return the state of a disk in the last columns (11,) of its rolling motion.
+
+    The low point, which is at rest vertically, is at the height `clearance` [m].
+    """
+    precession, inclination = columns[:2]
+    c, s = np.cos(precession), np.sin(precession)
+    cosine, sine = np.cos(inclination), np.sin(inclination)
+    R = model.disk.radius
+    place = contact_place(cosine, sine, model.disk.aspect, fillet / R)
+    place = ContactPlace(*(R * length for length in place))
+    omega = columns[5:8]
+    along, across = centre_velocity(columns[8:10], omega, place)
+    p = np.array([cosine * s, -cosine * c, sine])
+    q = np.array([c, s, 0.0])
+    turn = omega[0] * p - omega[2] * q
+    state = LandingState(
+        place.e - model.disk.thickness / 2 + clearance,
+        -sine * s,
+        sine * c,
+        cosine,
+        place.f * omega[0],
+        *turn,
+        columns[3],
+        columns[4],
+        along * c - across * s,
+        along * s + across * c,
+        turned=0.0,
+        axial_rate=omega[1],
+    )
+    return LandingState(*map(float, state))

@@ -1,31 +1,42 @@
 """Solve the landing of a nearly flat disk until it is at rest."""
 
+from enum import Enum
+from math import hypot
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicHermiteSpline
 
-from dynamics.landing.equations import LandingModel, LandingState
+from dynamics.landing.equations import (
+    MAX_FILM_SLOPE,
+    Geometry,
+    LandingModel,
+    LandingState,
+)
 
-RELATIVE_TOLERANCE = 1e-9
+RELATIVE_TOLERANCE = 1e-8
 ABSOLUTE_TOLERANCE = LandingState(
-    height=1e-13,
-    slope_x=1e-12,
-    slope_y=1e-12,
-    rise=1e-9,
-    tip_x=1e-9,
-    tip_y=1e-9,
-    x=1e-12,
-    y=1e-12,
-    speed_x=1e-9,
-    speed_y=1e-9,
-    turned=1e-9,
-    axial_rate=1e-9,
-    squeezing=1e-13,
-    swirling=1e-13,
-    striking=1e-13,
-    shearing=1e-13,
+    height=1e-12,
+    axis_x=1e-11,
+    axis_y=1e-11,
+    axis_z=1e-11,
+    rise=1e-8,
+    turn_x=1e-8,
+    turn_y=1e-8,
+    turn_z=1e-8,
+    x=1e-11,
+    y=1e-11,
+    speed_x=1e-8,
+    speed_y=1e-8,
+    turned=1e-8,
+    axial_rate=1e-8,
+    squeezing=1e-12,
+    swirling=1e-12,
+    striking=1e-12,
+    shearing=1e-12,
+    rubbing=1e-12,
+    resisting=1e-12,
 )
 LEVEL_TILT = 0.01
 """Tilt eps of a disk that counts as level: the gap at its rim is uniform within 1 %."""
@@ -33,8 +44,30 @@ MAX_KINETIC_SHARE = 1e-3
 """Kinetic over potential energy of a disk that sinks quasi-statically on its cushion."""
 REST_ENERGY_SHARE = 1e-6
 """Share of the initial energy with which a disk on its asperities counts as resting."""
-POINTS_PER_STEP = 4
+BOUNCE_COARSENESS = 10.0
+"""Factor on both tolerances without a film or for a steep start, where a disk bounces many times."""
+POINTS_PER_STEP = 2
 """Number of pieces of cubic polynomials per time step."""
+ROLLING_SPAN = 0.01
+"""Time [s] in which a disk must roll without vibration before its contact counts as rigid."""
+MIN_ROLLING_SLOPE = 0.02
+"""Least sine of the inclination of a disk that rolls again."""
+MIN_ROOM = 1e-6
+"""Least height [m] of the other rim above the table."""
+MIN_ROLLING_LOAD = 0.1
+"""Least contact force over the weight."""
+MAX_GRIP = 0.9
+"""Largest friction over its limit."""
+MAX_RIM_SPEED = 1e-3
+"""Largest vertical speed [m/s] of the low point of the rim."""
+
+
+class LandingEnd(Enum):
+    """What ends a landing."""
+
+    REST = "the disk is at rest"
+    ROLLS = "the disk rolls steadily on one rim"
+    TIME_LIMIT = "the time limit is reached"
 
 
 class Landing(NamedTuple):
@@ -45,18 +78,21 @@ class Landing(NamedTuple):
     model : LandingModel
         The model.
     path : CubicHermiteSpline
-        State (k, 16) at times (k,) [s] since the start, in the order of `LandingState`.
-    is_at_rest : bool
-        False if the landing was cut at the time limit.
+        State (k, 20) at times (k,) [s] since the start, in the order of `LandingState`.
+    end : LandingEnd
+        What ended it.
     """
 
     model: LandingModel
     path: Any
-    is_at_rest: bool
+    end: LandingEnd
 
 
 def solve_landing(
-    model: LandingModel, start: LandingState, time_limit: float
+    model: LandingModel,
+    start: LandingState,
+    time_limit: float,
+    may_roll: bool = False,
 ) -> Landing:
     """Solve the equations until the disk rests on its cushion of air or on the asperities.
 
@@ -68,6 +104,8 @@ def solve_landing(
         State at the start.
     time_limit : float
         Longest duration [s].
+    may_roll : bool, optional
+        True if the solution ends where the disk rolls steadily on one rim.
 
     Returns
     -------
@@ -80,29 +118,81 @@ def solve_landing(
         If the integrator fails.
     """
     rests = _rest_guard(model, start)
-    found = solve_ivp(
-        model.rates,
-        (0.0, time_limit),
-        start,
-        method="LSODA",
-        rtol=RELATIVE_TOLERANCE,
-        atol=np.array(ABSOLUTE_TOLERANCE),
-        dense_output=True,
-        events=rests,
-    )
-    if found.status < 0:
-        raise ArithmeticError(
-            f"the landing of the disk cannot be solved: {found.message}"
+    steep = hypot(start.axis_x, start.axis_y) > MAX_FILM_SLOPE
+    coarseness = BOUNCE_COARSENESS if steep or model.film is None else 1.0
+    span = ROLLING_SPAN if may_roll else time_limit
+    times, states = [np.zeros(1)], [np.array([start])]
+    end = None
+    while end is None:
+        begin = times[-1][-1]
+        found = solve_ivp(
+            model.rates,
+            (begin, min(begin + span, time_limit)),
+            states[-1][-1],
+            method="LSODA",
+            rtol=coarseness * RELATIVE_TOLERANCE,
+            atol=coarseness * np.array(ABSOLUTE_TOLERANCE),
+            dense_output=True,
+            events=rests,
         )
-    share = np.arange(POINTS_PER_STEP) / POINTS_PER_STEP
-    steps = np.diff(found.t)
-    inner = (found.t[:-1, None] + steps[:, None] * share).ravel()
-    times = np.append(inner, found.t[-1])
-    states = found.sol(times).T
-    rates = np.array(
-        [model.rates(t, y) for t, y in zip(times, states.tolist(), strict=True)]
+        if found.status < 0:
+            raise ArithmeticError(
+                f"the landing of the disk cannot be solved: {found.message}"
+            )
+        share = np.arange(1, POINTS_PER_STEP + 1) / POINTS_PER_STEP
+        inner = (found.t[:-1, None] + np.diff(found.t)[:, None] * share).ravel()
+        inner[POINTS_PER_STEP - 1 :: POINTS_PER_STEP] = found.t[1:]
+        times.append(inner)
+        states.append(found.sol(inner).T)
+        if found.status == 1:
+            end = LandingEnd.REST
+        elif found.t[-1] >= time_limit:
+            end = LandingEnd.TIME_LIMIT
+        elif _rolls_steadily(model, states[-1]):
+            end = LandingEnd.ROLLS
+        elif may_roll:
+            span = 2 * span if _stands(model, states[-1][-1]) else ROLLING_SPAN
+    return Landing(model, _spline(model, times, states), end)
+
+
+def _spline(model: LandingModel, times: list, states: list) -> CubicHermiteSpline:
+    """Return the spline through the states (k, 20) of all spans."""
+    t, y = np.concatenate(times), np.concatenate(states)
+    rates = [model.rates(*row) for row in zip(t.tolist(), y.tolist(), strict=True)]
+    return CubicHermiteSpline(t, y, np.array(rates))
+
+
+def _stands(model: LandingModel, y: np.ndarray) -> bool:
+    """Return whether both rims of a disk in a state (20,) touch the table."""
+    at = model.geometry(y.tolist())
+    return max(at.gap, at.upper_gap) < model.stop.radius * at.slope
+
+
+def _rolls_steadily(model: LandingModel, states: np.ndarray) -> bool:
+    """Return whether the disk rolls on one rim, without vibration, in states (k, 20) and in
+    the last one."""
+    some = [*states[:: len(states) // 100 + 1], states[-1]]
+    return all(_rolls(model, y.tolist()) for y in some)
+
+
+def _rolls(model: LandingModel, y: list[float]) -> bool:
+    """Return whether a disk in a state (20,) rolls on its lower rim alone.
+
+    Near the table, a film may lift it, and in a vacuum the other side of its rim touches.
+    """
+    at = model.geometry(y)
+    R = model.stop.radius
+    if at.slope < MIN_ROLLING_SLOPE or at.upper_gap <= R * at.slope + MIN_ROOM:
+        return False
+    loads = model.loads(at)
+    load = loads.stop.force
+    if load < MIN_ROLLING_LOAD * model.disk.weight:
+        return False
+    rim = model.rim_loads(y, at, loads)
+    grip = (
+        hypot(rim.force_u, rim.force_q) <= MAX_GRIP * model.friction.coefficient * load
     )
-    return Landing(model, CubicHermiteSpline(times, states, rates), found.status == 1)
+    return grip and abs(at.opening - R * at.tip) < MAX_RIM_SPEED
 
 
 def _rest_guard(model: LandingModel, start: LandingState) -> Any:
@@ -110,12 +200,14 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
     weight = model.disk.weight
     released = model.energy(start)
     sag = weight / (2 * np.pi * model.stop.stiffness)
+    least = REST_ENERGY_SHARE * released
 
     def rests(t: float, y: np.ndarray) -> float:
-        at = model.geometry(np.asarray(y).tolist())
-        on_stop = excess_energy(y) / (REST_ENERGY_SHARE * released) - 1
-        if model.film is None:
-            return on_stop
+        state = y.tolist()
+        at = model.geometry(state)
+        rest = min(lying_energy(state) / least - 1, on_edge(state, at))
+        if model.film is None or at.slope > MAX_FILM_SLOPE:
+            return rest
         gap = model.film_gap(at)
         radius = model.film.radius
         tilt = radius * at.slope / (LEVEL_TILT * gap) - 1
@@ -123,12 +215,24 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
         unsteady = abs(at.opening / sink + 1) / 0.1 - 1
         kinetic = model.disk.mass * at.opening**2 / 2
         fast = kinetic / (MAX_KINETIC_SHARE * weight * gap) - 1
-        return min(on_stop, max(tilt, unsteady, fast))
+        return min(rest, max(tilt, unsteady, fast))
 
-    def excess_energy(y: np.ndarray) -> float:
-        """Return the energy above that of a disk which lies still on the asperities, without its glide."""
-        still = [*y[:8], 0.0, 0.0, y[10], 0.0]
+    def lying_energy(y: list[float]) -> float:
+        """Return the energy above that of a disk which lies still on the asperities.
+
+        Without friction, the disk may glide and spin.
+        """
+        moves = float(model.friction.coefficient > 0)
+        glide = (moves * speed for speed in y[10:12])
+        still = [*y[:10], *glide, y[12], moves * y[13]]
         return model.energy(still) + weight * sag / 2
+
+    def on_edge(y: list[float], at: Geometry) -> float:
+        """Return a number that is positive unless the disk stands still on both rims."""
+        if max(at.gap, at.upper_gap) > model.stop.radius * at.slope:
+            return 1.0
+        lying = [*y[:4], 0.0, 0.0, 0.0, 0.0, *y[8:10], 0.0, 0.0, y[12], 0.0]
+        return (model.energy(y) - model.energy(lying)) / least - 1
 
     rests.terminal = True  # type: ignore[attr-defined]
     rests.direction = -1  # type: ignore[attr-defined]

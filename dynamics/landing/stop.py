@@ -1,6 +1,6 @@
 """The asperities that stop a falling disk: a ring of springs and dashpots below its rim."""
 
-from math import acos, log, pi, sin
+from math import acos, log, pi, sin, sqrt
 from typing import NamedTuple
 
 DEFAULT_STOP_HEIGHT = 1e-7
@@ -44,7 +44,7 @@ class Stop(NamedTuple):
     stiffness : float
         Stiffness per radian of the rim [N/m].
     relaxation_time : float
-        Ratio [s] of damping to stiffness.
+        Ratio [s] of damping to stiffness for a level disk.
     radius : float
         Radius [m] of the ring.
     """
@@ -55,7 +55,13 @@ class Stop(NamedTuple):
     radius: float
 
     def forces(
-        self, height: float, slope: float, rise: float, tip: float, turn: float
+        self,
+        height: float,
+        slope: float,
+        rise: float,
+        tip: float,
+        turn: float,
+        lever: float = 0.0,
     ) -> StopForces:
         """Return the forces on a disk with the depth d(phi) = R slope cos(phi) - height.
 
@@ -65,6 +71,10 @@ class Stop(NamedTuple):
             Height [m] of the centre of the face above the asperities; slope [rad].
         rise, tip, turn : float
             Rates of the height [m/s], of the slope, and across it [rad/s].
+        lever : float, optional
+            Distance of the low point from the vertical through the centre of mass, over the
+            radius of gyration about a diameter. It determines the damping of an arc, whose
+            coefficient of restitution is that of a level disk.
 
         Returns
         -------
@@ -84,7 +94,8 @@ class Stop(NamedTuple):
         other = half_arc - sine * cosine
         R = self.radius
         k = self.stiffness
-        c = k * self.relaxation_time
+        mobility = 1 + (lever * sine / half_arc) ** 2
+        c = k * self.relaxation_time * sqrt(pi / half_arc / mobility)
         pressing = k * (reach * first - height * one) + c * (
             R * tip * first - rise * one
         )

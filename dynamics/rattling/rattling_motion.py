@@ -23,10 +23,10 @@ from dynamics.compliant.law.unevenness import (
     static_depth,
 )
 from dynamics.compliant.model_inputs import contact_law, scene_edge_flexibility
-from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
 from dynamics.compliant.stepping.round_table import greatest_shape_norm, round_table
 from dynamics.compliant.stepping.row_store import interpolate_rows
+from dynamics.contact_losses import ContactLosses
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.kinematics import contact_place
@@ -665,7 +665,7 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         slides=slides,
         contact_losses=ContactLosses(losses),
         max_friction_excess=excess,
-        outcome=outcome,
+        rolling_outcome=outcome,
         ringing=np.ascontiguousarray(ringing),
         film_impulses=record[:, RECORD.film_impulse].copy(),
         open_time=float(record[-1, RECORD.open_time]),

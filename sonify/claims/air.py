@@ -65,7 +65,9 @@ def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     """Return the findings on the air and on the cause of the end that follow from the
     motion alone."""
-    ended = [] if motion.outcome in OUTCOMES_WITHOUT_END else [what_ends(motion)]
+    ended = (
+        [] if motion.rolling_outcome in OUTCOMES_WITHOUT_END else [what_ends(motion)]
+    )
     friction = []
     _, powers = steady_friction_powers(scene)
     solid = scene.disk.shape == "solid"
@@ -169,7 +171,7 @@ def carried_by_air(motion: Motion, film: Film) -> Measured:
     if motion.film is None:
         return Measured(share, variant="no film")
     fields = {"cause": "film"}
-    if motion.outcome is not Outcome.AIRBORNE:
+    if motion.rolling_outcome is not Outcome.AIRBORNE:
         return Measured(share, fields=fields)
     turns = abs(precession_rate(motion.state[-1:])[0]) / (2 * np.pi)
     end = {

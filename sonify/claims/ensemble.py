@@ -167,7 +167,7 @@ def ensemble_results(motions: list[Motion], begin: float) -> Ensemble:
             [max(share, key=share.__getitem__) == "contact" for share in shares]
         ),
         "the air carries the disk": np.array(
-            [one.outcome.name == "AIRBORNE" for one in motions]
+            [one.rolling_outcome.name == "AIRBORNE" for one in motions]
         ),
     }
     return Ensemble(quantities=quantities, claims=claims)

@@ -33,7 +33,7 @@ def literature_findings(
     rough = scene.contact.law == "elastic" and scene.roughness is not None
     if rough and stays_in_contact(motion) and nutates_while_declining(motion):
         found.append(force_peaks_sound(motion, sound))
-    if tone is not None and motion.outcome.name == "SETTLED":
+    if tone is not None and motion.rolling_outcome.name == "SETTLED":
         found.append(deformation_makes_the_tone(sound))
     is_recorded = scene.support.kind == "free" and is_toy_disk(scene.disk)
     if is_recorded and len(set(modes.order)) > 1:

@@ -195,7 +195,7 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     claims.append(energy_falls)
     if rolls and len(powers_by_regime(motion)[1]):
         claims.append(sliding_costs_more)
-    if motion.outcome.name == "SETTLED":
+    if motion.rolling_outcome.name == "SETTLED":
         claims.append(centre_comes_to_rest)
         if allows_end_fit(motion):
             claims.append(no_singularity)

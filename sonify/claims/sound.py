@@ -61,7 +61,7 @@ def sound_findings(
         found.append(modes_take_little(motion, sound, error))
     found.append(sound_is_audible(sound))
     tone = None if heard is None else heard.tone
-    if tone is None or motion.outcome.name != "SETTLED":
+    if tone is None or motion.rolling_outcome.name != "SETTLED":
         return found
     return [
         pitch_rises(tone),

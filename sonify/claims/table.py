@@ -53,7 +53,7 @@ def table_findings(
             table_takes_little(motion, sound, error),
             table_takes_a_hundredth(motion, sound, error),
         ]
-    if motion.outcome.lies_flat:
+    if motion.rolling_outcome.lies_flat:
         tone_of_table = strongest_tone(sound.track("table"))
         if tone_of_table is not None:
             found.append(table_tone_rises(tone_of_table))

@@ -98,9 +98,9 @@ def motion_findings(
     found = two_way_part(motion)
     if "two-way" not in motion.finding_groups:
         return []
-    if motion.outcome is Outcome.AIRBORNE and motion.plan.may_be_two_way:
+    if motion.rolling_outcome is Outcome.AIRBORNE and motion.plan.may_be_two_way:
         return [air_carries_earlier(scene, motion)]
-    if found is None or not motion.outcome.lies_flat:
+    if found is None or not motion.rolling_outcome.lies_flat:
         return []
     others = variation_runs(scene, found[0], watch)
     judges = [

@@ -83,7 +83,7 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
     if motion.contact_losses:
         first = motion.contact_losses[0].t
         is_final = first >= motion.t[-1] - 2e-3
-        lifted_by_film = is_final and motion.outcome is Outcome.AIRBORNE
+        lifted_by_film = is_final and motion.rolling_outcome is Outcome.AIRBORNE
         if not lifted_by_film:
             vibrates = float(motion.at([max(first, 0.0)])[0, 1])
     waves = scene.imperfection
@@ -112,14 +112,14 @@ def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
 @finding(needs=("motion",), at_least=1.0)
 def air_carries_disk(motion: Motion):
     """1 if the motion ends with the disk carried by the air film, otherwise 0."""
-    return float(motion.outcome is Outcome.AIRBORNE)
+    return float(motion.rolling_outcome is Outcome.AIRBORNE)
 
 
 @finding(needs=("scene", "motion"), at_least=0.05)
 def table_brings_end_forward(scene: Scene, motion: Motion):
     """The time [s] by which the vibration of the table brings forward the end of the
     motion."""
-    if motion.outcome is Outcome.AIRBORNE or two_way_part(motion) is None:
+    if motion.rolling_outcome is Outcome.AIRBORNE or two_way_part(motion) is None:
         return air_carries_earlier(scene, motion).value
     return halt_comes_earlier(scene, motion).value
 

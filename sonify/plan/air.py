@@ -146,7 +146,7 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
             )
     final = motion.plan.final_inclination
     stops_early = final > scene.numerics.stopping_inclination(scene.disk)
-    if motion.outcome is Outcome.SETTLED and stops_early:
+    if motion.rolling_outcome is Outcome.SETTLED and stops_early:
         limits.append(
             sentences.RAREFIED_MOTION_NOT_SOLVED.format(
                 inclination=final,

@@ -151,6 +151,6 @@ def solve_motion(motion: MotionPlan, watch: Watch = ignore_progress) -> Motion:
             return solved
         numerics = replace(motion.scene.numerics, time_limit=end)
         solved = solve_planned_motion(motion.part(numerics=numerics), show)
-        return replace(solved, outcome=Outcome.LEFT_TABLE)
+        return replace(solved, rolling_outcome=Outcome.LEFT_TABLE)
     except ImpossibleContactError as error:
         raise SceneError(f"friction, release: {error}") from None

@@ -202,14 +202,14 @@ def run_record(result: "Result") -> dict:
 
 
 def hand_over_record(motion: Motion) -> dict | None:
-    """Return the end of the rolling motion [s] and its reason; None without a landing."""
-    if motion.landing is None:
+    """Return the end of the rolling motion [s] and its reason; None if it never ended."""
+    reason = motion.rolling_outcome
+    if motion.landing is None and reason is motion.outcome:
         return None
-    rolling = motion.rolling
     return {
-        "t": float(rolling.t[-1]),
-        "reason": rolling.outcome.name,
-        "sentence": rolling.outcome.sentence,
+        "t": float(motion.rolling.t[-1]),
+        "reason": reason.name,
+        "sentence": reason.sentence,
     }
 
 
@@ -268,7 +268,7 @@ def summary(result: "Result") -> dict[str, Any]:
     """
     below_100_hz, below_300_hz = result.sound.low_frequency_shares
     return {
-        "outcome": result.motion.rolling.outcome.name,
+        "outcome": result.motion.rolling_outcome.name,
         "t_end": float(result.motion.rolling.t[-1]),
         "passed": result.passed,
         "sound_seconds": result.sound.duration,

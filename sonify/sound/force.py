@@ -171,7 +171,7 @@ class ForceSampler:
         self.max_contact_turn = max_contact_turn
         self.evaluations = 0
         self.end = float(motion.t[-1])
-        if motion.outcome.name == "SETTLED":
+        if motion.rolling_outcome.name == "SETTLED":
             fade = fade_turns * 2 * np.pi / final_contact_rate(motion)
         span = np.min(fade, where=np.greater(fade, 0), initial=self.end)
         last = self._evaluate_channels(

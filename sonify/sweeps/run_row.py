@@ -87,7 +87,7 @@ def outcome_scalars(motion, folder):
     if folder:
         write_motion(motion, folder / "motion.npz")
     rolling = motion.rolling
-    return {"outcome": rolling.outcome.name, "t_end": float(rolling.t[-1])}
+    return {"outcome": rolling.rolling_outcome.name, "t_end": float(rolling.t[-1])}
 
 
 def solve_modes_only(scene, folder):

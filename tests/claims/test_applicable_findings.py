@@ -80,7 +80,7 @@ def test_the_slip_of_a_rattling_coin_is_the_rest_of_its_energy(coin):
 
 def test_a_contact_lost_to_the_air_ends_with_a_force_of_exactly_zero(airborne):
     scene, motion = airborne
-    assert motion.outcome.name == "AIRBORNE"
+    assert motion.rolling_outcome.name == "AIRBORNE"
     found = rigid_motion.contact_kept(motion)
     assert (found.value, found.verdict, found.measured) == (0.0, "no", "0")
     assert checks.pushing_contact(motion).passed

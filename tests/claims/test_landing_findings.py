@@ -40,7 +40,7 @@ def motion(scene):
 def test_the_published_disk_in_air_stops_within_a_fifth_of_a_turn(motion):
     abrupt, caught, impact = landing_findings(motion)
     assert motion.outcome is Outcome.AT_REST
-    assert motion.rolling.outcome is Outcome.AIRBORNE
+    assert motion.rolling_outcome is Outcome.AIRBORNE
     assert abrupt.value == pytest.approx(0.21, abs=0.01)
     assert abrupt.details["milliseconds"] < 10
     assert caught.value == 0

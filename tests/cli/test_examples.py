@@ -43,7 +43,7 @@ def test_every_example_is_tested():
 
 def test_one_motion(capsys):
     motion, lines = told("one_motion", capsys)
-    assert motion.outcome is Outcome.SETTLED
+    assert motion.rolling_outcome is Outcome.SETTLED
     assert lines[0].endswith(f"at {motion.t[-1]:.3f} s")
     total = motion.energy(motion.t) + motion.state[:, 10]
     assert np.ptp(total) < 1e-12 * total[0]

@@ -16,12 +16,12 @@ from dynamics import Motion, simulate
 from dynamics.compliant.compliant_motion import FORCES_PER_ROW
 from dynamics.compliant.law.height_profile import mean_heights
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
-from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.row_store import (
     RowStore,
     interpolate_rows,
 )
 from dynamics.compliant.stepping.time_loop import step_motion
+from dynamics.contact_losses import ContactLosses
 from dynamics.motion import CAUSES
 from dynamics.observables import precession_rate
 from modal import surface_modes
@@ -221,7 +221,7 @@ def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
 )
 def test_it_ends_with_a_name(elastic, changes, outcome):
     motion = simulate(elastic.replace(*changes))
-    assert motion.outcome.name == outcome
+    assert motion.rolling_outcome.name == outcome
     assert motion.rows[:, 1].min() >= MIN_CONTACT_INCLINATION
     assert motion.t[-1] <= motion.t_end < motion.t[-1] + 0.1
     assert np.isfinite(motion.state).all()
@@ -245,7 +245,7 @@ def test_nutation_approaches_that_of_the_rigid_disk(elastic):
 
     rigid = simulate(elastic.replace("contact.law=rigid"))
     draft = simulate(elastic.replace("contact.law=rigid", "numerics.accuracy=draft"))
-    assert rigid.outcome.name == "FELL"
+    assert rigid.rolling_outcome.name == "FELL"
     assert draft.t[-1] == pytest.approx(rigid.t[-1], abs=1e-3)
     deficits = []
     for factor in (1, 10, 100):

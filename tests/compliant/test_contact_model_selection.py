@@ -104,7 +104,7 @@ def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
     assert plan_motion(blown).contact.kind == "filter"
     assert vibration_of(blown)[1].max() < 0.3
     flown = simulate(blown.replace("contact.law=rigid")).rolling
-    assert flown.outcome.name == "AIRBORNE"
+    assert flown.rolling_outcome.name == "AIRBORNE"
     assert plan_motion(blown).film_decision.airborne_inclination == pytest.approx(
         flown.state[-1, 1], rel=0.2
     )

@@ -375,7 +375,7 @@ def test_the_film_slows_a_rolling_disk_as_it_does_with_a_rigid_contact():
     document["numerics"]["contact"] = "auto"
     document["friction"]["mu_dynamic"] = 0.3
     reference = simulate(from_document(document))
-    assert reference.rolling.outcome is Outcome.AIRBORNE
+    assert reference.rolling_outcome is Outcome.AIRBORNE
     (lifted, duration, _) = motion.contact_losses[-1]
     assert lifted + duration == pytest.approx(motion.t[-1], abs=1e-3)  # no re-contact
     assert lifted == pytest.approx(reference.switch_time, rel=0.03)

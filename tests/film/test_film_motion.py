@@ -146,7 +146,7 @@ def test_the_air_carries_the_published_disk(carried):
     The prototype assumes incompressible air. A compressible film also carries load as it turns, and
     lifts the disk slightly earlier.
     """
-    assert carried.outcome is Outcome.AIRBORNE
+    assert carried.rolling_outcome is Outcome.AIRBORNE
     assert carried.t[-1] == pytest.approx(12.35, abs=0.15)
     stiff = rolling_motion(scene({"integrator": carried.integrator}, air=STIFF))
     assert stiff.t[-1] == pytest.approx(12.35, abs=0.15)
@@ -188,7 +188,7 @@ def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
     ]
     assert motions[0].t[-1] == pytest.approx(motions[1].t[-1], rel=1e-8)
     for motion in motions:
-        assert motion.outcome is Outcome.AIRBORNE
+        assert motion.rolling_outcome is Outcome.AIRBORNE
         assert motion.state[-1, 1] < 3e-3
         total = motion.energy(motion.t) + motion.state[:, 10]
         assert np.ptp(total) < 1e-9 * total[0]
@@ -217,7 +217,7 @@ def test_other_disks_in_other_air_end_alike_by_both_integrators(
                 inclination, disk=disk, air=air, numerics=draft | {"integrator": name}
             )
         )
-        assert motion.outcome is Outcome.AIRBORNE
+        assert motion.rolling_outcome is Outcome.AIRBORNE
         assert motion.force(motion.t[-1])[0, 2] == pytest.approx(
             0, abs=1e-6 * motion.disk.weight
         )
@@ -244,8 +244,8 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
         )
         for air in (None, Air(film="acts", pressure=pressure))
     )
-    assert free.outcome is Outcome.FELL
-    assert caught.outcome is Outcome.AIRBORNE
+    assert free.rolling_outcome is Outcome.FELL
+    assert caught.rolling_outcome is Outcome.AIRBORNE
     assert caught.force(caught.t[-1])[0, 2] == pytest.approx(
         0, abs=GONE * caught.disk.weight
     )
@@ -263,7 +263,7 @@ def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
         motion = rolling_motion(
             scene(release=fall, air=Air(film="acts", pressure=1000.0))
         )
-        assert motion.outcome is Outcome.AIRBORNE
+        assert motion.rolling_outcome is Outcome.AIRBORNE
         assert motion.force(motion.t[-1])[0, 2] == pytest.approx(
             0, abs=GONE * motion.disk.weight
         )
@@ -276,7 +276,7 @@ def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
         rolling_motion(scene(release=fast, air=air, numerics={"time_limit": 2.0}))
         for air in (None, AIR)
     ]
-    assert motions[0].outcome is motions[1].outcome
+    assert motions[0].rolling_outcome is motions[1].outcome
 
 
 @dataclass(frozen=True)
@@ -338,6 +338,6 @@ def test_a_shell_has_no_film_that_could_act():
 
 def test_a_law_of_ones_own_acts_beside_the_film():
     ends = [rolling_motion(scene(air=air), loads=Sticky(1e-4)) for air in (None, AIR)]
-    assert ends[0].outcome is Outcome.SETTLED
-    assert ends[1].outcome is Outcome.AIRBORNE
+    assert ends[0].rolling_outcome is Outcome.SETTLED
+    assert ends[1].rolling_outcome is Outcome.AIRBORNE
     assert ends[1].t[-1] < ends[0].t[-1]

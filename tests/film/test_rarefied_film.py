@@ -54,7 +54,7 @@ def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
     assert rare.air.mean_free_path == pytest.approx(0.66e-3, rel=0.01)
     motion = simulate(rare)
     gap = rare.disk.radius * np.sin(motion.state[-1, 1])
-    assert motion.outcome is Outcome.SETTLED
+    assert motion.rolling_outcome is Outcome.SETTLED
     assert gap * MAX_KNUDSEN_NUMBER == pytest.approx(rare.air.mean_free_path, rel=1e-9)
     assert len(motion.t) < 50_000
     told = " ".join(limits_of_film_law(rare, motion))

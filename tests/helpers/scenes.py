@@ -6,17 +6,25 @@ from math import degrees, inf, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from dynamics import Motion, MotionScene, Outcome, simulate
+from dynamics import Motion, MotionScene, Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.face_contact import MIN_FALL_SPEED
 from dynamics.guards import FALL_RATE_THRESHOLD
 from dynamics.motion import MotionBase
+from dynamics.motion_plan import plan_motion
+from dynamics.simulation import solve_rolling_motion
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
 
 RADIUS = 0.03755
+
+
+def roll(moved, loads=None) -> Motion:
+    """Return the motion of a scene until the rolling contact is lost for the first time."""
+    plan = plan_motion(moved)
+    return solve_rolling_motion(plan.with_own_law(loads) if loads else plan)
 
 
 def scene(
@@ -95,7 +103,7 @@ class Attitudes(MotionBase):
 
 def rolling_motion(scene: MotionScene, **options) -> Motion:
     """Return the motion of a scene up to the loss of the rolling contact."""
-    return simulate(scene, **options).rolling
+    return roll(scene, **options).rolling
 
 
 def proves_its_outcome(motion, limit) -> bool:
@@ -115,4 +123,4 @@ def proves_its_outcome(motion, limit) -> bool:
         Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0]
         == pytest.approx(0, abs=1e-9),
         Outcome.UPRIGHT: beta == pytest.approx(pi / 2, rel=1e-9),
-    }[motion.outcome]
+    }[motion.rolling_outcome]

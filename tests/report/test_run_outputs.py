@@ -543,7 +543,7 @@ def test_terminal_page_and_record_give_one_verdict(result, record):
 def test_a_contact_that_is_lost_is_not_found_kept():
     """The last instant, at which the normal force is zero, belongs to the motion."""
     lost = simulate(load_scene("published").replace("disk.thickness=0.2"))
-    assert lost.outcome.name == "LIFTED_OFF"
+    assert lost.rolling_outcome.name == "LIFTED_OFF"
     assert not contact_kept(lost).holds
     assert "what_ends" not in {
         finding.key for finding in air_claims(load_scene("published"), lost)

@@ -8,9 +8,9 @@ function of the precession angle, counts of turns and slips.
 import exact_motion as exact
 import numpy as np
 import pytest
-from scenes import conservative, scene, whirling
+from scenes import conservative, roll, scene, whirling
 
-from dynamics import plan_motion, simulate
+from dynamics import plan_motion
 from dynamics.observables import (
     _in_long_intervals,
     lossless_rolling_load,
@@ -32,7 +32,7 @@ from sonify.scene import load_scene
 
 @pytest.fixture(scope="module")
 def motion():
-    return simulate(scene())
+    return roll(scene())
 
 
 def test_peaks_of_the_load_are_not_doubled_by_the_corners_of_the_nutation_moment(
@@ -75,7 +75,7 @@ def test_small_nutations_have_the_frequency_of_linear_theory(inclination):
         "inclination_deg": float(np.degrees(1.01 * inclination)),
         "omega": steady.release.omega,
     }
-    motion = simulate(conservative(release=release, numerics={"time_limit": 0.5}))
+    motion = roll(conservative(release=release, numerics={"time_limit": 0.5}))
     disk = motion.disk
     square = exact.steady_nutation_squared(
         np.pi / 2 - inclination,
@@ -90,7 +90,7 @@ def test_small_nutations_have_the_frequency_of_linear_theory(inclination):
 def test_of_a_disk_that_rolls_freely_the_load_is_the_normal_force():
     """Without moments and slips the acceleration of (5.3) is that of the disk; terms in omega_1
     squared are neglected."""
-    motion = simulate(conservative(numerics={"time_limit": 1.0}))
+    motion = roll(conservative(numerics={"time_limit": 1.0}))
     t = np.linspace(0, 1.0, 2001)
     state = motion.at(t)
     turning = np.abs(state[:, 5]) < 0.02
@@ -176,7 +176,7 @@ def test_where_the_table_drives_the_disk_the_nutation_is_drawn_while_it_is_the_s
 
 def test_ratio_of_small_nutations_at_small_inclination():
     steady = whirling(0.01, numerics={"time_limit": 1.0})
-    flat = simulate(steady)
+    flat = roll(steady)
     _, ratio = exact.flat_limit(flat.disk.aspect, flat.disk.gyration)
     in_plane = steady.release.omega[2] * flat.disk.time_unit
     square = exact.steady_nutation_squared(

@@ -51,7 +51,7 @@ def test_a_row_is_the_run(row):
     assert turns_per_second(motion, motion.t[-1] - 1) == pytest.approx(
         before_the_end, rel=0.02
     )
-    assert motion.outcome is Outcome.AIRBORNE
+    assert motion.rolling_outcome is Outcome.AIRBORNE
     weight = re.search(r"([\d.]+) kg", row[0])
     if weight:
         assert scene.disk.mass == pytest.approx(float(weight[1]), abs=0.005)

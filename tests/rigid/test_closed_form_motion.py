@@ -13,9 +13,9 @@ import exact_motion as theory
 import numpy as np
 import pytest
 from arithmetic import gamma, walk
-from scenes import conservative, scene, whirling
+from scenes import conservative, roll, scene, whirling
 
-from dynamics import Outcome, simulate
+from dynamics import Outcome
 from dynamics.equations import disk_constants
 from dynamics.hybrid import run_events
 from dynamics.regime import PRECESSION, X
@@ -35,7 +35,7 @@ SOLIDS = [
 def test_a_whole_nutation_is_hypergeometric(disk):
     release = {"inclination_deg": 40, "omega": (0, 2, -16)}
     wanted = conservative(numerics={"time_limit": 0.6}, disk=disk, release=release)
-    motion = simulate(wanted)
+    motion = roll(wanted)
     h = wanted.disk.aspect
     K = wanted.disk.gyration
     chi = wanted.disk.time_unit
@@ -65,7 +65,7 @@ def test_for_no_thickness_the_solutions_are_legendre_functions():
 
 @pytest.mark.slow
 def test_turning_angle_and_period_of_the_published_release():
-    motion = simulate(conservative(numerics={"time_limit": 0.5}))
+    motion = roll(conservative(numerics={"time_limit": 0.5}))
     disk = motion.disk
     turn, period = theory.nutation(1.0, 0.0, -1.0, disk.aspect, disk.gyration)
     slope = (
@@ -85,7 +85,7 @@ def test_turning_angle_and_period_of_the_published_release():
 
 
 def test_energy_is_conserved_for_a_thousand_nutations():
-    motion = simulate(conservative(numerics={"time_limit": 200.0}))
+    motion = roll(conservative(numerics={"time_limit": 200.0}))
     energy = motion.energy(motion.t)
     assert motion.outcome is Outcome.ROLLING_ON
     assert np.ptp(energy) < walk(4 * len(motion.t)) * energy[0]
@@ -102,11 +102,11 @@ def test_steady_motion_stays_and_its_nutation_has_the_linear_frequency(
     chi = steady.disk.time_unit
     in_plane = steady.release.omega[2] * chi
     square = theory.steady_nutation_squared(pi / 2 - inclination, in_plane, h, K)
-    state = simulate(steady).at(np.linspace(0, 0.05, 50))
+    state = roll(steady).at(np.linspace(0, 0.05, 50))
     if square > 0:
         np.testing.assert_allclose(state[:, 1], inclination, rtol=1e-9)
     kick = 1e-6 * inclination
-    nudged = simulate(replace_omega(steady, kick / chi))
+    nudged = roll(replace_omega(steady, kick / chi))
     t = np.linspace(0, 0.05, 4000)
     deviation = nudged.at(t)[:, 1] - inclination
     size = kick / sqrt(abs(square))
@@ -169,7 +169,7 @@ def test_slope_of_the_root_of_the_inclination_under_rolling_friction(inclination
     k2 = 1e-6
     steady = whirling(inclination, k2=k2, numerics={"time_limit": 10.0})
     disk = steady.disk
-    motion = simulate(steady)
+    motion = roll(steady)
     t = np.linspace(0, motion.t[-1], 4000)
     fitted = -np.polyfit(t / disk.time_unit, np.sqrt(motion.at(t)[:, 1]), 1)[0]
     assert fitted == pytest.approx(
@@ -184,7 +184,7 @@ def test_slope_of_the_root_of_the_inclination_under_rolling_friction(inclination
 
 def test_the_self_similar_end():
     """The intervals of the last slips are a geometric sequence; inclination ~ time squared."""
-    motion = simulate(scene({"final_inclination": 1e-10}))
+    motion = roll(scene({"final_inclination": 1e-10}))
     slips = np.array(
         [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
     )
@@ -234,7 +234,7 @@ def test_the_mirror_image_of_a_motion_is_a_motion():
         right, release=replace(right.release, omega=(0.0, 0.0, -right.release.omega[2]))
     )
     t = np.linspace(0, 6, 500)
-    a = simulate(right).at(t)
-    b = simulate(left).at(t)
+    a = roll(right).at(t)
+    b = roll(left).at(t)
     signs = [-1, 1, -1, -1, 1, 1, -1, -1, -1, 1, 1]
     np.testing.assert_allclose(a, b * signs, rtol=1e-7, atol=1e-7)

@@ -11,9 +11,9 @@ from math import pi
 import numpy as np
 import pytest
 from arithmetic import gamma
-from scenes import RADIUS, scene, whirling
+from scenes import RADIUS, roll, scene, whirling
 
-from dynamics import Air, Disk, ImpossibleContactError, Outcome, simulate
+from dynamics import Air, Disk, ImpossibleContactError, Outcome
 from dynamics.disk import GRAVITY
 from dynamics.dissipation import Dissipation, power_laws
 from dynamics.film.wedge import film_under
@@ -37,7 +37,7 @@ def decline(request):
         dissipation=dissipation,
         numerics={"time_limit": 60.0},
     )
-    return simulate(thin), dissipation, exponent
+    return roll(thin), dissipation, exponent
 
 
 def test_the_power_is_the_power_law_for_the_actual_motion(decline):
@@ -142,8 +142,8 @@ def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
 
 
 def test_a_power_law_can_end_in_a_fall_with_energy_left():
-    motion = simulate(whirling(0.02, dissipation={"air_viscosity": 1.8e-4}))
-    assert motion.outcome is Outcome.FELL
+    motion = roll(whirling(0.02, dissipation={"air_viscosity": 1.8e-4}))
+    assert motion.rolling_outcome is Outcome.FELL
     assert motion.state[-1, 1] < 1e-3
     assert motion.state[-1, 5] > 0.1
     assert motion.energy(motion.t[-1])[0] > 1e-3 * motion.energy(0.0)[0]
@@ -151,14 +151,14 @@ def test_a_power_law_can_end_in_a_fall_with_energy_left():
 
 def test_contour_friction_that_stops_the_precession_has_a_name():
     """The simulation stops there, because the moment would drive the disk afterwards."""
-    motion = simulate(whirling(0.1, dissipation={"contour_moment": 1e-4}))
+    motion = roll(whirling(0.1, dissipation={"contour_moment": 1e-4}))
     assert motion.outcome is Outcome.PRECESSION_STOPPED
     assert motion.largest_energy_gain_error() == 0
 
 
 def test_contour_friction_has_no_direction_without_precession():
     with pytest.raises(ImpossibleContactError, match="without precession"):
-        simulate(
+        roll(
             scene(
                 release={"omega": (1.0, 0.0, 0.0)}, dissipation={"contour_moment": 1e-4}
             )
@@ -170,9 +170,7 @@ def test_energy_and_work_add_up_while_a_law_takes_all_speed_at_once(integrator):
     """The law stops the disk in less time than the first step of a slide with friction alone."""
     release = {"inclination_deg": 0.02, "omega": (0.0, 0.0, 0.5)}
     law = {"air_viscosity": 0.18}
-    motion = simulate(
-        scene({"integrator": integrator}, release=release, dissipation=law)
-    )
+    motion = roll(scene({"integrator": integrator}, release=release, dissipation=law))
     total = motion.energy(motion.t) + motion.state[:, 10]
     assert np.ptp(total) < 1e-11 * total[0]
 
@@ -182,12 +180,10 @@ def test_laws_add_up():
     two = {"viscous_moment": 1e-7, "viscous_force": 1e-4}
     t = 0.02
     works = [
-        simulate(whirling(0.05, dissipation=d, numerics={"time_limit": t})).state[
-            -1, 10
-        ]
+        roll(whirling(0.05, dissipation=d, numerics={"time_limit": t})).state[-1, 10]
         for d in (one, two)
     ]
-    both = simulate(
+    both = roll(
         whirling(0.05, dissipation=one | two, numerics={"time_limit": t})
     ).state[-1, 10]
     assert both == pytest.approx(sum(works), rel=1e-3)
@@ -196,6 +192,6 @@ def test_laws_add_up():
 
 def test_without_laws_the_motion_is_the_papers():
     span = {"time_limit": 1.0}
-    plain = simulate(scene(span))
-    zero = simulate(scene(span, dissipation={"power_exponent": 3.0}))
+    plain = roll(scene(span))
+    zero = roll(scene(span, dissipation={"power_exponent": 3.0}))
     np.testing.assert_array_equal(plain.state, zero.state)

@@ -13,9 +13,9 @@ import pytest
 from arithmetic import gamma, walk
 from numpy.polynomial import Polynomial
 from paths import REFERENCES
-from scenes import scene
+from scenes import roll, scene
 
-from dynamics import Outcome, simulate
+from dynamics import Outcome
 from dynamics.disk import Release
 from dynamics.monotonicity import largest_decrease
 from dynamics.regime import ARRAY_FORMULAS, STOP_SLIP_SPEED, V1, V2, Branch
@@ -71,7 +71,7 @@ def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
         omega=(1.624116734034412, 0.5311056435179342, 0.4499165719985166),
     )
     numerics = replace(wanted.numerics, time_limit=0.02)
-    motion = simulate(replace(wanted, release=release, numerics=numerics))
+    motion = roll(replace(wanted, release=release, numerics=numerics))
     assert [e.guard for e in motion.transitions][:3] == [
         "slip",
         "grip",
@@ -90,7 +90,7 @@ def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
 
 def test_the_last_step_of_a_slide_keeps_the_energy():
     """The error is of second order in the slip speed, 1e-18; a step rounds 60 energy terms."""
-    motion = simulate(scene({"time_limit": 2.0}, release={"inclination_deg": 0.5}))
+    motion = roll(scene({"time_limit": 2.0}, release={"inclination_deg": 0.5}))
     assert sum(e.guard == "grip" for e in motion.transitions) > 40
     total = motion.energy(motion.t) + motion.state[:, 10]
     assert np.abs(total / total[0] - 1).max() < walk(60 * len(total))
@@ -108,7 +108,7 @@ def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
         "release.omega=[1.160037, -2.866961, -13.439723]",
         "numerics.time_limit=0.5",
     )
-    motion = simulate(wanted)
+    motion = roll(wanted)
     assert motion.outcome is Outcome.ROLLING_ON
     passing = [
         e for e in motion.transitions if e.guard == "grip" and e.before == e.after
@@ -130,7 +130,7 @@ def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
     ],
 )
 def test_every_guard_is_positive_while_its_regime_holds(friction):
-    motion = simulate(scene({"time_limit": 40 * scene().disk.time_unit}, **friction))
+    motion = roll(scene({"time_limit": 40 * scene().disk.time_unit}, **friction))
     lowest = lowest_guards(motion)
     assert {"lift-off", "nutation reverses", "slip", "slip keeps its side"} <= set(
         lowest

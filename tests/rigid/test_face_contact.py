@@ -9,8 +9,9 @@ fall against a viscous moment.
 from math import cos, degrees, radians, sin, sqrt
 
 import pytest
+from scenes import roll
 
-from dynamics import Outcome, simulate
+from dynamics import Outcome
 from dynamics.disk import GRAVITY
 from sonify import load_scene
 from sonify.plan.plan import omissions_after_end
@@ -41,8 +42,8 @@ def test_a_disk_that_falls_without_resistance_meets_the_table_with_its_energy(
     inclination, mu
 ):
     """At 1e-3 rad without friction the far rim has 48.37 mm/s and 161.6 uJ."""
-    motion = simulate(released(inclination, mu=mu))
-    assert motion.outcome is Outcome.FELL
+    motion = roll(released(inclination, mu=mu))
+    assert motion.rolling_outcome is Outcome.FELL
     (event,) = motion.events
     energy = WEIGHT * lost_height(inclination)
     assert event.energy == pytest.approx(energy, rel=1e-6)
@@ -69,9 +70,9 @@ def test_against_a_viscous_moment_a_disk_falls_or_sinks_at_its_terminal_speed(
 ):
     """The moment c w balances weight times lever; 12.1 mm/s is a fall, 1.21 mm/s is none."""
     resisted = f"dissipation.viscous_moment={damping}"
-    motion = simulate(released(inclination, resisted))
+    motion = roll(released(inclination, resisted))
     (event,) = motion.events
-    assert motion.outcome is outcome
+    assert motion.rolling_outcome is outcome
     assert outcome.lies_flat
     beta, nutation = motion.state[-1, [1, 5]]
     terminal = WEIGHT * (RADIUS * cos(beta) - HALF * sin(beta)) / damping
@@ -83,8 +84,8 @@ def test_against_a_viscous_moment_a_disk_falls_or_sinks_at_its_terminal_speed(
 
 def test_only_a_fall_leaves_out_an_impact():
     """The plan states speed and energy; a disk that sinks makes no impact to be left out."""
-    fell = simulate(released(1e-3))
-    sank = simulate(released(2e-4, "dissipation.viscous_moment=10"))
+    fell = roll(released(1e-3))
+    sank = roll(released(2e-4, "dissipation.viscous_moment=10"))
     assert any(
         "impact of the face" in sentence for sentence in omissions_after_end(fell)
     )
@@ -92,5 +93,5 @@ def test_only_a_fall_leaves_out_an_impact():
 
 
 def test_a_disk_that_settles_has_no_event(motion):
-    assert motion.outcome is Outcome.SETTLED
+    assert motion.rolling_outcome is Outcome.SETTLED
     assert motion.events == ()

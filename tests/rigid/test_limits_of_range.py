@@ -12,9 +12,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from arithmetic import gamma
-from scenes import conservative, proves_its_outcome, scene, whirling
+from scenes import conservative, proves_its_outcome, roll, scene, whirling
 
-from dynamics import ImpossibleContactError, Outcome, regime, simulate, switching
+from dynamics import ImpossibleContactError, Outcome, regime, switching
 from dynamics.equations import DiskConstants
 from dynamics.hybrid import Arc
 from dynamics.integrators.codegen import compile_branch
@@ -39,7 +39,7 @@ def total_energy_spread(motion):
 def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
     span = {"time_limit": 50 * scene().disk.time_unit, "integrator": "dop853"}
     t = np.linspace(0, 49.9 * scene().disk.time_unit, 100)
-    before = simulate(scene(span)).at(t)
+    before = roll(scene(span)).at(t)
     for owner in (
         module,
         __import__("dynamics.rolling", fromlist=["x"]),
@@ -57,15 +57,13 @@ def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
     monkeypatch.setattr(
         "dynamics.integrators.dop853.compile_branch", cache(compile_branch.__wrapped__)
     )  # the compiled flow holds STOP_SLIP_SPEED
-    after = simulate(scene(span)).at(t)
+    after = roll(scene(span)).at(t)
     np.testing.assert_allclose(after, before, rtol=1e-9, atol=1e-9)
 
 
 def test_upright_is_a_named_end():
-    motion = simulate(
-        scene(release={"inclination_deg": 89.9, "omega": (-1.0, 0.0, -10.0)})
-    )
-    assert motion.outcome is Outcome.UPRIGHT
+    motion = roll(scene(release={"inclination_deg": 89.9, "omega": (-1.0, 0.0, -10.0)}))
+    assert motion.rolling_outcome is Outcome.UPRIGHT
     moved = motion.t[-1] * abs(motion.state[-1, 5])
     assert motion.state[-1, 1] == pytest.approx(
         pi / 2, abs=gamma(50) * (pi / 2 + moved)
@@ -75,7 +73,7 @@ def test_upright_is_a_named_end():
 @pytest.mark.parametrize("rate", [-1e-12, -1e-9, -1e-6, -1e-4])
 def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed(rate):
     """A missed reversal would let the moment drive the disk, and the energy would rise."""
-    motion = simulate(
+    motion = roll(
         scene(
             release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)},
             k1=0.03,
@@ -83,7 +81,7 @@ def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed
             k3=0.0,
         )
     )
-    assert motion.outcome is Outcome.FELL
+    assert motion.rolling_outcome is Outcome.FELL
     assert motion.constants.k1 * np.ptp(motion.state[:, 1]) > 1e-3, (
         "what the moment takes is far above round-off"
     )
@@ -95,8 +93,8 @@ def test_lift_off_is_an_outcome_with_its_time():
     fast = scene(
         release={"inclination_deg": 60.0, "omega": (0.0, 0.5 / 0.06917, -4 / 0.06917)}
     )
-    motion = simulate(fast)
-    assert motion.outcome is Outcome.LIFTED_OFF
+    motion = roll(fast)
+    assert motion.rolling_outcome is Outcome.LIFTED_OFF
     before, after = motion.normal_load(motion.t[-1] - [1e-4, 0])
     slope = (before - after) / 1e-4
     assert after == pytest.approx(0, abs=gamma(50) * (1 + motion.t[-1] * slope))
@@ -111,7 +109,7 @@ def test_a_release_that_leaves_the_plane_at_once_is_refused():
         ImpossibleContactError,
         match=r"at t = 0 s: inclination 0\.52.*leaves the plane at once",
     ):
-        simulate(scene(release={"inclination_deg": 30.0, "omega": (40.0, 0.0, 0.0)}))
+        roll(scene(release={"inclination_deg": 30.0, "omega": (40.0, 0.0, 0.0)}))
 
 
 def test_a_contact_that_jams_is_named():
@@ -146,7 +144,7 @@ def test_a_contact_that_jams_is_named():
     ids=["no friction", "slippery", "rolling only", "thin", "shell", "rod"],
 )
 def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
-    motion = simulate(scene({"time_limit": 30.0}, disk=disk, **friction))
+    motion = roll(scene({"time_limit": 30.0}, disk=disk, **friction))
     assert proves_its_outcome(motion, 30.0)
     assert np.isfinite(motion.state).all()
     assert total_energy_spread(motion) < 1e-10
@@ -157,7 +155,7 @@ def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
 @pytest.mark.slow
 def test_equal_coefficients_slide_without_a_jump_of_the_force():
     """With mu_static = mu_dynamic a slide starts without acceleration or jump of the force."""
-    motion = simulate(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
+    motion = roll(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
     starts = [
         s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")
     ]
@@ -171,7 +169,7 @@ def test_equal_coefficients_slide_without_a_jump_of_the_force():
 
 def test_what_a_steady_motion_cannot_tell_is_not_judged():
     """Without peaks of the force there is no nutation; without slips there is no slide."""
-    motion = simulate(whirling(radians(8), numerics={"time_limit": 5.0}))
+    motion = roll(whirling(radians(8), numerics={"time_limit": 5.0}))
     assert len(nutation_frequency(motion)[0]) == 0
     tone = SimpleNamespace(time=np.linspace(0.1, 4.9, 50), frequency=np.full(50, 10.0))
     assert tone_rate_findings(tone, motion, SimpleNamespace(source_end=5.0)) == []
@@ -183,7 +181,7 @@ def test_what_a_steady_motion_cannot_tell_is_not_judged():
 
 
 def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
-    motion = simulate(scene({"time_limit": 6.0}))
+    motion = roll(scene({"time_limit": 6.0}))
     assert len(nutation_frequency(motion)[0]) > 0
     ridge = SimpleNamespace(time=np.linspace(2.5, 4.5, 50), frequency=np.full(50, 10.0))
     tone = SimpleNamespace(ridge=ridge)
@@ -212,9 +210,9 @@ def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(
     monkeypatch, name, value, friction
 ):
     wanted = scene({"time_limit": SPAN, "tolerance": 1e-12}, **friction)
-    slip = next(s for s in simulate(wanted).transitions if s.guard == "slip")
+    slip = next(s for s in roll(wanted).transitions if s.guard == "slip")
     monkeypatch.setattr(f"dynamics.{name}", value)
-    motion = simulate(wanted)
+    motion = roll(wanted)
     assert motion.outcome is Outcome.STALLED
     assert motion.t[-1] == pytest.approx(slip.t, rel=1e-9)
     assert total_energy_spread(motion) < 1e-11
@@ -230,11 +228,11 @@ def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state
     with pytest.raises(
         ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"
     ):
-        simulate(scene(mu_static=0.02, mu_dynamic=0.01))
+        roll(scene(mu_static=0.02, mu_dynamic=0.01))
 
 
 def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
-    motion = simulate(conservative(numerics={"time_limit": 5.0}))
+    motion = roll(conservative(numerics={"time_limit": 5.0}))
     assert motion.transitions == ()
     assert not motion.state[:, 10].any(), (
         "without an arm nothing is dissipated, not even round-off"
@@ -244,7 +242,7 @@ def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
 def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
     monkeypatch.setattr("dynamics.solver_settings.find_spec", lambda name: None)
     assert chosen_integrator("auto")[0] == "dop853"
-    assert simulate(scene({"time_limit": 0.1})).integrator == "dop853"
+    assert roll(scene({"time_limit": 0.1})).integrator == "dop853"
     with pytest.raises(ValueError, match="requires heyoka, which is not installed"):
         chosen_integrator("taylor")
 
@@ -253,7 +251,7 @@ def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
 def test_a_resistance_beyond_all_measure_is_a_named_end(integrator):
     """The drag is too strong for both integrators: no step makes progress."""
     drag = {"power_coefficient": 1e6, "power_exponent": 2.5}
-    motion = simulate(scene({"integrator": integrator}, dissipation=drag))
+    motion = roll(scene({"integrator": integrator}, dissipation=drag))
     assert motion.outcome is Outcome.STALLED
     assert np.isfinite(motion.state).all()
     assert energy_balance(motion).passed
@@ -267,9 +265,8 @@ def test_a_disk_released_at_rest_falls_as_without_a_law_that_has_no_series_there
     still = {"inclination_deg": 12.0, "omega": (0.0, 0.0, 0.0)}
     resisted = {"power_coefficient": 4e-9, "power_exponent": 2.5}
     motions = [
-        simulate(scene(release=still, **more))
-        for more in ({}, {"dissipation": resisted})
+        roll(scene(release=still, **more)) for more in ({}, {"dissipation": resisted})
     ]
-    assert {motion.outcome for motion in motions} == {Outcome.FELL}
+    assert {motion.rolling_outcome for motion in motions} == {Outcome.FELL}
     assert motions[1].t[-1] == pytest.approx(motions[0].t[-1], rel=1e-12)
     assert total_energy_spread(motions[1]) < 1e-13

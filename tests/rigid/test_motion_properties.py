@@ -14,9 +14,9 @@ import pytest
 from arithmetic import gamma
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
-from scenes import proves_its_outcome, scene
+from scenes import proves_its_outcome, roll, scene
 
-from dynamics import ImpossibleContactError, simulate
+from dynamics import ImpossibleContactError
 from dynamics.switching import FIRST_SLIDE_STEP
 
 needs_heyoka = pytest.mark.skipif(
@@ -52,7 +52,7 @@ def solved(wanted):
     """Return the motion; reject the example if the disk leaves the plane immediately or no solution
     exists."""
     try:
-        return simulate(wanted)
+        return roll(wanted)
     except ImpossibleContactError:
         assume(False)
 
@@ -104,10 +104,10 @@ def test_both_integrators_agree(wanted):
     from dataclasses import replace
 
     ours = solved(wanted)
-    other = simulate(
+    other = roll(
         replace(wanted, numerics=replace(wanted.numerics, integrator="dop853"))
     )
-    assert ours.outcome is other.outcome
+    assert ours.rolling_outcome is other.outcome
     assert [s[1:] for s in ours.transitions] == [s[1:] for s in other.transitions]
     t = np.linspace(0, min(ours.t[-1], other.t[-1]), 50)[:-1]
     a = ours.at(t)
@@ -122,7 +122,7 @@ def test_each_order_of_the_series_gains_e_squared_through_transitions():
     t = np.linspace(1, 39.9, 60) * chi
 
     def run(tolerance):
-        return simulate(
+        return roll(
             scene(
                 {"integrator": "taylor", "tolerance": tolerance, "time_limit": 40 * chi}
             )

@@ -113,7 +113,7 @@ def test_it_answers_what_every_motion_answers(motion):
 
 def test_end(motion):
     chi = motion.disk.time_unit
-    assert motion.outcome is Outcome.SETTLED
+    assert motion.rolling_outcome is Outcome.SETTLED
     assert motion.t[-1] / chi == pytest.approx(280.226, abs=0.03)
     assert motion.t_end / chi == pytest.approx(REFERENCE["t_end"], abs=0.03)
     assert motion.state[-1, 1] == pytest.approx(1e-10, rel=1e-9)

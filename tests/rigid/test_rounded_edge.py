@@ -11,8 +11,8 @@ from math import pi
 import numpy as np
 import pytest
 from contact_scenes import granite, slope_of_contact, steady_precession_rate
+from scenes import roll
 
-from dynamics import simulate
 from dynamics.compliant.law.spin_friction import pivoting_polynomials
 from dynamics.equations import DiskConstants
 from dynamics.kinematics import energy
@@ -129,8 +129,7 @@ def test_two_integrators_and_the_compliant_contact_agree():
         "numerics.time_limit=2",
     )
     taylor, other = (
-        simulate(scene.replace(f"numerics.integrator={i}"))
-        for i in ("taylor", "dop853")
+        roll(scene.replace(f"numerics.integrator={i}")) for i in ("taylor", "dop853")
     )
     t = np.linspace(0, 2, 50)
     assert other.at(t) == pytest.approx(taylor.at(t), abs=1e-8)
@@ -145,7 +144,7 @@ def test_two_integrators_and_the_compliant_contact_agree():
         elastic = scene.replace(
             "contact.law=elastic", "contact.body=rigid", "numerics.contact=full"
         )
-        soft = simulate(elastic.replace(*stiffer))
+        soft = roll(elastic.replace(*stiffer))
         kept = soft.energy(soft.t) + soft.state[:, -1]
         assert kept == pytest.approx(kept[0], rel=1e-10)
         away.append(np.abs(soft.at(t[:20]) - taylor.at(t[:20])).max(axis=0))
@@ -159,9 +158,7 @@ def test_the_rounded_edge_ends_the_motion_earlier():
     """The elastic published disk ends 0.6 s earlier on a fillet of 1.6 mm than on a sharp edge."""
     scene = load_scene("published").replace("contact.law=elastic", "contact.body=rigid")
     ends = [
-        simulate(
-            scene.replace(f"contact.fillet={fillet}", "numerics.contact=full")
-        ).t_end
+        roll(scene.replace(f"contact.fillet={fillet}", "numerics.contact=full")).t_end
         for fillet in (1e-4, 1.6e-3)
     ]
     assert ends[0] == pytest.approx(19.35, abs=0.05)

@@ -8,9 +8,9 @@ number of pieces of a motion.
 
 import numpy as np
 import pytest
-from scenes import scene
+from scenes import roll, scene
 
-from dynamics import Outcome, simulate
+from dynamics import Outcome
 from dynamics.integrators.gauss_collocation import (
     CHEBYSHEV_TO_POWERS,
     COLLOCATION_NODES,
@@ -34,9 +34,9 @@ def equal(name, span, ratio=1.0):
 )
 def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, span):
     """Each step may err by 1e-12; the total error stays below 1e-12 times the number of steps."""
-    ours = simulate(equal(name, span))
+    ours = roll(equal(name, span))
     monkeypatch.setattr(RollingDisk, "_is_stiff", lambda *_: False)
-    explicit = simulate(equal(name, span))
+    explicit = roll(equal(name, span))
     assert sum(e.guard == "slip" for e in ours.transitions) > 0
     assert [e[1:] for e in ours.transitions] == [e[1:] for e in explicit.transitions]
     t = np.linspace(0, span, 200)
@@ -49,14 +49,14 @@ def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
     """For equal coefficients of friction the number of pieces is comparable to that for unequal
     ones; with explicit steps it is unbounded."""
     unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
-    assert len(simulate(equal("published", 12.0)).t) < 2 * len(simulate(unequal).t)
+    assert len(roll(equal("published", 12.0)).t) < 2 * len(roll(unequal).t)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 1.001])
 def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
     """A parabola extrapolates the slip direction from later instants to the start; its error is of
     third order."""
-    motion = simulate(equal("published", 4.0, ratio))
+    motion = roll(equal("published", 4.0, ratio))
     starts = [
         e.t for e in motion.transitions if e.before == "roll" and e.after == "slide"
     ]
@@ -109,10 +109,10 @@ def test_a_first_step_beyond_the_end_of_the_fall_is_shortened(monkeypatch):
         k2=3.887857277872237e-3,
         k3=1.3525819592523778e-4,
     )
-    ours = simulate(ring)
-    assert ours.outcome is Outcome.FELL
+    ours = roll(ring)
+    assert ours.rolling_outcome is Outcome.FELL
     monkeypatch.setattr("dynamics.switching.MAX_GRAZING_ACCELERATION", 0.0)
     monkeypatch.setattr(RollingDisk, "_is_stiff", lambda *_: False)
-    explicit = simulate(ring)
-    assert explicit.outcome is Outcome.FELL
+    explicit = roll(ring)
+    assert explicit.rolling_outcome is Outcome.FELL
     assert ours.t[-1] == pytest.approx(explicit.t[-1], rel=1e-6)

@@ -10,9 +10,9 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 from arithmetic import gamma
-from scenes import scene
+from scenes import roll, scene
 
-from dynamics import Outcome, simulate
+from dynamics import Outcome
 from dynamics.regime import ARRAY_FORMULAS, Branch, contact_axis_rates
 
 CASES = {
@@ -31,7 +31,7 @@ CASES = {
 @pytest.fixture(scope="module", params=CASES)
 def case(request):
     friction, *expected = CASES[request.param]
-    return request.param, simulate(scene(**friction)), expected
+    return request.param, roll(scene(**friction)), expected
 
 
 def test_first_sticking(case):
@@ -84,7 +84,7 @@ def test_outcome(case):
     ends = {"k1 = 0.01": (Outcome.SETTLED, 276.07), "k3 = 0.1": (Outcome.FELL, 30.8)}
     if name in ends:
         outcome, tau = ends[name]
-        assert motion.outcome is outcome
+        assert motion.rolling_outcome is outcome
         low = (
             motion.t[np.argmax(motion.state[:, 1] < 1e-8)]
             if outcome is Outcome.SETTLED
@@ -92,12 +92,12 @@ def test_outcome(case):
         )
         assert low / motion.disk.time_unit == pytest.approx(tau, abs=0.02)
     else:
-        assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
+        assert motion.rolling_outcome in (Outcome.SETTLED, Outcome.FELL)
 
 
 def test_without_pivoting_friction_the_disk_runs_past_tau_1000():
-    motion = simulate(scene(k3=0.0))
-    assert motion.outcome is Outcome.SETTLED
+    motion = roll(scene(k3=0.0))
+    assert motion.rolling_outcome is Outcome.SETTLED
     assert motion.t[-1] / motion.disk.time_unit > 1000
 
 
@@ -105,7 +105,7 @@ def test_without_pivoting_friction_the_disk_runs_past_tau_1000():
 def test_both_integrators_stick_alike():
     span = {"time_limit": 40 * scene().disk.time_unit}
     a, b = (
-        simulate(scene({"integrator": name, **span}, k1=0.01))
+        roll(scene({"integrator": name, **span}, k1=0.01))
         for name in ("taylor", "dop853")
     )
     assert [s[1:] for s in a.transitions] == [s[1:] for s in b.transitions]
@@ -117,12 +117,10 @@ def test_both_integrators_stick_alike():
 
 
 def test_several_surfaces_stick_at_once():
-    motion = simulate(
-        scene(k1=0.05, k2=0.05, k3=0.05, mu_static=np.inf, mu_dynamic=np.inf)
-    )
+    motion = roll(scene(k1=0.05, k2=0.05, k3=0.05, mu_static=np.inf, mu_dynamic=np.inf))
     both = [s for s in motion.transitions if s.after.count("sticks") >= 2]
     assert both
-    assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
+    assert motion.rolling_outcome in (Outcome.SETTLED, Outcome.FELL)
 
 
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
@@ -132,7 +130,7 @@ def test_a_reversal_soon_after_another_is_not_missed(k1):
     is zero at the start of that step."""
     span = {"time_limit": 8 * scene().disk.time_unit}
     runs = [
-        simulate(scene({"integrator": name, **span}, k1=k1))
+        roll(scene({"integrator": name, **span}, k1=k1))
         for name in ("taylor", "dop853")
     ]
     ours, other = ([(e.guard, e.after) for e in run.transitions] for run in runs)

@@ -280,7 +280,7 @@ def test_the_modes_ring_out_however_the_motion_ends(name):
     )
     motion = simulate(scene)
     modes = eigenmodes(scene, below=4e3)
-    assert motion.outcome in (Outcome.FELL, Outcome.ROLLING_ON)
+    assert motion.rolling_outcome in (Outcome.FELL, Outcome.ROLLING_ON)
     renderer = Renderer(scene, motion, modes)
     stems = np.vstack(list(renderer.blocks()))
     rate = 8000

@@ -66,7 +66,7 @@ def carried():
     scene = load_scene("published").replace("numerics.accuracy=draft", *changes)
     plan, modes = plan_with_modes(scene)
     motion = solve_motion(plan_motion(scene))
-    assert motion.rolling.outcome is Outcome.AIRBORNE
+    assert motion.rolling_outcome is Outcome.AIRBORNE
     renderer = Renderer(scene, motion, modes, plan.sounding)
     return renderer, np.vstack(list(renderer.blocks())).sum(axis=1)
 
@@ -198,7 +198,7 @@ def test_a_run_writes_a_ring_of_the_stated_rates(tmp_path):
     """
     result = run("granite", tmp_path, "draft")
     assert result.motion.outcome is Outcome.AT_REST
-    assert result.motion.rolling.outcome is Outcome.AIRBORNE
+    assert result.motion.rolling_outcome is Outcome.AIRBORNE
     sound = result.sound
     record = json.loads((tmp_path / "run.json").read_text())
     assert record["sound"]["ring_down"]["decay_rate"] == pytest.approx(

@@ -6,7 +6,7 @@ from the gap in every step. The tangential springs and the length of the ellipse
 those under the weight.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -34,6 +34,7 @@ from dynamics.compliant.stepping.time_loop import (
     MotionSteps,
     step_motion,
 )
+from dynamics.contact_losses import ContactLosses
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.solver_settings import ACCURACY_LEVELS
@@ -51,34 +52,6 @@ END_REASONS = {
     "the wedge model of the film requires a contact",
 }
 """Reasons for the end of a motion."""
-
-
-class ContactLoss(NamedTuple):
-    """Loss of contact: start and duration [s], and largest height [m] of the edge."""
-
-    t: float
-    duration: float
-    height: float
-
-
-class ContactLosses(Sequence[ContactLoss]):
-    """Losses of contact as an array (n, 3): start [s], duration [s], height [m]."""
-
-    def __init__(self, array: np.ndarray) -> None:
-        self.array = array
-
-    def __len__(self) -> int:
-        return len(self.array)
-
-    def __getitem__(self, i: Any) -> Any:
-        return (
-            ContactLosses(self.array[i])
-            if isinstance(i, slice)
-            else ContactLoss(*self.array[i].tolist())
-        )
-
-    def __repr__(self) -> str:
-        return f"Losses({len(self)}, {self.array[:, 1].sum():.4g} s in all)"
 
 
 class MotionPiece(NamedTuple):

@@ -89,7 +89,8 @@ def disk_sources(
 
 def comes_to_rest(motion) -> bool:
     """Return whether a motion was solved until nothing moves, so that it needs no fade."""
-    return motion.outcome is Outcome.AT_REST
+    last = motion.landing or motion
+    return last.rolling_outcome is Outcome.AT_REST
 
 
 def rim_flow_shares(Lam) -> np.ndarray:
