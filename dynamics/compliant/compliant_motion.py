@@ -29,6 +29,7 @@ from dynamics.compliant.stepping.rim_modes import (
 from dynamics.compliant.stepping.row_store import RowStore, interpolate_rows
 from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
+from dynamics.contact_losses import ContactLosses
 from dynamics.disk import Disk
 from dynamics.dissipation import power_laws
 from dynamics.face_contact import face_events, outcome_when_flat

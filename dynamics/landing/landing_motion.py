@@ -446,18 +446,20 @@ def landing_state(
     along, across = centre_velocity(columns[8:10], omega, place)
     p = np.array([cosine * s, -cosine * c, sine])
     q = np.array([c, s, 0.0])
-    turn = omega[0] * p - omega[2] * q
+    turn_x, turn_y, turn_z = omega[0] * p - omega[2] * q
     state = LandingState(
-        place.e - model.disk.thickness / 2 + clearance,
-        -sine * s,
-        sine * c,
-        cosine,
-        place.f * omega[0],
-        *turn,
-        columns[3],
-        columns[4],
-        along * c - across * s,
-        along * s + across * c,
+        height=place.e - model.disk.thickness / 2 + clearance,
+        axis_x=-sine * s,
+        axis_y=sine * c,
+        axis_z=cosine,
+        rise=place.f * omega[0],
+        turn_x=turn_x,
+        turn_y=turn_y,
+        turn_z=turn_z,
+        x=columns[3],
+        y=columns[4],
+        speed_x=along * c - across * s,
+        speed_y=along * s + across * c,
         turned=0.0,
         axial_rate=omega[1],
     )
