@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import soundfile
-from scipy.spatial import Delaunay
+from scipy.spatial import ConvexHull, Delaunay
 
 from dynamics import Motion
 from dynamics.contact_geometry import centre_height, contact_reach, edge_profile
 from dynamics.observables import plotted_rates
 from modal import Modes, Support
 from modal.tabletop.record import SurfaceModes
+from sonify.hearing.audio_source import read_samples
 from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
@@ -34,9 +35,11 @@ MAX_STORED_LANDING_TIMES = 400
 """Number of times of a landing in the page."""
 MAX_PAGE_SOUND_DURATION = 30.0
 """Maximum duration of the final part of a sound in the page [s]."""
-MAX_PAGE_SOUND_SIZE = 2_800_000
-"""Maximum size of all sounds in the page [base64 characters]; longer sounds are
+MAX_PAGE_SOUND_SIZE = 2_600_000
+"""Maximum size of all sounds in the page [base64 characters]; larger sounds are
 shortened."""
+MAX_TABLE_POINTS = 3_000
+"""Approximate maximum number of points of a table in the page."""
 
 
 def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
@@ -67,6 +70,7 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
             "thickness": motion.disk.thickness,
             "inner_radius": motion.disk.inner_radius,
             "weight": motion.disk.weight,
+            "mirror": result.scene.surface.sag > 0,
             "edge": base64_array(edge_profile(motion.disk, motion.rolling_fillet, 8)),
             "contact": encoded_contact(motion),
         },
@@ -78,11 +82,11 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
 
 
 def encoded_sounds(sound: Sound) -> dict[str, Any]:
-    """Return the stems, the A-weighting filter of the page, and the names of inaudible
-    stems.
+    """Return the stems, filter and gain of audible.wav, and the names of inaudible stems.
 
-    If a sound is longer than MAX_PAGE_SOUND_DURATION or larger than
-    MAX_PAGE_SOUND_SIZE, only its end is returned, which begins at `start` [s].
+    Each sound is stored once: the player derives the audible copy from the stems. If a
+    sound is longer than MAX_PAGE_SOUND_DURATION or larger than MAX_PAGE_SOUND_SIZE,
+    only its end is returned, which begins at `start` [s].
     """
     seconds = min(sound.duration, MAX_PAGE_SOUND_DURATION)
     tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
@@ -90,12 +94,14 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
     if size > MAX_PAGE_SOUND_SIZE:
         seconds *= 0.95 * MAX_PAGE_SOUND_SIZE / size
         tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
+    start = sound.duration - seconds
     content = {
         "full_scale": sound.full_scale,
         "tracks": tracks,
-        "weighting": {
-            "full_scale": sound.audible_uncompressed.full_scale,
+        "audible": {
             "sections": a_weighting(sound.sample_rate).tolist(),
+            "interval": GAIN_INTERVAL,
+            "gain": base64_array(np.round(100 * audible_gain_db(sound, start)), np.int16),
         },
         "inaudible": [
             name
@@ -103,7 +109,34 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
             if heard.above_threshold.max() <= 0
         ],
     }
-    return {"start": sound.duration - seconds, "content": content}
+    return {"start": start, "content": content}
+
+
+GAIN_INTERVAL = 1e-3
+"""Interval at which the page stores the gain of audible.wav [s]."""
+
+
+def audible_gain_db(sound: Sound, start: float) -> np.ndarray:
+    """Return the gain of audible.wav relative to the A-weighted pressure, in the middle
+    of successive intervals from `start` [s] on.
+
+    The gain (k,) [dB re 1/Pa] is that of the loudest sample of each interval; it is
+    interpolated over silent intervals.
+    """
+    first = round(start * sound.sample_rate)
+    size = round(GAIN_INTERVAL * sound.sample_rate)
+    weighted = read_samples(sound.a_weighted, first, sound.pressure.frames)[:, 0]
+    audible = read_samples(sound.audible, first, sound.pressure.frames)[:, 0]
+    extended = np.pad(weighted, (0, -len(weighted) % size)).reshape(-1, size)
+    loudest = np.abs(extended).argmax(axis=1) + size * np.arange(len(extended))
+    loudest = np.minimum(loudest, len(weighted) - 1)
+    is_silent = np.abs(weighted[loudest]) <= 1e-9 * np.abs(weighted).max()
+    if is_silent.all():
+        return np.zeros(len(loudest))
+    heard = np.flatnonzero(~is_silent)
+    there = loudest[heard]
+    gain = 20 * np.log10(np.abs(audible[there] / weighted[there]))
+    return np.interp(np.arange(len(loudest)), heard, gain)
 
 
 def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
@@ -213,15 +246,26 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
 
 
 def encoded_table_shapes(table: SurfaceModes) -> dict[str, Any]:
-    """Return the top face of a table [m] and the shapes of its lowest modes, normalised
-    as in `encoded_mode_shapes`."""
+    """Return the top face of a table [m] and the axial shapes of its lowest modes,
+    normalised as in `encoded_mode_shapes`."""
     few = stored_modes(table)
-    flat = np.zeros(len(table.points))
-    moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
     captions = [table_caption(table, i) for i in few]
-    triangles = Delaunay(table.points).simplices
-    points = np.column_stack([table.points, flat])
-    return _encoded_shapes(points, triangles, captions, moved)
+    kept = thinned(table.points, MAX_TABLE_POINTS)
+    points = table.points[kept]
+    triangles = Delaunay(points).simplices
+    level = np.column_stack([points, np.zeros(len(points))])
+    return _encoded_shapes(level, triangles, captions, [table.face[i][kept] for i in few])
+
+
+def thinned(points: np.ndarray, count: int) -> np.ndarray:
+    """Return the indices of about `count` points (k, 2) that cover all of them: one in
+    each cell of a square grid, and the corners of the outline."""
+    if len(points) <= count:
+        return np.arange(len(points))
+    low = points.min(axis=0)
+    cell = np.sqrt(np.ptp(points, axis=0).prod() / count)
+    _, first = np.unique(np.floor((points - low) / cell), axis=0, return_index=True)
+    return np.union1d(first, ConvexHull(points).vertices)
 
 
 def stored_modes(modes: Modes | SurfaceModes) -> range:
