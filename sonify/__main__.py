@@ -499,7 +499,7 @@ def _check_export_options(what, options):
 def serve(folder, port, host):
     """Serve the finished runs in FOLDER (default outputs) to a browser, with a list and
     a comparison of two runs."""
-    from sonify.serve import serve
+    from sonify.studio.application import serve
 
     serve(
         folder,

@@ -4,6 +4,7 @@ Arrays are little-endian floats or integers in base64; sounds are FLAC data URLs
 """
 
 from base64 import b64encode
+from dataclasses import dataclass
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -16,11 +17,12 @@ from dynamics.contact_geometry import centre_height, contact_reach, edge_profile
 from dynamics.observables import plotted_rates
 from modal import Modes, Support
 from modal.tabletop.record import SurfaceModes
-from sonify.hearing.audio_source import read_samples
+from sonify.hearing.audio_source import Recording, read_samples
 from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
-from sonify.sound.playback import ScaledTrack, a_weighting
+from sonify.sound.mastering import master_copy
+from sonify.sound.playback import ScaledTrack, WeightedTrack, a_weighting
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -81,14 +83,14 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def encoded_sounds(sound: Sound) -> dict[str, Any]:
+def encoded_sounds(sound: Sound, longest: float | None = None) -> dict[str, Any]:
     """Return the stems, filter and gain of audible.wav, and the names of inaudible stems.
 
     Each sound is stored once: the player derives the audible copy from the stems. If a
-    sound is longer than MAX_PAGE_SOUND_DURATION or larger than MAX_PAGE_SOUND_SIZE,
-    only its end is returned, which begins at `start` [s].
+    sound is longer than `longest` [s] (default: MAX_PAGE_SOUND_DURATION) or larger than
+    MAX_PAGE_SOUND_SIZE, only its end is returned, which begins at `start` [s].
     """
-    seconds = min(sound.duration, MAX_PAGE_SOUND_DURATION)
+    seconds = min(sound.duration, longest or MAX_PAGE_SOUND_DURATION)
     tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
     size = sum(map(len, tracks.values()))
     if size > MAX_PAGE_SOUND_SIZE:
@@ -98,11 +100,7 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
     content = {
         "full_scale": sound.full_scale,
         "tracks": tracks,
-        "audible": {
-            "sections": a_weighting(sound.sample_rate).tolist(),
-            "interval": GAIN_INTERVAL,
-            "gain": base64_array(np.round(100 * audible_gain_db(sound, start)), np.int16),
-        },
+        "audible": encoded_gain(sound.a_weighted, sound.audible, start),
         "inaudible": [
             name
             for name, heard in sound.stem_audibility.items()
@@ -116,27 +114,80 @@ GAIN_INTERVAL = 1e-3
 """Interval at which the page stores the gain of audible.wav [s]."""
 
 
-def audible_gain_db(sound: Sound, start: float) -> np.ndarray:
-    """Return the gain of audible.wav relative to the A-weighted pressure, in the middle
-    of successive intervals from `start` [s] on.
+def encoded_gain(weighted, audible, start: float) -> dict[str, Any]:
+    """Return filter and gain that make an audible copy from `start` [s] on."""
+    gain_db = audible_gain_db(weighted, audible, start)
+    return {
+        "sections": a_weighting(weighted.sample_rate).tolist(),
+        "interval": GAIN_INTERVAL,
+        "gain": base64_array(np.round(100 * gain_db), np.int16),
+    }
+
+
+def audible_gain_db(weighted, audible, start: float) -> np.ndarray:
+    """Return the gain of an audible copy relative to the A-weighted pressure, in the
+    middle of successive intervals from `start` [s] on.
 
     The gain (k,) [dB re 1/Pa] is that of the loudest sample of each interval; it is
     interpolated over silent intervals.
     """
-    first = round(start * sound.sample_rate)
-    size = round(GAIN_INTERVAL * sound.sample_rate)
-    weighted = read_samples(sound.a_weighted, first, sound.pressure.frames)[:, 0]
-    audible = read_samples(sound.audible, first, sound.pressure.frames)[:, 0]
-    extended = np.pad(weighted, (0, -len(weighted) % size)).reshape(-1, size)
+    first = round(start * weighted.sample_rate)
+    size = round(GAIN_INTERVAL * weighted.sample_rate)
+    before = read_samples(weighted, first, weighted.frames)[:, 0]
+    after = read_samples(audible, first, weighted.frames)[:, 0]
+    extended = np.pad(before, (0, -len(before) % size)).reshape(-1, size)
     loudest = np.abs(extended).argmax(axis=1) + size * np.arange(len(extended))
-    loudest = np.minimum(loudest, len(weighted) - 1)
-    is_silent = np.abs(weighted[loudest]) <= 1e-9 * np.abs(weighted).max()
+    loudest = np.minimum(loudest, len(before) - 1)
+    is_silent = np.abs(before[loudest]) <= 1e-9 * np.abs(before).max()
     if is_silent.all():
         return np.zeros(len(loudest))
     heard = np.flatnonzero(~is_silent)
     there = loudest[heard]
-    gain = 20 * np.log10(np.abs(audible[there] / weighted[there]))
+    gain = 20 * np.log10(np.abs(after[there] / before[there]))
     return np.interp(np.arange(len(loudest)), heard, gain)
+
+
+def recording_data(recording: Recording, end: float) -> dict[str, Any]:
+    """Return the data of the final part of a recording of a disk, to be heard beside a
+    run. The disk stops at `end` [s]."""
+    final_silence = 2.0  # s
+    last = min(recording.frames / recording.sample_rate, end + final_silence)
+    first = max(last - MAX_PAGE_SOUND_DURATION, 0.0)
+    part = slice(*(round(time * recording.sample_rate) for time in (first, last)))
+    samples = recording.samples[part]
+    track = MonoTrack(samples=samples, sample_rate=recording.sample_rate)
+    peak = float(np.abs(samples).max(initial=0.0)) or 1.0
+    weighted = WeightedTrack(track=track)
+    return {
+        "name": recording.name,
+        "duration": last,
+        "sample_rate": recording.sample_rate,
+        "source_end": end,
+        "delay": 0.0,
+        "lands": False,
+        "start": first,
+        "sounds": {
+            "full_scale": peak,
+            "tracks": encoded_stems({"recording": track}, peak, 0.0),
+            "audible": encoded_gain(weighted, master_copy(track), 0.0),
+            "inaudible": [],
+        },
+        "lines": None,
+        "motion": None,
+        "shapes": None,
+        "table": None,
+        "seen": f"Spectrogram of the recording, {last - first:.1f} s; the disk stops at {end:.2f} s.",
+    }
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MonoTrack(Recording):
+    """Samples in memory as a track with one channel."""
+
+    @property
+    def channels(self) -> int:
+        """Number of listeners."""
+        return 1
 
 
 def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
@@ -168,13 +219,15 @@ def encoded_rates(motion: Motion) -> dict[str, Any]:
     return {name: base64_array(column) for name, column in columns}
 
 
-def encoded_motion(motion: Motion) -> dict[str, Any]:
-    """Return the motion at its sampled times [s].
+def encoded_motion(motion: Motion, longest: float | None = None) -> dict[str, Any]:
+    """Return the motion at its sampled times [s], in the last `longest` seconds (default:
+    MAX_PAGE_SOUND_DURATION).
 
     The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
     [J].
     """
-    t = sample_times(motion.rolling, max(motion.t_end - MAX_PAGE_SOUND_DURATION, 0.0))
+    begin = motion.t_end - (longest or MAX_PAGE_SOUND_DURATION)
+    t = sample_times(motion.rolling, max(begin, 0.0))
     if motion.landing is not None:
         t = np.append(t, landing_times(motion))
     state, force = motion.at_and_force(t)
@@ -254,7 +307,9 @@ def encoded_table_shapes(table: SurfaceModes) -> dict[str, Any]:
     points = table.points[kept]
     triangles = Delaunay(points).simplices
     level = np.column_stack([points, np.zeros(len(points))])
-    return _encoded_shapes(level, triangles, captions, [table.face[i][kept] for i in few])
+    return _encoded_shapes(
+        level, triangles, captions, [table.face[i][kept] for i in few]
+    )
 
 
 def thinned(points: np.ndarray, count: int) -> np.ndarray:

@@ -17,7 +17,7 @@ import pytest
 import soundfile
 
 from sonify import load_scene, run
-from sonify.serve import serve
+from sonify.studio.application import serve
 
 playwright = pytest.importorskip(
     "playwright.sync_api", reason="needs the extra `browser`"
@@ -530,13 +530,21 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     assert any("Content Security Policy" in text for text in said)
     page.goto(address)
     assert page.locator("td", has_text="passed").count() == 1
+    until(page, f"({READY})()")
     page.close()
 
 
 def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder, address):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.goto(f"{address}compare?a={folder.name}&b={folder.name}")
+    page.goto(address)
+    until(page, f"({READY})()")
+    page.check("input[name=b]")
     until(page, f"({READY})() && sonify.spectrograms.length == 2")
+    one, other = (
+        canvas.bounding_box() for canvas in page.locator("#disks canvas").all()
+    )
+    assert one["y"] == other["y"], "the disks are side by side"
+    assert one["x"] + one["width"] <= other["x"]
     page.evaluate("sonify.player.seek(10.0)")
     page.click("#play")
     until(page, "sonify.player.playing")
