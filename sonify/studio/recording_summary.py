@@ -6,7 +6,6 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from sonify.fitting.least_squares import values_in_words
 from sonify.fitting.line_selection import Judged
 from sonify.hearing.audio_source import (
     Recording,
@@ -67,12 +66,9 @@ def summary_of_fit(judged: Judged) -> list[str]:
     """Return three sentences: when the disk stopped, what slowed it, and how sure this
     is."""
     end = judged.fit.value(0)
-    cause = VERDICTS[judged.verdict]
-    if judged.values():
-        cause = f"{cause[:-1]} ({values_in_words(judged.values())})."
     return [
         f"It stopped at {end.value:.2f} s ({end.low:.2f} to {end.high:.2f} s).",
-        cause,
+        VERDICTS[judged.verdict],
         certainty_sentence(judged.run.certain, judged.run.false_alarm),
     ]
 

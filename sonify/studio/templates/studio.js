@@ -366,6 +366,7 @@ async function decoded(file) {
 
 async function analyse(file, span = {}) {
   const state = $("recording-state");
+  $("drop").scrollIntoView({ block: "nearest" });
   $("recording").replaceChildren();
   state.textContent = "reading the recording";
   try {
