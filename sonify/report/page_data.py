@@ -37,7 +37,7 @@ MAX_STORED_LANDING_TIMES = 400
 """Number of times of a landing in the page."""
 MAX_PAGE_SOUND_DURATION = 30.0
 """Maximum duration of the final part of a sound in the page [s]."""
-MAX_PAGE_SOUND_SIZE = 2_600_000
+MAX_PAGE_SOUND_SIZE = 2_500_000
 """Maximum size of all sounds in the page [base64 characters]; larger sounds are
 shortened."""
 MAX_TABLE_POINTS = 3_000

@@ -57,11 +57,11 @@ function rowOf(place) {
   return document.querySelector(`#run-list tr[data-place="${CSS.escape(place)}"]`);
 }
 
-/** Return a recording with its end at the end of a run. */
-function alignedRecording(run) {
-  const shift = run.source_end - recording.source_end;
-  const { start, duration, source_end } = recording;
-  return { ...recording, colours: run.colours, start: start + shift, duration: duration + shift, source_end: source_end + shift };
+/** Return a run or a recording with its end at the end of another run. */
+function aligned(other, run) {
+  const shift = run.source_end - other.source_end;
+  const { start, duration, source_end, delay } = other;
+  return { ...other, start: start + shift, duration: duration + shift, source_end: source_end + shift, delay: delay + shift };
 }
 
 /** Show run `a` and, if given, run `b` or the recording; keep position and settings unless given. */
@@ -70,8 +70,8 @@ async function display(places, { position, plays } = {}) {
   shown = { a: places.a, b: places.b ?? null };
   const named = async (place) => ({ ...(await dataOf(place)), name: rowOf(place)?.dataset.name ?? "toy" });
   const given = [await named(shown.a)];
-  if (shown.b !== null) given.push(await named(shown.b));
-  else if (recording) given.push(alignedRecording(given[0]));
+  if (shown.b !== null) given.push(aligned(await named(shown.b), given[0]));
+  else if (recording) given.push(aligned({ ...recording, colours: given[0].colours }, given[0]));
   if (number !== displays) return;
   const isTrueScale = document.querySelector("#natural")?.checked;
   position ??= view?.player.position;
@@ -404,9 +404,10 @@ async function showRecording({ result, folder }, file, span) {
   const parts = result.summary.map((line) => element("p", { textContent: line }));
   if (result.runs.length > 1) {
     const inOrder = [...result.runs].sort((one, other) => one.start - other.start);
-    const choices = inOrder.map(({ start, end, high }) => {
-      const button = element("button", { type: "button", textContent: `from ${start.toFixed(1)} to ${end.toFixed(1)} s` });
-      button.addEventListener("click", () => analyse(file, { from: Math.max(start - 0.5, span.from ?? 0), to: high + 1 }));
+    const choices = inOrder.map(({ end, high }, i) => {
+      const from = i ? inOrder[i - 1].high : (span.from ?? 0); // all of the sound since the run before
+      const button = element("button", { type: "button", textContent: `run that ends at ${end.toFixed(1)} s` });
+      button.addEventListener("click", () => analyse(file, { from, to: high + 1 }));
       return button;
     });
     parts.push(element("p", { className: "actions" }, ...choices));

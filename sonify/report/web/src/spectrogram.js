@@ -4,6 +4,7 @@ import FFT from 'fft.js'
 
 const MIN_FREQUENCY = 10 // [Hz]
 const RANGE = 65 // [dB], between the darkest and the brightest colour
+const SILENCE = -300 // [dB], level of samples that are zero
 const MAX_BAND_DIFFERENCE = 50 // [dB], between the brightest levels of low and high frequencies
 const BLEND = [300, 3000] // [Hz], range in which window and brightest level change from those of low to those of high frequencies
 const MIN_TICK_DISTANCE = 80 // [px], between the times below the panel
@@ -194,7 +195,7 @@ function niceTicks(from, to, count) {
 
 function brightest(level, bands, width) {
   const tops = bands.map(({ first, last }) => loudest(level.subarray(first * width, last * width)))
-  return tops.map((top) => Math.max(top, Math.max(...tops) - MAX_BAND_DIFFERENCE))
+  return tops.map((top) => Math.max(top, Math.max(...tops) - MAX_BAND_DIFFERENCE, SILENCE + RANGE))
 }
 
 function loudest(levels) {
@@ -225,7 +226,7 @@ class Band {
     for (let i = 0; i < this.size; i++) this.input[i] = (samples[start + i] ?? 0) * this.taper[i]
     this.fft.realTransform(this.output, this.input)
     this.rows.forEach(([low, high], i) => {
-      level[(this.first + i) * width + column] += this.weights[i] * 10 * Math.log10(this.#power(low, high) + 1e-30)
+      level[(this.first + i) * width + column] += this.weights[i] * 10 * Math.log10(this.#power(low, high) + 10 ** (SILENCE / 10))
     })
   }
 
