@@ -3,12 +3,14 @@
 import json
 import re
 from datetime import datetime
+from math import log10
 from pathlib import Path
 from typing import Any
 
 from starlette.exceptions import HTTPException
 
 from sonify.claims.checks import Check
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA
 from sonify.runtime.files import readable_text
 from sonify.studio.run_names import run_name
 
@@ -41,6 +43,7 @@ def _run_entry(root: Path, path: Path) -> dict[str, Any] | None:
             "changes": name.changes,
             "date": datetime.fromtimestamp(path.stat().st_mtime),
             "end": record.get("motion", {}).get("end"),
+            "level": level_at_listener(record.get("sound", {})),
             "outcome": record["outcome"]["sentence"],
             "headline": record.get("headline", ""),
             "failed": _failed_check_lines(record["checks"]),
@@ -50,6 +53,18 @@ def _run_entry(root: Path, path: Path) -> dict[str, Any] | None:
         }
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return None
+
+
+def level_at_listener(sound: dict[str, Any]) -> float | None:
+    """Return the K-weighted level [dB re 20 µPa] of a sound from its record in run.json.
+
+    It is the loudness by BS.1770, in which 0 dB is the scale of sound.wav, at the true
+    scale; None if the sound is too short or silent.
+    """
+    loudness = sound.get("loudness_lufs")
+    if not isinstance(loudness, int | float):
+        return None
+    return loudness + 20 * log10(sound["full_scale_pascal"] / REFERENCE_PRESSURE_PA)
 
 
 def _failed_check_lines(checks):

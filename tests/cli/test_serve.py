@@ -205,7 +205,8 @@ def test_a_run_is_listed_in_words_with_its_values_length_date_and_picture(tmp_pa
     glass = scene_record(load_scene("glass").replace("roughness.rms_edge=1e-7"))
     for name, scene in (("run", glass), ("own", glass | {"name": "own"})):
         (tmp_path / name).mkdir()
-        record = RECORD | {"scene": scene, "motion": {"end": 109.17}}
+        sound = {"loudness_lufs": -23.0, "full_scale_pascal": 0.2}  # 80 dB - 23 dB
+        record = RECORD | {"scene": scene, "motion": {"end": 109.17}, "sound": sound}
         (tmp_path / name / "run.json").write_text(json.dumps(record))
         (tmp_path / name / "report.html").touch()
     (tmp_path / "run" / "spectrogram.png").touch()
@@ -214,7 +215,7 @@ def test_a_run_is_listed_in_words_with_its_values_length_date_and_picture(tmp_pa
     assert '<a href="runs/run/">glass, edge rougher</a>' in page
     assert "<p>roughness of the edge 0.1 µm</p>" in page
     assert '<a href="runs/own/">own</a>' in page
-    assert page.count("<td>109 s</td>") == 2
+    assert page.count("<td>109 s</td>") == page.count("<td>57 dB</td>") == 2
     assert re.search("<td>197[01]-", page)
     assert page.count('<img src="runs/') == 1
     assert '<img src="runs/run/spectrogram.png"' in page

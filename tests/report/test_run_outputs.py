@@ -5,6 +5,7 @@ Source: the README's table of outputs; the claims of Kessler & O'Reilly (2002), 
 Oracle: the files, read back with independent readers; the known verdicts of the corrected model.
 """
 
+import gzip
 import json
 import re
 import signal
@@ -12,6 +13,7 @@ import sys
 from base64 import b64decode
 from dataclasses import replace
 from html import unescape
+from importlib import resources
 from io import BytesIO
 from types import SimpleNamespace
 
@@ -46,6 +48,7 @@ from sonify.plan.preflight import plan_with_modes
 from sonify.report import page as report
 from sonify.report import page_data
 from sonify.sound.render import Renderer
+from sonify.studio.application import OPENING_RUN
 
 FILES = {
     "sound.wav",
@@ -420,6 +423,25 @@ def test_a_silent_sound_has_a_gain():
     """No sample of silence determines a gain."""
     silence = Recording(samples=np.zeros(480), sample_rate=48000)
     assert not page_data.audible_gain_db(silence, silence, 0.0).any()
+
+
+def test_the_page_is_small(result):
+    """6 MB up to 20 s of sound, and 0.15 MB for each further second."""
+    size = (result.out / "report.html").stat().st_size
+    assert size < 6e6 + 0.15e6 * max(result.sound.duration - 20, 0)
+
+
+def test_the_opening_run_of_the_studio_has_the_form_of_a_page(result):
+    """`python -m sonify.studio.opening` renews it after a change of the form."""
+    shipped = resources.files("sonify.studio") / OPENING_RUN
+    opening = json.loads(gzip.decompress(shipped.read_bytes()))
+    data = page_data.page_data(result, page_parts(result))
+    assert opening["name"] == "toy"
+    assert opening["headline"].endswith(".")
+    assert set(opening) == {*data, "headline"}
+    for name in ("sounds", "disk", "motion", "lines"):
+        assert set(opening[name]) == set(data[name])
+    assert set(opening["sounds"]["audible"]) == set(data["sounds"]["audible"])
 
 
 def test_a_fine_mesh_is_thinned_evenly():

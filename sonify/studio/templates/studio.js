@@ -120,7 +120,8 @@ async function refreshList() {
   markChoice();
 }
 
-async function open() {
+/** Show the runs of the last visit, or the first run. */
+async function openFirst() {
   const before = stored();
   const exists = (place) => place === OPENING || Boolean(rowOf(place));
   const first = [...document.querySelectorAll("#run-list input[name=a]:not(:disabled)")][0]?.value;
@@ -530,4 +531,4 @@ function addForm() {
 }
 
 if (isEditable) addForm();
-attempt(open());
+attempt(openFirst());
