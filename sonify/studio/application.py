@@ -138,25 +138,20 @@ def routes_of_runs(root: Path, is_editable: bool) -> list[Route]:
     """Return the routes for the page, the list of runs in `root`, their data and
     files."""
 
+    def listed() -> dict[str, Any]:
+        return {
+            "runs": finished_runs(root),
+            "root": readable_text(root.name),
+            "is_editable": is_editable,
+        }
+
     def page(request: Request) -> Response:
-        text = (
-            _templates()
-            .get_template("studio.html")
-            .render(
-                is_editable=is_editable,
-                scenes=shipped_scenes(),
-                runs=finished_runs(root),
-                root=readable_text(root.name),
-                **_studio_assets(),
-                **page_assets(),
-            )
-        )
-        return HTMLResponse(text)
+        content = listed() | _studio_assets() | page_assets()
+        template = _templates().get_template("studio.html")
+        return HTMLResponse(template.render(content, scenes=shipped_scenes()))
 
     def run_list(request: Request) -> Response:
-        template = _templates().get_template("run_list.html")
-        root_name = readable_text(root.name)
-        return HTMLResponse(template.render(runs=finished_runs(root), root=root_name))
+        return HTMLResponse(_templates().get_template("run_list.html").render(listed()))
 
     def data(request: Request) -> Response:
         folder = path_inside(root, request.path_params["path"])
