@@ -226,8 +226,9 @@ def encoded_motion(motion: Motion, longest: float | None = None) -> dict[str, An
     The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
     [J].
     """
-    begin = motion.t_end - (longest or MAX_PAGE_SOUND_DURATION)
-    t = sample_times(motion.rolling, max(begin, 0.0))
+    longest = longest or MAX_PAGE_SOUND_DURATION
+    count = round(MAX_STORED_MOTION_TIMES * longest / MAX_PAGE_SOUND_DURATION)
+    t = sample_times(motion.rolling, max(motion.t_end - longest, 0.0), count)
     if motion.landing is not None:
         t = np.append(t, landing_times(motion))
     state, force = motion.at_and_force(t)
@@ -265,8 +266,8 @@ def landing_times(motion: Motion) -> np.ndarray:
     return np.append(np.linspace(begin, soon, half + 1)[1:], later)
 
 
-def sample_times(motion: Motion, begin: float) -> np.ndarray:
-    """Return about MAX_STORED_MOTION_TIMES times [s] from `begin` to the end.
+def sample_times(motion: Motion, begin: float, count: int) -> np.ndarray:
+    """Return about `count` times [s] from `begin` to the end.
 
     They are spaced more closely where the contact revolves faster.
     """
@@ -276,7 +277,7 @@ def sample_times(motion: Motion, begin: float) -> np.ndarray:
     precession = motion.state[some, 0]
     turned = np.abs(np.diff(precession, prepend=precession[0])).cumsum()
     progress = turned / (turned[-1] or 1.0) + (t - t[0]) / (t[-1] - t[0])
-    even = np.interp(np.linspace(0, progress[-1], MAX_STORED_MOTION_TIMES), progress, t)
+    even = np.interp(np.linspace(0, progress[-1], count), progress, t)
     return np.unique(np.concatenate([t[:1], even, motion.t[-1:]]))
 
 

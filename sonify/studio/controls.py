@@ -155,6 +155,9 @@ def _number_control(scene, key):
         smallest = described.get("minimum", described.get("exclusiveMinimum", 0.0))
         largest = described.get("maximum", described.get("exclusiveMaximum", inf))
         meaning, _ = meaning_and_unit(described["description"])
+    optional = section in ("roughness", "dissipation")
+    if optional and not value:
+        value = None  # it has no effect
     middle = value or _typical_value(scene, key)
     logarithmic = middle > 0 and largest > 100.0 * middle
     ratio = 20.0 if "rolling" in QUANTITIES[key].label else 4.0
@@ -173,7 +176,7 @@ def _number_control(scene, key):
         low=_accepted_end(scene, key, middle, max(low, smallest), logarithmic),
         high=_accepted_end(scene, key, middle, min(high, largest), logarithmic),
         logarithmic=logarithmic,
-        optional=section in ("roughness", "dissipation"),
+        optional=optional,
     )
 
 

@@ -142,10 +142,12 @@ def run_name(record: Mapping[str, Any]) -> RunName:
     if "friction.mu_static" in differing:
         differing.pop("friction.mu_dynamic", None)  # keeps its ratio
     for key, (before, value) in differing.items():
-        section = key.partition(".")[0]
+        section, _, name_in_section = key.partition(".")
         if section in ("name", "numerics", "surface", "material"):
             continue
         if is_other_material and key in ("disk.mass", "disk.density"):
+            continue
+        if name_in_section not in (record.get(section) or {name_in_section: None}):
             continue
         if (quantity := QUANTITIES.get(key)) is not None:
             before, value = _magnitude(before), _magnitude(value)

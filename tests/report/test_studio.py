@@ -23,12 +23,19 @@ from sonify import load_scene, shipped_scenes
 from sonify.__main__ import main
 from sonify.plan.preflight import check_solvable_scene
 from sonify.report.page import page_assets
+from sonify.report.write import scene_record
 from sonify.runtime.workers import WorkerDiedError
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.playback import a_weighting
 from sonify.studio import application as studio_pages
-from sonify.studio.controls import changed_scene, control_key_of_error, controls
+from sonify.studio.controls import (
+    _number_control,
+    changed_scene,
+    control_key_of_error,
+    controls,
+)
 from sonify.studio.job_queue import Job, JobQueue
+from sonify.studio.run_names import RunName, run_name
 from sonify.studio.worker import (
     PROGRESS_FILE,
     STREAM_FILE,
@@ -301,6 +308,54 @@ def test_a_named_material_brings_its_density_and_a_table_its_section():
     assert scene.surface == load_scene("glass-plate").surface
     assert changed_scene("granite", {"roughness.rms": None}).roughness is None
     assert changed_scene("granite", {"roughness.rms": 1e-7}).roughness.rms == 1e-7
+
+
+def test_the_sliders_do_the_experiments_of_the_classroom():
+    """The scenes are those of the commands in docs/classroom.md, and the slider of the rolling
+    friction reaches 20 times the value of the toy."""
+    toy = load_scene("toy")
+    rolling = "dissipation.contour_moment"
+    assert changed_scene("toy", {rolling: 6.4e-5}).dissipation == (
+        toy.replace(f"{rolling}=6.4e-5").dissipation
+    )
+    steeper = {"release.inclination_deg": 24, "release.omega": 16.78}
+    assert changed_scene("toy", steeper).release == (
+        toy.replace("release.inclination_deg=24", "release.omega=[0,2,16.78]").release
+    )
+    assert _number_control(toy, rolling).high >= 6.4e-5
+    grip = changed_scene("published", {"friction.mu_static": 1.0}).friction
+    assert (grip.mu_static, grip.mu_dynamic) == (1.0, pytest.approx(0.6))
+    assert changed_scene("toy", {"roughness.rms_edge": 1e-7}).roughness.rms == 1e-9
+
+
+@pytest.mark.parametrize(
+    ("scene", "values", "words"),
+    [
+        ("glass", {}, "glass"),
+        ("glass", {"roughness.rms_edge": 1e-7}, "glass, edge rougher"),
+        ("granite", {"roughness.rms": 1e-8}, "granite, table smoother"),
+        ("granite", {"roughness.rms": None}, "granite, without roughness of the table"),
+        ("toy", {"roughness.rms": 1e-8}, "toy, table rougher"),
+        ("toy", {"material.name": "wood"}, "toy, of wood"),
+        ("toy", {"surface": "wood-table"}, "toy, on the table of wood-table"),
+        ("wood-table", {"surface": "published"}, "wood-table, on a rigid table"),
+        ("toy", {"air.film": "none"}, "toy, without air film"),
+        ("published", {"release.omega": -20.0}, "published, spun faster"),
+        ("published", {"friction.mu_static": 0.2}, "published, less friction"),
+    ],
+)
+def test_a_run_is_named_in_words(scene, values, words):
+    record = json.loads(json.dumps(scene_record(changed_scene(scene, values))))
+    assert run_name(record).words == words
+
+
+def test_a_record_of_another_version_is_named():
+    """A key that one of the two lacks is no change; a scene of the user has its own name."""
+    record = scene_record(load_scene("glass"))
+    record["disk"].pop("thickness")
+    record["friction"]["former_key"] = 3.0
+    assert run_name(record).words == "glass"
+    assert run_name({"name": "mine"}) == RunName(words="mine")
 
 
 def test_a_sentence_belongs_to_the_control_that_it_names_first():
