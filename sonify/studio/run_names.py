@@ -20,6 +20,12 @@ class Quantity:
     unit: str
     factor: float = 1.0
 
+    def comparison(self, before: float | None, value: float | None) -> str:
+        """Return words for a changed value; None means that there is none."""
+        if value is None:
+            return f"without {self.label}"
+        return self.larger if value > (before or 0.0) else self.smaller
+
     def text(self, value: float | None) -> str:
         """Return a value with its unit."""
         if value is None:
@@ -128,40 +134,16 @@ def run_name(record: Mapping[str, Any]) -> RunName:
     if name not in shipped_scenes():
         return RunName(words=name)
     shipped = _shipped_record(name)
-    words: list[str] = []
-    changes: list[str] = []
-    if _differs(record, shipped, "material", "name") and record["material"]["name"]:
-        words.append(f"of {record['material']['name']}")
-    if (record.get("surface") or {}) != shipped["surface"]:
-        words.append(f"on {table_words(record.get('surface') or {})}")
-    if _differs(record, shipped, "air", "film"):
-        film = record["air"]["film"]
-        words.append("without air film" if film == "none" else f"air film: {film}")
-    is_other_material = bool(words) and words[0].startswith("of ")
-    differing = differing_values(shipped, dict(record))
-    if "friction.mu_static" in differing:
-        differing.pop("friction.mu_dynamic", None)  # keeps its ratio
-    for key, (before, value) in differing.items():
-        section, _, name_in_section = key.partition(".")
-        if section in ("name", "numerics", "surface", "material"):
-            continue
-        if is_other_material and key in ("disk.mass", "disk.density"):
-            continue
-        if name_in_section not in (record.get(section) or {name_in_section: None}):
-            continue
-        if (quantity := QUANTITIES.get(key)) is not None:
-            before, value = _magnitude(before), _magnitude(value)
-            if value is None:
-                words.append(f"without {quantity.label}")
-            else:
-                larger = value > (before or 0.0)
-                words.append(quantity.larger if larger else quantity.smaller)
-            changes.append(f"{quantity.label} {quantity.text(value)}")
-        elif value is not None and before is not None:
+    words = [name, *_replaced_sections(record, shipped)]
+    changes = words[1:]
+    for key, (before, value) in _changed_values(record, shipped).items():
+        quantity = QUANTITIES.get(key)
+        if quantity is None:
             changes.append(f"{key} = {value}")
-    return RunName(
-        words=", ".join([name, *dict.fromkeys(words)]), changes=tuple(changes)
-    )
+        else:
+            words.append(quantity.comparison(before, value))
+            changes.append(f"{quantity.label} {quantity.text(value)}")
+    return RunName(words=", ".join(dict.fromkeys(words)), changes=tuple(changes))
 
 
 def table_words(surface: Mapping[str, Any]) -> str:
@@ -169,14 +151,53 @@ def table_words(surface: Mapping[str, Any]) -> str:
     if surface.get("kind") == "rigid":
         return "a rigid table"
     for name in shipped_scenes():
-        if _shipped_record(name)["surface"] == surface:
+        if _agrees(surface, _shipped_record(name)["surface"]):
             return f"the table of {name}"
     return "another table"
 
 
-def _differs(record, shipped, section, key):
-    one, other = (side.get(section) or {} for side in (record, shipped))
-    return key in one and key in other and one[key] != other[key]
+def _replaced_sections(record, shipped) -> list[str]:
+    """Return words for another material, table or air film."""
+    words = []
+    if _has_other_material(record, shipped):
+        words.append(f"of {record['material']['name'] or 'another material'}")
+    surface = record.get("surface") or {}
+    if not _agrees(surface, shipped["surface"]):
+        words.append(f"on {table_words(surface)}")
+    film = (record.get("air") or {}).get("film")
+    if film not in (None, shipped["air"]["film"]):
+        words.append("without air film" if film == "none" else f"air film: {film}")
+    return words
+
+
+def _has_other_material(record, shipped) -> bool:
+    material = record.get("material") or {}
+    return material.get("name") != shipped["material"]["name"]
+
+
+def _changed_values(record, shipped) -> dict[str, tuple[Any, Any]]:
+    """Return the values before and after a change by key, without those of the replaced
+    sections and those that follow from other values."""
+    changed = differing_values(shipped, dict(record))
+    replaced = ("name", "numerics", "surface", "material", "air.film")
+    dependent = ["disk.mass", "disk.density"] * _has_other_material(record, shipped)
+    dependent += ["friction.mu_dynamic"] * ("friction.mu_static" in changed)
+    found = {}
+    for key, (before, value) in changed.items():
+        section, _, name = key.partition(".")
+        if section in replaced or key in replaced or key in dependent:
+            continue
+        is_given = all(
+            name in (side.get(section) or {name}) for side in (record, shipped)
+        )
+        if is_given and (key in QUANTITIES or None not in (before, value)):
+            found[key] = (_magnitude(before), _magnitude(value))
+    return found
+
+
+def _agrees(one, other) -> bool:
+    """Return True if all values that both sections contain are equal."""
+    return all(one[key] == other[key] for key in one.keys() & other.keys())
 
 
 def _magnitude(value):
