@@ -35,9 +35,11 @@ from sonify.studio.controls import (
     controls,
 )
 from sonify.studio.job_queue import Job, JobQueue
+from sonify.studio.recording_summary import write_recording
 from sonify.studio.run_names import RunName, run_name
 from sonify.studio.worker import (
     PROGRESS_FILE,
+    RECORDING_FILE,
     STREAM_FILE,
     ProgressFile,
     analyse_recording,
@@ -609,6 +611,63 @@ def test_a_file_that_the_browser_cannot_decode_is_sent_as_it_is(
     ):
         page.set_input_files("#file", tmp_path / name)
         page.wait_for_selector(f'#recording p:has-text("{sentence}")', state="attached")
+    jobs.close()
+
+
+class AnalysingWorker:
+    """Worker that finds two runs in a recording, and one, ending at 2 s, in a part of it."""
+
+    def __init__(self):
+        self.spans = queue.Queue()
+
+    def call(self, function, path, document, folder, span):
+        assert function is analyse_recording
+        self.spans.put(span)
+        write_recording(path, folder / RECORDING_FILE, 2.0, span)
+        ends = (2.0,) if span[1] < 10 else (2.0, 4.5)
+        runs = [{"start": end - 1, "end": end, "high": end + 0.1} for end in ends]
+        summary = [f"sentence {i}" for i in range(3)]
+        return {"summary": summary, "runs": runs, "details": ["more"], "pictures": []}
+
+    def kill(self):
+        """Do nothing; no call lasts."""
+
+
+@pytest.mark.slow
+def test_a_recording_is_heard_beside_a_run_with_its_end_at_the_end_of_the_run(
+    monkeypatch, tmp_path, browser
+):
+    """A click chooses one of several runs; details are folded; the switch changes to the
+    recording while it plays."""
+    worker = AnalysingWorker()
+    jobs = JobQueue(lambda: worker, warm=False)
+    port, token = served(monkeypatch, tmp_path, jobs)
+    noise = 0.1 * np.random.default_rng(1).standard_normal(48_000 * 5)
+    soundfile.write(tmp_path / "take.wav", noise, 48_000)
+    page = browser.new_page()
+    faults = []
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    page.goto(f"http://127.0.0.1:{port}/{token}/")
+    until(page, "Boolean(window.sonify) && sonify.spectrograms.length === 1")
+    page.set_input_files("#file", tmp_path / "take.wav")
+    until(page, "document.querySelectorAll('#recording .actions button').length === 2")
+    until(page, "sonify.runs.length === 2")
+    page.click("#recording .actions button >> nth=0")
+    until(page, "document.querySelectorAll('#recording > p').length === 3")
+    until(page, "sonify.runs.length === 2 && sonify.spectrograms.length === 2")
+    assert [worker.spans.get() for _ in range(2)] == [(0.0, np.inf), (0.0, 3.1)]
+    assert page.locator("#recording > p").all_inner_texts() == [
+        f"sentence {i}" for i in range(3)
+    ]
+    assert not page.locator("#recording details p").is_visible()
+    run, recording = page.evaluate("sonify.runs.map((run) => run.source_end)")
+    assert recording == pytest.approx(run)
+    assert page.evaluate("sonify.runs[1].start") == pytest.approx(run - 2.0)
+    page.click("#play")
+    until(page, "sonify.player.playing")
+    page.click("input[name=run][value='1']")
+    until(page, "sonify.player.run === 1 && sonify.player.playing")
+    assert faults == []
     jobs.close()
 
 
