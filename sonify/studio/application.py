@@ -51,7 +51,12 @@ from sonify.studio.server import (
     path_inside,
     run_application,
 )
-from sonify.studio.worker import STREAM_FILE, analyse_recording, run_scene
+from sonify.studio.worker import (
+    STREAM_FILE,
+    analyse_recording,
+    run_scene,
+    write_takes,
+)
 
 MAX_UPLOAD_BYTES = 100_000_000
 """Largest accepted recording [bytes]; about 17 minutes of mono sound."""
@@ -99,6 +104,7 @@ def application(folder: str | Path, token: str, queue: JobQueue) -> Starlette:
     routes = [
         Route("/controls/{scene}", session.controls_of_scene),
         Route("/runs", session.run, methods=["POST"]),
+        Route("/takes", session.takes, methods=["POST"]),
         Route("/recordings", session.recording, methods=["POST"]),
         Route("/stream/{number:int}", session.stream),
         Route("/session/{path:path}", session.session_file),
@@ -209,10 +215,7 @@ class Session:
                 {"error": "invalid run: expected scene and values"}, 400
             )
         scene = changed_scene(name, values)
-        out = first_matching_folder(
-            self.root / f"studio-{scene.name}", lambda folder: not folder.exists()
-        )
-        out.mkdir(parents=True)
+        out = self._new_output(f"studio-{scene.name}")
         number, folder = self._new_folder()
         job = Job(folder, run_scene, scene.document, out, folder)
         self._runs[number] = job
@@ -222,6 +225,32 @@ class Session:
             "stream": f"stream/{number}",
         }
         return self._stream(request, job, places)
+
+    async def takes(self, request: Request) -> Response:
+        """Write takes of a scene and stream the progress; closing the response cancels
+        it."""
+        from sonify.export.takes import MIN_LENGTH  # slow import
+
+        max_takes = 99
+        try:
+            document = json.loads(await _body(request, 100_000))
+            name, values = str(document["scene"]), dict(document["values"])
+            takes, audible = int(document["takes"]), bool(document["audible"])
+            last = None if document["last"] is None else float(document["last"])
+        except (ValueError, LookupError, TypeError):
+            return JSONResponse(
+                {"error": "invalid takes: expected takes, last and audible"}, 400
+            )
+        if not 1 <= takes <= max_takes:
+            raise InputError(f"takes = {takes}: must be from 1 to {max_takes}")
+        if last is not None and not MIN_LENGTH <= last < inf:
+            raise InputError(f"last = {last:g}: must be at least {MIN_LENGTH:g} s")
+        scene = changed_scene(name, values)
+        out = self._new_output(f"takes-{scene.name}")
+        _, folder = self._new_folder()
+        settings = takes, last, audible
+        job = Job(folder, write_takes, scene.document, out, folder, *settings)
+        return self._stream(request, job, {"place": out.name})
 
     async def recording(self, request: Request) -> Response:
         """Analyse the recording in the body, which the query names, and compare it with
@@ -253,6 +282,14 @@ class Session:
         if job is None or not (job.folder / STREAM_FILE).exists():
             raise HTTPException(404, "no such sound")
         return StreamingResponse(_growing_file(job), media_type="audio/wav")
+
+    def _new_output(self, name: str) -> Path:
+        """Return a new folder for results, called `name`, `name`-2 and so on."""
+        out = first_matching_folder(
+            self.root / name, lambda folder: not folder.exists()
+        )
+        out.mkdir(parents=True)
+        return out
 
     def _new_folder(self):
         number = next(self._numbers)

@@ -188,6 +188,30 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     }
 
 
+def write_takes(
+    document: dict,
+    out: Path,
+    session: Path,
+    takes: int,
+    last: float | None,
+    audible: bool,
+) -> dict[str, Any]:
+    """Write takes of a scene to `out` as `sonify export sound`, and return the names of
+    the `files`."""
+    from sonify.export.takes import export_takes
+    from sonify.scene import from_document
+
+    paths = export_takes(
+        from_document(document),
+        takes,
+        out=out,
+        stages=ProgressFile(session),
+        last=last,
+        audible=audible,
+    )
+    return {"files": [path.name for path in paths]}
+
+
 def analyse_recording(
     path: Path, document: dict, folder: Path, span: tuple[float, float] = (0.0, inf)
 ) -> dict[str, Any]:

@@ -44,6 +44,7 @@ from sonify.studio.worker import (
     ProgressFile,
     analyse_recording,
     run_scene,
+    write_takes,
 )
 
 WRONG = "%7B%22disk.radius%22%3A-1%7D"
@@ -163,7 +164,7 @@ def test_the_read_only_server_starts_no_run(tmp_path):
     client = client_of(read_only(tmp_path))
     for path in ("/", "/runs/", "/list"):
         assert client.post(path, run_of("published", {}))[0] == 405
-    for path in ("/recordings", "/controls/toy", "/stream/1", "/session/1"):
+    for path in ("/recordings", "/takes", "/controls/toy", "/stream/1", "/session/1"):
         assert client.get(path)[0] == 404
     assert '<form id="scene-form"' not in client.get("/")[1]
 
@@ -470,6 +471,33 @@ def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers, tmp_pa
     client.post(f"{place}&name={name}", bytes(1000))
     path, _, folder, _ = workers[0].began.get()
     assert path == folder / "upload" / "_New Recording 5's.m4a"
+
+
+def test_takes_are_those_of_the_command_line(client, workers, tmp_path):
+    assert_soon(lambda: workers)
+    workers[0].release.release()
+    wanted = {"scene": "toy", "values": {}, "takes": 6, "last": 10, "audible": True}
+    lines = client.post("takes", json.dumps(wanted))[1].splitlines()
+    document, out, _, *settings = workers[0].began.get()
+    assert json.loads(lines[-1])["place"] == out.name == "takes-toy"
+    assert (document["name"], settings) == ("toy", [6, 10.0, True])
+    for wrong, sentence in (
+        ({"takes": 0}, "takes = 0: must be from 1 to 99"),
+        ({"last": 0.1}, "last = 0.1: must be at least 0.5 s"),
+        ({"values": {"disk.radius": -1}}, "disk.radius = -1"),
+    ):
+        status, text = client.post("takes", json.dumps(wanted | wrong))
+        assert status == 422
+        assert json.loads(text)["error"].startswith(sentence)
+    assert client.post("takes", b"{}")[0] == 400
+    brief = load_scene("published").replace(
+        "numerics.time_limit=0.7", "numerics.accuracy=draft"
+    )
+    (tmp_path / "session").mkdir()
+    folders = tmp_path / "takes", tmp_path / "session"
+    written = write_takes(brief.document, *folders, 1, 0.5, False)
+    assert written == {"files": ["published-01.wav"]}
+    assert soundfile.info(tmp_path / "takes" / "published-01.wav").frames == 24_000
 
 
 @pytest.mark.parametrize(

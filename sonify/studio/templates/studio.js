@@ -329,6 +329,40 @@ async function runScene(event) {
   }
 }
 
+// Takes
+
+async function writeTakes(event) {
+  event.preventDefault();
+  const state = $("takes-state");
+  $("takes-files").replaceChildren();
+  $("takes-write").disabled = true;
+  try {
+    const last = $("takes-last").value;
+    const body = JSON.stringify({
+      scene: $("scene").value,
+      values: changed,
+      takes: Number($("takes-count").value),
+      last: last === "" ? null : Number(last),
+      audible: $("takes-audible").checked,
+    });
+    const response = await fetch("takes", { method: "POST", body });
+    if (!response.ok) {
+      state.textContent = (await response.json()).error;
+      return;
+    }
+    for await (const status of linesOf(response)) {
+      state.textContent = status.error ?? (status.done ? `Written into the folder ${status.place}:` : progressText(status));
+      if (!status.done) continue;
+      const links = status.result.files.map((name) => element("a", { href: `runs/${path(status.place)}/${encodeURIComponent(name)}`, download: name, textContent: name }));
+      $("takes-files").replaceChildren(...links.map((link) => element("li", {}, link)));
+    }
+  } catch {
+    state.textContent = "The studio does not respond; is it still running?";
+  } finally {
+    $("takes-write").disabled = false;
+  }
+}
+
 // Recordings
 
 function wavOf(sound) {
@@ -499,6 +533,7 @@ function addForm() {
   $("reset").addEventListener("click", () => showControls());
   $("scene-form").addEventListener("submit", runScene);
   $("stop").addEventListener("click", () => abort?.abort());
+  $("takes-form").addEventListener("submit", writeTakes);
   $("record").addEventListener("click", toggleRecording);
   $("file").addEventListener("change", () => $("file").files[0] && analyse($("file").files[0]));
   document.addEventListener("dragover", (event) => {
