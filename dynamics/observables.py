@@ -194,9 +194,10 @@ def plotted_rates(
     """Return times (q,) [s], precession and nutation frequencies (q,) [Hz] for a plot.
 
     The nutation frequency is a running median; it is NaN where the disk does not
-    nutate.
+    nutate, or only for a few periods, because peaks of another cause may resemble them.
     """
     median_length = 5
+    min_run = 8  # successive frequencies
     time, precession = precession_frequency(motion)
     at, nutation, _ = _nutations(motion)
     if not len(at):
@@ -204,6 +205,8 @@ def plotted_rates(
     kept = np.isfinite(nutation)
     smooth = np.full(len(at), np.nan)
     smooth[kept] = median_filter(nutation[kept], median_length, mode="nearest")
+    run = np.cumsum(np.diff(kept, prepend=kept[0]))
+    smooth[np.bincount(run)[run] < min_run] = np.nan
     both = np.unique(np.concatenate([time, at]))
     nutation = np.interp(both, at, smooth, left=np.nan, right=np.nan)
     return both, np.interp(both, time, precession), nutation

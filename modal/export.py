@@ -269,8 +269,8 @@ support."""
 def as_faust(modes: Modes, angle: float = OPPOSITE_ANGLE, name: str = "disk") -> str:
     """Return a Faust program that simulates a disk struck at its bottom edge.
 
-    The program contains the function of `as_faust_library` and a slider for each of its
-    arguments.
+    The program contains the function of `as_faust_library`, a slider for each of its
+    arguments, and a button whose strikes of 1 are added to the input.
 
     Parameters
     ----------
@@ -297,7 +297,7 @@ def as_faust(modes: Modes, angle: float = OPPOSITE_ANGLE, name: str = "disk") ->
     >>> steel = Material(name="steel")
     >>> plate = Plate(radius=0.0375, thickness=0.003, material=steel, density=7850.0)
     >>> modes = plate_modes(plate, 8e3, "draft")
-    >>> "process = bell(" in as_faust(modes, name="bell")
+    >>> "process = +(strike) : bell(" in as_faust(modes, name="bell")
     True
     """
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
@@ -417,7 +417,8 @@ with {{
   }};
 }};
 """
-FAUST_PROGRAM = """process = {name}(
+FAUST_PROGRAM = """strike = button("strike") : ba.impulsify;
+process = +(strike) : {name}(
   hslider("gain", 1, 0, 10, 0.001), hslider("t60 scale", 1, 0.01, 100, 0.001),
   hslider("frequency scale", 1, 0.1, 10, 0.0001)
 );

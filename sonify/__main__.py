@@ -41,7 +41,7 @@ EXPORT_FORMS: dict[str, tuple[str, ...]] = {
 EXPORT_OPTIONS = {
     "modes": ("--as", "--strike"),
     "motion": ("--as", "--rate"),
-    "sound": ("--rate", "--takes", "--seed"),
+    "sound": ("--rate", "--takes", "--seed", "--last", "--audible"),
 }
 """Options that are valid for each kind of export."""
 ACCURACY_LEVELS = ("draft", "standard", "reference")
@@ -435,11 +435,23 @@ def chart(name, quick, out, redraw):
     metavar="S",
     help="Seed of the variations; default 1.",
 )
+@click.option(
+    "--last",
+    type=NUMBER,
+    metavar="SECONDS",
+    help="Write only the final part of each sound; default the whole sound.",
+)
+@click.option(
+    "--audible",
+    is_flag=True,
+    default=None,
+    help="Write the sound of audible.wav, A-weighted at -18 LUFS, instead of the pressure.",
+)
 @out_option(
     "Output file; default <scene name> with the suffix of the format. For sound, the output "
     "folder; default the current folder."
 )
-def export(what, scene, form, strike, rate, takes, seed, out):
+def export(what, scene, form, strike, rate, takes, seed, last, audible, out):
     """Export modes, motion or sound of SCENE (default published) for other programs.
 
     Modes are written as a Faust program, a universal file (extra `uff`) or a ParaView
@@ -447,8 +459,9 @@ def export(what, scene, form, strike, rate, takes, seed, out):
     sounds as WAV files SCENE-01.wav, ... for samplers, trimmed and with loop points;
     the release and the roughness vary from file to file. SCENE is a shipped name, a
     TOML file, or the folder or run.json of an earlier run."""
-    numbers = {"--strike": strike, "--rate": rate, "--takes": takes, "--seed": seed}
-    _check_export_options(what, {"--as": form} | numbers)
+    given = {"--as": form, "--strike": strike, "--rate": rate, "--takes": takes}
+    given |= {"--seed": seed, "--last": last, "--audible": audible}
+    _check_export_options(what, given)
     from sonify.console import Console
 
     with Console() as stages:
@@ -464,7 +477,17 @@ def export(what, scene, form, strike, rate, takes, seed, out):
             from sonify.export.takes import export_takes
 
             seed = 1 if seed is None else seed
-            export_takes(scene, takes or 1, seed, rate, out, stages, click.echo)
+            export_takes(
+                scene,
+                takes or 1,
+                seed,
+                rate,
+                out,
+                stages,
+                click.echo,
+                last,
+                bool(audible),
+            )
 
 
 def _check_export_options(what, options):
@@ -499,7 +522,7 @@ def _check_export_options(what, options):
 def serve(folder, port, host):
     """Serve the finished runs in FOLDER (default outputs) to a browser, with a list and
     a comparison of two runs."""
-    from sonify.serve import serve
+    from sonify.studio.application import serve
 
     serve(
         folder,

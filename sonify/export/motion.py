@@ -8,6 +8,7 @@ import numpy as np
 
 from dynamics import Motion
 from dynamics.motion import COLUMNS, FORCE_COLUMNS
+from dynamics.observables import precession_rate
 from modal.blas_threads import one_blas_thread
 from sonify.export.gltf import animated_model
 from sonify.export.scene_source import scene_to_export
@@ -20,6 +21,28 @@ from sonify.scene_errors import InputError
 
 MOTION_SUFFIXES = {"gltf": "glb", "parquet": "parquet", "csv": "csv"}
 """File suffix of each format."""
+
+
+DEFAULT_FRAME_RATE = 60.0
+"""Frames of a model per second."""
+UNITS = {
+    "t": "s",
+    "precession": "rad",
+    "inclination": "rad",
+    "spin": "rad",
+    "x": "m",
+    "y": "m",
+    "omega_1": "rad/s",
+    "omega_2": "rad/s",
+    "omega_3": "rad/s",
+    "slip_1": "m/s",
+    "slip_2": "m/s",
+    "dissipated_energy": "J",
+    "friction_1": "N",
+    "friction_2": "N",
+    "normal_force": "N",
+}
+"""Unit of each column of a table."""
 
 
 @one_blas_thread
@@ -67,8 +90,10 @@ def export_motion(
     stages = stages or Stages()
     with stages.stage("motion") as watch:
         motion = solve_motion(motion_plan_with_table(scene, plan), watch)
-    if rate is None and form == "gltf":
-        rate = 60.0  # frames per second
+    if form == "gltf":
+        rate = rate or DEFAULT_FRAME_RATE
+        if line := aliasing_notice(motion, rate):
+            stages.notice(line)
     times = _row_times(motion, rate)
     with stages.stage(path.name), atomic_write(path) as temporary:
         if form == "gltf":
@@ -79,6 +104,19 @@ def export_motion(
         else:
             write_csv(motion, times, temporary)
     return path
+
+
+def aliasing_notice(motion: Motion, rate: float) -> str:
+    """Return a line on the turns of the contact that a frame rate [1/s] cannot show, or
+    "" if it shows all of them."""
+    turns = np.abs(precession_rate(motion.state)).max() / (2 * np.pi)
+    if turns <= rate / 2:
+        return ""
+    return (
+        f"{rate:g} frames per second show up to {rate / 2:g} turns per second; above, the disk "
+        f"seems to turn backwards. The contact turns up to {turns:.3g} times per second; "
+        f"--rate {ceil(2 * turns)} shows all turns"
+    )
 
 
 def _row_times(motion: Motion, rate: float | None) -> np.ndarray:
@@ -104,20 +142,25 @@ def motion_rows(motion: Motion, times: np.ndarray) -> tuple[list[str], np.ndarra
 
 
 def write_parquet(motion: Motion, times: np.ndarray, path: Path):
-    """Write the rows of a motion to a Parquet file."""
+    """Write the rows of a motion to a Parquet file, with `unit` in the metadata of each
+    column."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
     names, rows = motion_rows(motion, times)
-    table = pa.table(dict(zip(names, rows.T.copy(), strict=True)))
+    schema = pa.schema(
+        [pa.field(name, pa.float64(), metadata={"unit": UNITS[name]}) for name in names]
+    )
+    table = pa.table(dict(zip(names, rows.T.copy(), strict=True)), schema=schema)
     with open(path, "wb") as file:  # pyarrow accepts only paths in UTF-8
         pq.write_table(table, file)
 
 
 def write_csv(motion: Motion, times: np.ndarray, path: Path):
-    """Write the rows of a motion to a text file, with all digits of each number."""
+    """Write the rows of a motion to a text file, with all digits of each number and the
+    units in the header."""
     names, rows = motion_rows(motion, times)
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(names)
+        writer.writerow([f"{name} [{UNITS[name]}]" for name in names])
         writer.writerows(row.tolist() for row in rows)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import isfinite
 from pathlib import Path
 from struct import pack
 
@@ -27,7 +28,9 @@ from sonify.sound.render import render_sound
 from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
 
 FADE_IN = 0.005  # s
+CUT_FADE_IN = 0.1  # s, of a sound that begins later than the take
 FADE_OUT = 0.02  # s
+MIN_LENGTH = 0.5  # s, of the final part of a take
 
 
 @one_blas_thread
@@ -39,6 +42,8 @@ def export_takes(
     out: str | Path | None = None,
     stages: Stages | None = None,
     on_written: Callable[[Path], None] = lambda path: None,
+    last: float | None = None,
+    audible: bool = False,
 ) -> list[Path]:
     """Render variations of the sound of a scene and write each to a WAV file.
 
@@ -62,6 +67,11 @@ def export_takes(
         Receives the progress.
     on_written : callable
         Called with the path of each file when it is complete.
+    last : float, optional
+        Length of the final part that is written [s] (default: the whole take).
+    audible : bool
+        Whether to write the content of audible.wav, which is A-weighted and mastered
+        for small loudspeakers, instead of the pressure.
 
     Returns
     -------
@@ -71,10 +81,13 @@ def export_takes(
     Raises
     ------
     InputError
-        If a take cannot be solved or is silent, or the sample rate is not allowed.
+        If a take cannot be solved or is silent, or if the sample rate or the length is
+        not allowed.
     """
     if rate is not None and rate not in (48000, 96000):
         raise InputError(f"--rate = {rate:g}: must be 48000 or 96000 for a sound")
+    if last is not None and not (isfinite(last) and last >= MIN_LENGTH):
+        raise InputError(f"--last = {last:g}: must be at least {MIN_LENGTH:g} s")
     scene, motion_plan = scene_to_export(scene)
     if rate is not None:
         scene = scene.replace(f"audio.sample_rate={round(rate)}")
@@ -94,7 +107,8 @@ def export_takes(
             path = folder / f"{scene.name}-{number:0{max(2, len(str(takes)))}}.wav"
             try:
                 sound = sound_of_take(take, table, rendered, disk_modes, watch_take)
-                write_take(sound, path, f"{title}, seed {seed}; {' '.join(changes)}")
+                note = f"{title}, seed {seed}; {' '.join(changes)}"
+                write_take(sound, path, note, last, audible)
             except SceneError as error:
                 raise InputError(f"{title}: {error}") from None
             paths.append(path)
@@ -155,26 +169,40 @@ def sound_of_take(
     )
 
 
-def write_take(sound: Sound, path: Path, note: str) -> None:
+def write_take(
+    sound: Sound,
+    path: Path,
+    note: str,
+    last: float | None = None,
+    audible: bool = False,
+) -> None:
     """Write a sound without the silence at both ends, as 24-bit PCM with loop points.
 
-    The true peak is below -1 dBTP. The text fields contain the scene, the program with
-    its version, the pressure represented by 1.0, and `note`. Raises InputError if the
-    sound is silent or too long for a WAV file.
+    Only its final part of the length `last` [s] is written, if this is given. The true
+    peak is below -1 dBTP. The text fields contain the scene, the program with its
+    version, the scale, and `note`. Raises InputError if the sound is silent or too long
+    for a WAV file.
     """
-    first, last = audible_range(sound.playback_copy)
-    copy = copy_below_limit(sound.playback_copy)
-    samples = read_samples(copy, first, last)
-    apply_fades(samples, sound.sample_rate)
+    copy = sound.audible if audible else copy_below_limit(sound.playback_copy)
+    rate = sound.sample_rate
+    first, end = audible_range(copy)
+    fade_in = FADE_IN
+    if last is not None and end - first > round(last * rate):
+        first, fade_in = end - round(last * rate), CUT_FADE_IN
+    samples = read_samples(copy, first, end)
+    apply_fades(samples, rate, fade_in)
     if samples.size * BYTES_PER_SAMPLE["PCM_24"] > MAX_RIFF_BYTES:
         raise InputError(f"{path.name}: the sound is too long for a WAV file of 4 GiB")
-    loop = loop_points(samples[:, 0], sound.sample_rate)
-    chunk = b"" if loop is None else sampler_chunk(sound.sample_rate, *loop)
-    with open_wav(
-        path, sound.sample_rate, copy.channels, "PCM_24", "WAV", chunk
-    ) as file:
+    loop = loop_points(samples[:, 0], rate)
+    chunk = b"" if loop is None else sampler_chunk(rate, *loop)
+    scale = (
+        f"A-weighted, {sound.dynamics} dynamics, not in pascal"
+        if audible
+        else f"1.0 = {copy.full_scale:.9g} pascal at the listener"
+    )
+    with open_wav(path, rate, copy.channels, "PCM_24", "WAV", chunk) as file:
         file.title = f"Euler's disk, {sound.name}"
-        file.comment = f"1.0 = {copy.full_scale:.9g} pascal at the listener; {note}"
+        file.comment = f"{scale}; {note}"
         file.software = f"eulers-disk-sonify {__version__}"
         file.write(samples)
 
@@ -204,9 +232,14 @@ def audible_range(source) -> tuple[int, int]:
     return first, last - (last - first) % 2 if last - first > 1 else last
 
 
-def apply_fades(samples: np.ndarray, sample_rate: int) -> None:
-    """Apply fades to both ends of samples (k, channels) in place."""
-    for part, seconds in ((samples, FADE_IN), (samples[::-1], FADE_OUT)):
+def apply_fades(
+    samples: np.ndarray, sample_rate: int, fade_in: float = FADE_IN
+) -> None:
+    """Apply fades to both ends of samples (k, channels) in place.
+
+    The first one lasts `fade_in` [s].
+    """
+    for part, seconds in ((samples, fade_in), (samples[::-1], FADE_OUT)):
         count = min(round(seconds * sample_rate), len(samples))
         part[:count] *= raised_cosine(np.arange(count) / count)[:, None]
 

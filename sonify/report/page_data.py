@@ -4,22 +4,25 @@ Arrays are little-endian floats or integers in base64; sounds are FLAC data URLs
 """
 
 from base64 import b64encode
+from dataclasses import dataclass
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import soundfile
-from scipy.spatial import Delaunay
+from scipy.spatial import ConvexHull, Delaunay
 
 from dynamics import Motion
 from dynamics.contact_geometry import centre_height, contact_reach, edge_profile
 from dynamics.observables import plotted_rates
 from modal import Modes, Support
 from modal.tabletop.record import SurfaceModes
+from sonify.hearing.audio_source import Recording, read_samples
 from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
-from sonify.sound.playback import ScaledTrack, a_weighting
+from sonify.sound.mastering import master_copy
+from sonify.sound.playback import ScaledTrack, WeightedTrack, a_weighting
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -34,9 +37,11 @@ MAX_STORED_LANDING_TIMES = 400
 """Number of times of a landing in the page."""
 MAX_PAGE_SOUND_DURATION = 30.0
 """Maximum duration of the final part of a sound in the page [s]."""
-MAX_PAGE_SOUND_SIZE = 2_800_000
-"""Maximum size of all sounds in the page [base64 characters]; longer sounds are
+MAX_PAGE_SOUND_SIZE = 2_500_000
+"""Maximum size of all sounds in the page [base64 characters]; larger sounds are
 shortened."""
+MAX_TABLE_POINTS = 3_000
+"""Approximate maximum number of points of a table in the page."""
 
 
 def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
@@ -67,6 +72,7 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
             "thickness": motion.disk.thickness,
             "inner_radius": motion.disk.inner_radius,
             "weight": motion.disk.weight,
+            "mirror": result.scene.surface.sag > 0,
             "edge": base64_array(edge_profile(motion.disk, motion.rolling_fillet, 8)),
             "contact": encoded_contact(motion),
         },
@@ -77,33 +83,111 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def encoded_sounds(sound: Sound) -> dict[str, Any]:
-    """Return the stems, the A-weighting filter of the page, and the names of inaudible
-    stems.
+def encoded_sounds(sound: Sound, longest: float | None = None) -> dict[str, Any]:
+    """Return the stems, filter and gain of audible.wav, and the names of inaudible stems.
 
-    If a sound is longer than MAX_PAGE_SOUND_DURATION or larger than
+    Each sound is stored once: the player derives the audible copy from the stems. If a
+    sound is longer than `longest` [s] (default: MAX_PAGE_SOUND_DURATION) or larger than
     MAX_PAGE_SOUND_SIZE, only its end is returned, which begins at `start` [s].
     """
-    seconds = min(sound.duration, MAX_PAGE_SOUND_DURATION)
+    seconds = min(sound.duration, longest or MAX_PAGE_SOUND_DURATION)
     tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
     size = sum(map(len, tracks.values()))
     if size > MAX_PAGE_SOUND_SIZE:
         seconds *= 0.95 * MAX_PAGE_SOUND_SIZE / size
         tracks = encoded_stems(sound.stems, sound.full_scale, sound.duration - seconds)
+    start = sound.duration - seconds
     content = {
         "full_scale": sound.full_scale,
         "tracks": tracks,
-        "weighting": {
-            "full_scale": sound.audible_uncompressed.full_scale,
-            "sections": a_weighting(sound.sample_rate).tolist(),
-        },
+        "audible": encoded_gain(sound.a_weighted, sound.audible, start),
         "inaudible": [
             name
             for name, heard in sound.stem_audibility.items()
             if heard.above_threshold.max() <= 0
         ],
     }
-    return {"start": sound.duration - seconds, "content": content}
+    return {"start": start, "content": content}
+
+
+GAIN_INTERVAL = 1e-3
+"""Interval at which the page stores the gain of audible.wav [s]."""
+
+
+def encoded_gain(weighted, audible, start: float) -> dict[str, Any]:
+    """Return filter and gain that make an audible copy from `start` [s] on."""
+    gain_db = audible_gain_db(weighted, audible, start)
+    return {
+        "sections": a_weighting(weighted.sample_rate).tolist(),
+        "interval": GAIN_INTERVAL,
+        "gain": base64_array(np.round(100 * gain_db), np.int16),
+    }
+
+
+def audible_gain_db(weighted, audible, start: float) -> np.ndarray:
+    """Return the gain of an audible copy relative to the A-weighted pressure, in the
+    middle of successive intervals from `start` [s] on.
+
+    The gain (k,) [dB re 1/Pa] is that of the loudest sample of each interval; it is
+    interpolated over silent intervals.
+    """
+    first = round(start * weighted.sample_rate)
+    size = round(GAIN_INTERVAL * weighted.sample_rate)
+    before = read_samples(weighted, first, weighted.frames)[:, 0]
+    after = read_samples(audible, first, weighted.frames)[:, 0]
+    extended = np.pad(before, (0, -len(before) % size)).reshape(-1, size)
+    loudest = np.abs(extended).argmax(axis=1) + size * np.arange(len(extended))
+    loudest = np.minimum(loudest, len(before) - 1)
+    is_silent = np.abs(before[loudest]) <= 1e-9 * np.abs(before).max()
+    if is_silent.all():
+        return np.zeros(len(loudest))
+    heard = np.flatnonzero(~is_silent)
+    there = loudest[heard]
+    gain = 20 * np.log10(np.abs(after[there] / before[there]))
+    return np.interp(np.arange(len(loudest)), heard, gain)
+
+
+def recording_data(recording: Recording, end: float) -> dict[str, Any]:
+    """Return the data of the final part of a recording of a disk, to be heard beside a
+    run. The disk stops at `end` [s]."""
+    final_silence = 2.0  # s
+    last = min(recording.frames / recording.sample_rate, end + final_silence)
+    first = max(last - MAX_PAGE_SOUND_DURATION, 0.0)
+    part = slice(*(round(time * recording.sample_rate) for time in (first, last)))
+    samples = recording.samples[part]
+    track = MonoTrack(samples=samples, sample_rate=recording.sample_rate)
+    peak = float(np.abs(samples).max(initial=0.0)) or 1.0
+    weighted = WeightedTrack(track=track)
+    return {
+        "name": recording.name,
+        "duration": last,
+        "sample_rate": recording.sample_rate,
+        "source_end": end,
+        "delay": 0.0,
+        "lands": False,
+        "start": first,
+        "sounds": {
+            "full_scale": peak,
+            "tracks": encoded_stems({"recording": track}, peak, 0.0),
+            "audible": encoded_gain(weighted, master_copy(track), 0.0),
+            "inaudible": [],
+        },
+        "lines": None,
+        "motion": None,
+        "shapes": None,
+        "table": None,
+        "seen": f"Spectrogram of the recording, {last - first:.1f} s; the disk stops at {end:.2f} s.",
+    }
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MonoTrack(Recording):
+    """Samples in memory as a track with one channel."""
+
+    @property
+    def channels(self) -> int:
+        """Number of listeners."""
+        return 1
 
 
 def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
@@ -135,13 +219,16 @@ def encoded_rates(motion: Motion) -> dict[str, Any]:
     return {name: base64_array(column) for name, column in columns}
 
 
-def encoded_motion(motion: Motion) -> dict[str, Any]:
-    """Return the motion at its sampled times [s].
+def encoded_motion(motion: Motion, longest: float | None = None) -> dict[str, Any]:
+    """Return the motion at its sampled times [s], in the last `longest` seconds (default:
+    MAX_PAGE_SOUND_DURATION).
 
     The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy
     [J].
     """
-    t = sample_times(motion.rolling, max(motion.t_end - MAX_PAGE_SOUND_DURATION, 0.0))
+    longest = longest or MAX_PAGE_SOUND_DURATION
+    count = round(MAX_STORED_MOTION_TIMES * longest / MAX_PAGE_SOUND_DURATION)
+    t = sample_times(motion.rolling, max(motion.t_end - longest, 0.0), count)
     if motion.landing is not None:
         t = np.append(t, landing_times(motion))
     state, force = motion.at_and_force(t)
@@ -179,8 +266,8 @@ def landing_times(motion: Motion) -> np.ndarray:
     return np.append(np.linspace(begin, soon, half + 1)[1:], later)
 
 
-def sample_times(motion: Motion, begin: float) -> np.ndarray:
-    """Return about MAX_STORED_MOTION_TIMES times [s] from `begin` to the end.
+def sample_times(motion: Motion, begin: float, count: int) -> np.ndarray:
+    """Return about `count` times [s] from `begin` to the end.
 
     They are spaced more closely where the contact revolves faster.
     """
@@ -190,7 +277,7 @@ def sample_times(motion: Motion, begin: float) -> np.ndarray:
     precession = motion.state[some, 0]
     turned = np.abs(np.diff(precession, prepend=precession[0])).cumsum()
     progress = turned / (turned[-1] or 1.0) + (t - t[0]) / (t[-1] - t[0])
-    even = np.interp(np.linspace(0, progress[-1], MAX_STORED_MOTION_TIMES), progress, t)
+    even = np.interp(np.linspace(0, progress[-1], count), progress, t)
     return np.unique(np.concatenate([t[:1], even, motion.t[-1:]]))
 
 
@@ -213,15 +300,28 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
 
 
 def encoded_table_shapes(table: SurfaceModes) -> dict[str, Any]:
-    """Return the top face of a table [m] and the shapes of its lowest modes, normalised
-    as in `encoded_mode_shapes`."""
+    """Return the top face of a table [m] and the axial shapes of its lowest modes,
+    normalised as in `encoded_mode_shapes`."""
     few = stored_modes(table)
-    flat = np.zeros(len(table.points))
-    moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
     captions = [table_caption(table, i) for i in few]
-    triangles = Delaunay(table.points).simplices
-    points = np.column_stack([table.points, flat])
-    return _encoded_shapes(points, triangles, captions, moved)
+    kept = thinned(table.points, MAX_TABLE_POINTS)
+    points = table.points[kept]
+    triangles = Delaunay(points).simplices
+    level = np.column_stack([points, np.zeros(len(points))])
+    return _encoded_shapes(
+        level, triangles, captions, [table.face[i][kept] for i in few]
+    )
+
+
+def thinned(points: np.ndarray, count: int) -> np.ndarray:
+    """Return the indices of about `count` points (k, 2) that cover all of them: one in
+    each cell of a square grid, and the corners of the outline."""
+    if len(points) <= count:
+        return np.arange(len(points))
+    low = points.min(axis=0)
+    cell = np.sqrt(np.ptp(points, axis=0).prod() / count)
+    _, first = np.unique(np.floor((points - low) / cell), axis=0, return_index=True)
+    return np.union1d(first, ConvexHull(points).vertices)
 
 
 def stored_modes(modes: Modes | SurfaceModes) -> range:

@@ -15,7 +15,13 @@ from sonify.hearing.audio_source import BLOCK_SIZE
 from sonify.hearing.loudness import Audibility, audibility
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import MasteredTrack, master_copy
-from sonify.sound.playback import ScaledTrack, audible_copy, energy_below, loudness
+from sonify.sound.playback import (
+    ScaledTrack,
+    WeightedTrack,
+    audible_copy,
+    energy_below,
+    loudness,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -241,6 +247,11 @@ class Sound:
             if self.dynamics == "natural"
             else master_copy(self._audible_source)
         )
+
+    @property
+    def a_weighted(self) -> WeightedTrack:
+        """A-weighted pressure [Pa], from which audible.wav is made."""
+        return WeightedTrack(track=self._audible_source)
 
     @property
     def _audible_source(self):

@@ -1,4 +1,7 @@
-"""Serve the page of the studio, its runs and its recordings to a browser."""
+"""Serve the page of the studio, its runs and its recordings to a browser.
+
+`serve` is the same page without the parts that start runs.
+"""
 
 import asyncio
 import json
@@ -15,7 +18,7 @@ from shutil import rmtree
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from jinja2 import Environment, PackageLoader
+from jinja2 import ChoiceLoader, Environment, PackageLoader
 from markupsafe import Markup
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
@@ -31,37 +34,36 @@ from starlette.responses import (
 from starlette.routing import Mount, Route
 
 from sonify.report.page import page_assets
-from sonify.runtime.files import create_folder, first_matching_folder
+from sonify.report.write import scene_record
+from sonify.runtime.files import create_folder, first_matching_folder, readable_text
 from sonify.runtime.workers import WorkerDiedError
 from sonify.scene import load_scene, shipped_scenes
 from sonify.scene_errors import InputError
-from sonify.serve import (
-    CONTENT_SECURITY_POLICY,
+from sonify.studio.controls import changed_scene, control_key_of_error, controls
+from sonify.studio.job_queue import Job, JobQueue
+from sonify.studio.run_list import embedded_run_data, finished_runs
+from sonify.studio.run_names import run_name
+from sonify.studio.server import (
     LOOPBACK,
-    SECURITY_HEADERS,
     address,
     file_response,
     listening_socket,
-    routes_of_runs,
+    path_inside,
     run_application,
 )
-from sonify.studio.controls import changed_scene, control_key_of_error, controls
-from sonify.studio.job_queue import Job, JobQueue
-from sonify.studio.worker import PREVIEW_FILE, STREAM_FILE, analyse_recording, run_scene
+from sonify.studio.worker import (
+    STREAM_FILE,
+    analyse_recording,
+    run_scene,
+    write_takes,
+)
 
 MAX_UPLOAD_BYTES = 100_000_000
 """Largest accepted recording [bytes]; about 17 minutes of mono sound."""
 UPLOAD_FOLDER = "upload"
 """Folder of a recording in the folder of its job."""
-STUDIO_POLICY = CONTENT_SECURITY_POLICY | {
-    "connect-src": "'self' data:",
-    "media-src": "'self' data: blob:",
-    "frame-src": "'self'",  # for the page of a run
-    "frame-ancestors": "'self'",
-}
-STUDIO_HEADERS = SECURITY_HEADERS | {
-    "Content-Security-Policy": "; ".join(map(" ".join, STUDIO_POLICY.items()))
-}
+OPENING_RUN = "opening.json.gz"
+"""Shipped run that the studio shows at first: the scene toy."""
 
 
 def studio(folder: str | Path, port: int, note: Callable):
@@ -77,7 +79,20 @@ def studio(folder: str | Path, port: int, note: Callable):
         token = token_urlsafe(16)
         note(f"{address(host, listening)}{token}/")
         app = application(root, token, JobQueue())
-        run_application(app, STUDIO_HEADERS, listening)
+        run_application(app, listening)
+
+
+def serve(folder: str | Path, host: str, port: int, note: Callable[[str], object]):
+    """Serve the runs in `folder` until interrupted; pass the address to `note`.
+
+    Port 0 selects any free port. Raises InputError if the folder does not exist, or if
+    the address or the port is invalid or unavailable.
+    """
+    if not Path(folder).is_dir():
+        raise InputError(f"{folder}: no such folder; python -m sonify run creates it")
+    with listening_socket(host, port) as listening:
+        note(address(host, listening))
+        run_application(read_only_application(folder, host), listening)
 
 
 def application(folder: str | Path, token: str, queue: JobQueue) -> Starlette:
@@ -87,13 +102,13 @@ def application(folder: str | Path, token: str, queue: JobQueue) -> Starlette:
     """
     session = Session(Path(folder).resolve(), queue)
     routes = [
-        Route("/", session.page),
         Route("/controls/{scene}", session.controls_of_scene),
         Route("/runs", session.run, methods=["POST"]),
+        Route("/takes", session.takes, methods=["POST"]),
         Route("/recordings", session.recording, methods=["POST"]),
         Route("/stream/{number:int}", session.stream),
         Route("/session/{path:path}", session.session_file),
-        *routes_of_runs(session.root, "/list"),
+        *routes_of_runs(session.root, is_editable=True),
     ]
 
     @asynccontextmanager
@@ -113,6 +128,59 @@ def application(folder: str | Path, token: str, queue: JobQueue) -> Starlette:
     )
 
 
+def read_only_application(folder: str | Path, host: str) -> Starlette:
+    """Return the web application that shows the runs in `folder`.
+
+    If `host` is a loopback address, requests with other host names are rejected.
+    """
+    names = [*LOOPBACK, "[::1]"] if host in LOOPBACK else ["*"]
+    return Starlette(
+        routes=routes_of_runs(Path(folder).resolve(), is_editable=False),
+        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=names)],
+    )
+
+
+def routes_of_runs(root: Path, is_editable: bool) -> list[Route]:
+    """Return the routes for the page, the list of runs in `root`, their data and
+    files."""
+
+    def listed() -> dict[str, Any]:
+        return {
+            "runs": finished_runs(root),
+            "root": readable_text(root.name),
+            "is_editable": is_editable,
+        }
+
+    def page(request: Request) -> Response:
+        content = listed() | _studio_assets() | page_assets()
+        template = _templates().get_template("studio.html")
+        return HTMLResponse(template.render(content, scenes=shipped_scenes()))
+
+    def run_list(request: Request) -> Response:
+        return HTMLResponse(_templates().get_template("run_list.html").render(listed()))
+
+    def data(request: Request) -> Response:
+        folder = path_inside(root, request.path_params["path"])
+        text = embedded_run_data(folder / "report.html")
+        return Response(text, media_type="application/json")
+
+    def opening(request: Request) -> Response:
+        content = (resources.files("sonify.studio") / OPENING_RUN).read_bytes()
+        compressed = {"Content-Encoding": "gzip"}
+        return Response(content, headers=compressed, media_type="application/json")
+
+    def file(request: Request) -> Response:
+        return file_response(request, root)
+
+    return [
+        Route("/", page),
+        Route("/list", run_list),
+        Route("/opening", opening),
+        Route("/data/{path:path}", data),
+        Route("/runs/{path:path}", file),
+    ]
+
+
 async def _report_input_error(request, error) -> Response:
     return JSONResponse(_error_record(error), 422)
 
@@ -129,13 +197,6 @@ class Session:
         self._queue = queue
         self._numbers = count(1)
         self._runs: dict[int, Job] = {}
-
-    def page(self, request: Request) -> Response:
-        """Return the page of the studio."""
-        style = page_assets()["style"]
-        page = _templates().get_template("studio.html")
-        text = page.render(scenes=shipped_scenes(), style=style, **_studio_assets())
-        return HTMLResponse(text)
 
     def controls_of_scene(self, request: Request) -> Response:
         """Return the controls of a shipped scene."""
@@ -154,19 +215,42 @@ class Session:
                 {"error": "invalid run: expected scene and values"}, 400
             )
         scene = changed_scene(name, values)
-        out = first_matching_folder(
-            self.root / f"studio-{scene.name}", lambda folder: not folder.exists()
-        )
-        out.mkdir(parents=True)
+        out = self._new_output(f"studio-{scene.name}")
         number, folder = self._new_folder()
         job = Job(folder, run_scene, scene.document, out, folder)
         self._runs[number] = job
         places = {
-            "page": f"runs/{out.name}/",
-            "sound": f"session/{number}/{PREVIEW_FILE}",
+            "place": out.name,
+            "name": run_name(scene_record(scene)).words,
             "stream": f"stream/{number}",
         }
         return self._stream(request, job, places)
+
+    async def takes(self, request: Request) -> Response:
+        """Write takes of a scene and stream the progress; closing the response cancels
+        it."""
+        from sonify.export.takes import MIN_LENGTH  # slow import
+
+        max_takes = 99
+        try:
+            document = json.loads(await _body(request, 100_000))
+            name, values = str(document["scene"]), dict(document["values"])
+            takes, audible = int(document["takes"]), bool(document["audible"])
+            last = None if document["last"] is None else float(document["last"])
+        except (ValueError, LookupError, TypeError):
+            return JSONResponse(
+                {"error": "invalid takes: expected takes, last and audible"}, 400
+            )
+        if not 1 <= takes <= max_takes:
+            raise InputError(f"takes = {takes}: must be from 1 to {max_takes}")
+        if last is not None and not MIN_LENGTH <= last < inf:
+            raise InputError(f"last = {last:g}: must be at least {MIN_LENGTH:g} s")
+        scene = changed_scene(name, values)
+        out = self._new_output(f"takes-{scene.name}")
+        _, folder = self._new_folder()
+        settings = takes, last, audible
+        job = Job(folder, write_takes, scene.document, out, folder, *settings)
+        return self._stream(request, job, {"place": out.name})
 
     async def recording(self, request: Request) -> Response:
         """Analyse the recording in the body, which the query names, and compare it with
@@ -199,6 +283,14 @@ class Session:
             raise HTTPException(404, "no such sound")
         return StreamingResponse(_growing_file(job), media_type="audio/wav")
 
+    def _new_output(self, name: str) -> Path:
+        """Return a new folder for results, called `name`, `name`-2 and so on."""
+        out = first_matching_folder(
+            self.root / name, lambda folder: not folder.exists()
+        )
+        out.mkdir(parents=True)
+        return out
+
     def _new_folder(self):
         number = next(self._numbers)
         folder = self.folder / str(number)
@@ -226,8 +318,8 @@ class Session:
         finally:
             self._queue.cancel(job)
             rmtree(job.folder / UPLOAD_FOLDER, ignore_errors=True)
-            if job.result is None and "page" in places:
-                rmtree(self.root / Path(places["page"]).name, ignore_errors=True)
+            if job.result is None and "place" in places:
+                rmtree(self.root / places["place"], ignore_errors=True)
 
 
 def file_name(given: str) -> str:
@@ -245,7 +337,7 @@ async def _growing_file(job) -> AsyncIterator[bytes]:
     polling_interval = 0.1  # s
     with open(job.folder / STREAM_FILE, "rb") as file:
         while True:
-            complete = job.ended.is_set() or (job.folder / PREVIEW_FILE).exists()
+            complete = job.ended.is_set() or job.progress()["heard"]
             while piece := file.read(1 << 16):
                 yield piece
             if complete:
@@ -285,7 +377,8 @@ def _controls(name: str) -> list[dict[str, Any]]:
 
 @cache
 def _templates() -> Environment:
-    return Environment(loader=PackageLoader("sonify.studio"), autoescape=True)
+    packages = PackageLoader("sonify.studio"), PackageLoader("sonify.report")
+    return Environment(loader=ChoiceLoader(packages), autoescape=True)
 
 
 def _studio_assets() -> dict[str, Markup]:

@@ -16,10 +16,13 @@ from sonify.runtime.progress import StageProgress, Stages, background_threads
 from sonify.runtime.workers import serve_calls
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from sonify.pipeline import DiskModesCache
 
 PROGRESS_FILE = "progress.json"
-PREVIEW_FILE = "preview.wav"
+RECORDING_FILE = "recording.json"
+"""File with the data of a recording in the form of the data of a run."""
 STREAM_FILE = "stream.wav"
 """File with the sound while it is being rendered; its header states the final
 length."""
@@ -39,6 +42,8 @@ class ProgressFile(Stages):
         self.heard = False
         self.streams = False
         self._gain = inf
+        self._weighting: np.ndarray | None = None
+        self._weighting_state: np.ndarray | None = None
 
     @contextmanager
     def stage(self, name: str):
@@ -66,17 +71,27 @@ class ProgressFile(Stages):
         self.write(at_once=True)
 
     def pressure(self, block, sample_rate: int, samples: int):
-        """Append a block of the pressure [Pa] to the stream.
+        """Append a block of the pressure [Pa] to the stream, A-weighted like
+        audible.wav.
 
         The peak of the whole sound is not yet known, so the gain is lowered whenever a
         block is louder than all previous blocks.
         """
         import numpy as np
+        from scipy.signal import sosfilt
 
+        from sonify.sound.playback import a_weighting
+
+        if self._weighting is None:
+            self._weighting = a_weighting(sample_rate)
+            self._weighting_state = np.zeros((len(self._weighting), 2))
+        weighted, self._weighting_state = sosfilt(
+            self._weighting, block, zi=self._weighting_state
+        )
         peak_headroom = 0.5
-        peak = float(np.max(np.abs(block), initial=1e-12))
+        peak = float(np.max(np.abs(weighted), initial=1e-12))
         self._gain = min(self._gain, peak_headroom / peak)
-        scaled = np.round(32767 * self._gain * block).astype("<i2")
+        scaled = np.round(32767 * self._gain * weighted).astype("<i2")
         with open(self._folder / STREAM_FILE, "ab") as file:
             if not self.streams:
                 file.write(_wav_header(sample_rate, samples))
@@ -140,7 +155,7 @@ def known_disk_modes() -> "DiskModesCache":
 def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     """Solve a scene and write the files of `sonify run` to `out`.
 
-    The sound is written to `session` before the other files.
+    The progress and the sound, while it is rendered, are written to `session`.
     """
     from sonify import pipeline
     from sonify.hearing.recording import listen_to_known_disk
@@ -158,7 +173,7 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
         tools = pipeline.Tools(
             executor=threads,
             stages=stages,
-            begin=_callback_with_preview(pictures.begin, stages, session),
+            begin=_callback_that_notes_sound(pictures.begin, stages),
             eigenmodes=known_disk_modes(),
             listen=listen_to_known_disk,
             dynamics="compressed",
@@ -173,73 +188,135 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
     }
 
 
+def write_takes(
+    document: dict,
+    out: Path,
+    session: Path,
+    takes: int,
+    last: float | None,
+    audible: bool,
+) -> dict[str, Any]:
+    """Write takes of a scene to `out` as `sonify export sound`, and return the names of
+    the `files`."""
+    from sonify.export.takes import export_takes
+    from sonify.scene import from_document
+
+    paths = export_takes(
+        from_document(document),
+        takes,
+        out=out,
+        stages=ProgressFile(session),
+        last=last,
+        audible=audible,
+    )
+    return {"files": [path.name for path in paths]}
+
+
 def analyse_recording(
     path: Path, document: dict, folder: Path, span: tuple[float, float] = (0.0, inf)
 ) -> dict[str, Any]:
-    """Return sentences on the analysis of a recording within a span [s] and its
-    comparison with a scene.
+    """Analyse a recording within a span [s] and compare it with a scene.
 
-    Pictures are written to `folder`, and the recording is deleted. The sentences contain
-    its name without its folder.
+    Returns `summary`, one to three sentences; `runs` with the `start` and the `end` [s]
+    of each run in the file; `details`, the sentences of `sonify listen` and `sonify
+    fit`; and the names of `pictures`. The pictures and, if a disk was heard,
+    RECORDING_FILE are written to `folder`, and the recording is deleted. The sentences
+    contain its name without its folder.
     """
+    from sonify.hearing.audio_source import source_of_file
+    from sonify.hearing.recording import RecordingError
+    from sonify.scene_errors import InputError
+
+    stages = ProgressFile(folder)
+    place = f"{path.parent}{os.sep}"
+    try:
+        source = source_of_file(path)
+        fault = span_fault(span, source.frames / source.sample_rate)
+        found = (
+            {"summary": [fault]}
+            if fault
+            else _analysis(path, document, folder, span, stages)
+        )
+    except RecordingError:
+        found = {"summary": [f"{path.name}: this file is not a readable sound."]}
+    except InputError as error:
+        found = {"summary": [str(error)]}
+    finally:
+        path.unlink(missing_ok=True)
+    empty: dict[str, Any] = {"runs": [], "details": []}
+    found = empty | found
+    for name in ("summary", "details"):
+        found[name] = [line.replace(place, "") for line in found[name]]
+    pictures = sorted(picture.name for picture in folder.glob("*.png"))
+    return found | {"pictures": pictures}
+
+
+def span_fault(span: tuple[float, float], duration: float) -> str:
+    """Return why a span [s] selects nothing of a sound of a duration [s], or ""."""
+    begin, end = span
+    if begin >= duration:
+        return f"from = {begin:g}: must be less than the duration of the sound, {duration:.3g} s"
+    if end <= begin:
+        return f"to = {end:g}: must be greater than from = {begin:g}"
+    return ""
+
+
+def _analysis(path, document, folder, span, stages) -> dict[str, Any]:
     from sonify.fitting.comparison import simulated_numbers
     from sonify.fitting.report import comparison_sentences, sentences, write_fits
     from sonify.fitting.result import fit
     from sonify.hearing.recording import RecordingError
     from sonify.report.recording import write_recording_report
     from sonify.scene import from_document
-    from sonify.scene_errors import InputError
+    from sonify.studio.recording_summary import (
+        runs_in_file,
+        summary_of_fit,
+        summary_of_runs,
+        write_recording,
+    )
 
-    stages = ProgressFile(folder)
-    fitted: list[str] = []
-    try:
-        with stages.stage("spectral lines"):
-            lines = write_recording_report(path, folder, span=span)
-            heard = lines[:-1]  # without the last line, the folder
-        try:
-            with stages.stage("fit") as watch:
-                fits = fit(path, from_document(document), None, watch, span)
-            measured = fits.files[0].measured
-            with stages.stage("simulation"):
-                simulated = simulated_numbers(fits.scene, measured["seconds"])
-            fitted = sentences(fits) + comparison_sentences(fits, simulated)
-            write_fits(fits, folder, simulated)
-        except RecordingError as error:
-            fitted = [str(error)]
-    except InputError as error:
-        heard = [str(error)]
-    finally:
-        path.unlink(missing_ok=True)
-    place = f"{path.parent}{os.sep}"
-    return {
-        "heard": [line.replace(place, "") for line in heard],
-        "fit": [line.replace(place, "") for line in fitted],
-        "pictures": sorted(picture.name for picture in folder.glob("*.png")),
+    with stages.stage("spectral lines"):
+        lines = write_recording_report(path, folder, span=span)
+    runs = runs_in_file(folder)
+    found: dict[str, Any] = {
+        "summary": summary_of_runs(runs),
+        "runs": runs,
+        "details": lines[:-1],  # without the last line, the folder
     }
+    if not runs:
+        return found
+    write_recording(path, folder / RECORDING_FILE, runs[0]["end"], span)
+    if len(runs) > 1:
+        return found
+    try:
+        with stages.stage("fit") as watch:
+            fits = fit(path, from_document(document), None, watch, span)
+        found["summary"] = summary_of_fit(fits.files[0].judged)
+        write_recording(
+            path, folder / RECORDING_FILE, fits.files[0].judged.fit.value(0).value, span
+        )
+        measured = fits.files[0].measured
+        with stages.stage("simulation"):
+            simulated = simulated_numbers(fits.scene, measured["seconds"])
+        fitted = sentences(fits) + comparison_sentences(fits, simulated)
+        found["details"] = fitted + found["details"]
+        write_fits(fits, folder, simulated)
+    except RecordingError as error:
+        found["details"] = [str(error), *found["details"]]
+    return found
 
 
-def _callback_with_preview(
-    begin: Callable, stages: ProgressFile, session: Path
-) -> Callable:
-    """Return a callback that writes a listening copy of the sound as soon as it is
-    rendered, and then calls `begin`."""
-    import soundfile
+def _callback_that_notes_sound(begin: Callable, stages: ProgressFile) -> Callable:
+    """Return a callback that notes that the sound is complete, and then calls
+    `begin`."""
 
-    def begin_with_preview(solved):
+    def noting_begin(solved):
         if solved.completed_stage == "sound":
-            copy = solved.sound.playback_copy
-            temporary = session / "preview.tmp"
-            with soundfile.SoundFile(
-                temporary, "w", copy.sample_rate, copy.channels, "PCM_16", format="WAV"
-            ) as file:
-                for block in copy.blocks():
-                    file.write(block)
-            os.replace(temporary, session / PREVIEW_FILE)
             stages.heard = True
             stages.write(at_once=True)
         begin(solved)
 
-    return begin_with_preview
+    return noting_begin
 
 
 if __name__ == "__main__":

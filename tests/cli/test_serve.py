@@ -8,6 +8,7 @@ disk.
 import json
 import os
 import queue
+import re
 import threading
 from contextlib import closing
 from http.client import HTTPConnection
@@ -15,8 +16,10 @@ from types import SimpleNamespace
 
 import pytest
 
+from sonify.report.write import scene_record
+from sonify.scene import load_scene
 from sonify.scene_errors import InputError
-from sonify.serve import serve
+from sonify.studio.application import serve
 
 RECORD = {
     "scene": {"name": "one"},
@@ -92,7 +95,7 @@ def test_the_list_names_every_finished_run(get):
     page = get("/").body.decode()
     assert 'href="runs/one/"' in page
     assert 'href="runs/deep/two/"' in page
-    assert page.count("The disk never leaves the table.") == 3
+    assert page.count('<p class="basis">The disk never leaves the table.</p>') == 3
     assert "broken" not in page
 
 
@@ -106,20 +109,20 @@ def test_a_run_in_a_folder_whose_name_is_not_utf8_is_listed(tmp_path):
     (folder / "report.html").touch()
     listed = client(tmp_path)("/")
     assert listed.status == 200
-    assert "<td>caf\\xe9</td>" in listed.body.decode()
+    assert '<p class="basis">caf\\xe9</p>' in listed.body.decode()
     assert 'href="runs/' not in listed.body.decode(), "it has no address"
 
 
 def test_the_list_says_which_check_failed(get):
     page = get("/").body.decode()
-    assert page.count("all 1 passed") == 2
+    assert page.count("all 1 self-checks passed") == 2
     assert "FAILED: energy adds up: 2.5e-07, expected 0 ± 1e-08" in page
     assert "FAILED: mass: inf, expected 0 ± 1e-08" in page
     assert "FAILED: no sample" not in page
 
 
 EVERY = ["/", "/runs/one/", "/runs/one", "/runs/one/sound.wav", "/nothing"]
-EVERY += ["/compare?a=one&b=deep/two"]
+EVERY += ["/list", "/opening", "/data/deep/two"]
 
 
 @pytest.mark.parametrize("path", EVERY)
@@ -179,9 +182,9 @@ def test_a_player_gets_the_piece_it_asks_for(get):
         "/runs/one/%00",
         f"/runs/{'x' * 5000}",
         "/nothing",
-        "/compare?a=one&b=../secret.txt",
-        "/compare?a=one&b=broken",
-        "/compare",
+        "/data/../secret.txt",
+        "/data/%2e%2e/secret.txt",
+        "/data/broken",
     ],
     ids=range(13),
 )
@@ -191,12 +194,31 @@ def test_what_is_not_in_the_folder_does_not_exist(get, path):
     assert b"secret" not in answer.body
 
 
-def test_two_runs_are_on_one_page(get):
-    page = get("/compare?a=one&b=deep/two").body.decode()
-    assert (
-        page.count(f'<script type="application/json" class="run">{NUMBERS}</script>')
-        == 2
-    )
+def test_the_data_of_a_run_are_those_of_its_page(get):
+    answer = get("/data/deep/two")
+    assert answer.body.decode() == NUMBERS
+    assert answer.headers["content-type"] == "application/json"
+
+
+def test_a_run_is_listed_in_words_with_its_values_length_date_and_picture(tmp_path):
+    """The changed values are relative to the shipped scene; a run of another name has none."""
+    glass = scene_record(load_scene("glass").replace("roughness.rms_edge=1e-7"))
+    for name, scene in (("run", glass), ("own", glass | {"name": "own"})):
+        (tmp_path / name).mkdir()
+        sound = {"loudness_lufs": -23.0, "full_scale_pascal": 0.2}  # 80 dB - 23 dB
+        record = RECORD | {"scene": scene, "motion": {"end": 109.17}, "sound": sound}
+        (tmp_path / name / "run.json").write_text(json.dumps(record))
+        (tmp_path / name / "report.html").touch()
+    (tmp_path / "run" / "spectrogram.png").touch()
+    os.utime(tmp_path / "run" / "run.json", (0, 86_400 * 365))
+    page = client(tmp_path)("/").body.decode()
+    assert '<a href="runs/run/">glass, edge rougher</a>' in page
+    assert "<p>roughness of the edge 0.1 µm</p>" in page
+    assert '<a href="runs/own/">own</a>' in page
+    assert page.count("<td>109 s</td>") == page.count("<td>57 dB</td>") == 2
+    assert re.search("<td>197[01]-", page)
+    assert page.count('<img src="runs/') == 1
+    assert '<img src="runs/run/spectrogram.png"' in page
 
 
 def test_a_name_that_is_not_this_machine_is_refused(get):

@@ -137,17 +137,22 @@ PLAIN_CPP = """
 struct Meta { void declare(const char*, const char*) {} };
 struct UI {
   void openVerticalBox(const char*) {} void closeBox() {} void declare(FAUSTFLOAT*, const char*, const char*) {}
-  void addHorizontalSlider(const char*, FAUSTFLOAT*, double, double, double, double) {}
+  void addHorizontalSlider(const char*, FAUSTFLOAT* zone, double value, double, double, double) { *zone = value; }
+  FAUSTFLOAT* button = nullptr;
+  void addButton(const char*, FAUSTFLOAT* zone) { button = zone; }
 };
 struct dsp { virtual ~dsp() {} };
 <<includeIntrinsic>>
 <<includeclass>>
 int main() {
   static double strike[4800], velocity[4800];
-  strike[0] = 1.0;
   double *in[] = {strike}, *out[] = {velocity};
   mydsp disk;
   disk.init(48000);
+  UI controls;
+  disk.buildUserInterface(&controls);
+  if (controls.button) *controls.button = 1.0;
+  else strike[0] = 1.0;
   disk.compute(4800, in, out);
   for (double v : velocity) std::printf("%.17g\\n", v);
 }
@@ -177,14 +182,14 @@ def compiled(folder, program, *options):
 def struck(folder, library, scales=(1.0, 1.0, 1.0)):
     """Return the response (4800,) of a compiled library at 48 kHz to a unit sample."""
     (folder / "disk.lib").write_text(library)
+    return sounded(folder, f'process = library("disk.lib").disk{scales};')
+
+
+def sounded(folder, program):
+    """Return the output (4800,) of a compiled program at 48 kHz after its button is pressed, or
+    if it has none, to a unit sample."""
     (folder / "plain.cpp").write_text(PLAIN_CPP)
-    compiled(
-        folder,
-        f'process = library("disk.lib").disk{scales};',
-        "-double",
-        "-a",
-        "plain.cpp",
-    )
+    compiled(folder, program, "-double", "-a", "plain.cpp")
     subprocess.run(
         ["c++", "-O1", "disk.cpp", "-o", "disk"],
         cwd=folder,
@@ -264,8 +269,18 @@ def test_the_compiled_program_has_the_peak_of_its_numbers(exported, tmp_path):
 @needs_faust
 def test_faust_program_compiles(modes, tmp_path):
     code = compiled(tmp_path, as_faust(modes))
-    for label in ("gain", "t60 scale", "frequency scale"):
+    for label in ("strike", "gain", "t60 scale", "frequency scale"):
         assert f'"{label}"' in code
+
+
+@needs_faust
+@needs_compiler
+def test_the_button_of_the_program_strikes_once(modes, tmp_path):
+    """Pressing it is an input of one sample of 1."""
+    program = as_faust(modes, 0.3)
+    assert sounded(tmp_path, program) == pytest.approx(
+        response(*written(program)), abs=1e-9
+    )
 
 
 @needs_faust

@@ -7,6 +7,7 @@ body.
 
 import numpy as np
 import pandas as pd
+import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner
 from pygltflib import GLTF2
@@ -14,10 +15,11 @@ from scipy.spatial.transform import Rotation
 
 from dynamics import simulate
 from dynamics.contact_geometry import contact_position
+from dynamics.observables import precession_rate
 from sonify import load_scene
 from sonify.__main__ import main
 from sonify.export.gltf import body_poses, disk_mesh, rim_sides
-from sonify.export.motion import export_motion
+from sonify.export.motion import aliasing_notice, export_motion
 from sonify.report.write import json_safe, scene_record, write_json
 from sonify.scene import SHIPPED_SCENES_FOLDER as SCENES_FOLDER
 from sonify.scene_errors import InputError
@@ -218,7 +220,8 @@ def test_a_model_as_text_is_the_same(tmp_path):
 
 def read_exact_csv(path):
     """Return a table of numbers; pandas before 3 drops their last digits when it converts text."""
-    return pd.read_csv(path, dtype=str).map(float)
+    table = pd.read_csv(path, dtype=str).map(float)
+    return table.rename(columns=lambda name: name.partition(" [")[0])
 
 
 @pytest.mark.parametrize("form", ["parquet", "csv"])
@@ -235,6 +238,40 @@ def test_the_table_is_the_frame_of_the_motion(tmp_path, form, rate):
     assert found.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-14, abs=1e-300)
     if rate:
         assert np.array_equal(found.index[:-1], np.arange(600) / 200)
+
+
+def test_every_column_has_the_unit_of_the_motion(tmp_path):
+    """The header of a CSV file and the metadata of a Parquet file agree; the names in a Parquet
+    file are those of the frame."""
+    scene = load_scene("published").replace("numerics.time_limit=0.1")
+    text = export_motion(scene, "csv", tmp_path / "motion.csv").read_text()
+    header = text.splitlines()[0].split(",")
+    assert header[:2] == ["t [s]", "precession [rad]"]
+    assert header[-1] == "normal_force [N]"
+    schema = pq.read_schema(
+        export_motion(scene, "parquet", tmp_path / "motion.parquet")
+    )
+    columns = [f"{one.name} [{one.metadata[b'unit'].decode()}]" for one in schema]
+    assert columns == header
+
+
+def test_turns_that_a_frame_rate_cannot_show_are_stated(tmp_path):
+    """By the sampling theorem, 10 frames per second show 5 turns; the last rate shows all."""
+    scene = load_scene("published").replace("numerics.time_limit=1")
+    motion = simulate(scene)
+    turns = np.abs(precession_rate(motion.state)).max() / (2 * np.pi)
+    line = aliasing_notice(motion, 10.0)
+    assert line.startswith("10 frames per second show up to 5 turns per second")
+    wanted = float(line.partition("--rate ")[2].split()[0])
+    assert 2 * turns <= wanted < 2 * turns + 1
+    assert aliasing_notice(motion, wanted) == ""
+    asked = ["export", "motion", "published", "--as", "gltf", "--rate", "10"]
+    out = ["--out", str(tmp_path / "disk.glb")]
+    brief = tmp_path / "brief.toml"
+    shipped = (SCENES_FOLDER / "published.toml").read_text("utf-8")
+    brief.write_text(shipped + "[numerics]\ntime_limit = 1\n", "utf-8")
+    asked[2] = str(brief)
+    assert line in CliRunner().invoke(main, asked + out).stderr
 
 
 def test_a_run_is_exported_from_its_folder_and_from_its_record(tmp_path):

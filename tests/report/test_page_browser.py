@@ -15,11 +15,9 @@ import tomllib
 import numpy as np
 import pytest
 import soundfile
-from scipy.signal import sosfilt
 
 from sonify import load_scene, run
-from sonify.serve import serve
-from sonify.sound.playback import a_weighting
+from sonify.studio.application import serve
 
 playwright = pytest.importorskip(
     "playwright.sync_api", reason="needs the extra `browser`"
@@ -262,7 +260,9 @@ def test_the_spectrogram_is_that_of_the_audible_mix(page):
     for name in names:
         page.click(f'[data-stem="{name}"] button:has-text("mute")')
     page.evaluate("sonify.spectrograms[0].done")
-    assert len(set(canvas.evaluate(PIXELS))) <= 4
+    silent = canvas.evaluate(PIXELS)
+    assert len(set(silent)) <= 4
+    assert max(silent[:3]) < 10, "silence is black"
     page.click(f'[data-stem="{names[-1]}"] button:has-text("solo")')
     page.evaluate("sonify.spectrograms[0].done")
     alone = canvas.evaluate(PIXELS)
@@ -275,23 +275,79 @@ def test_the_spectrogram_is_that_of_the_audible_mix(page):
     assert canvas.evaluate(PIXELS) == whole
 
 
-def test_the_page_weights_as_the_program_does(page, folder):
-    """The A-weighted stems add up to the copy with natural dynamics, to 16 bits for each stem."""
-    embedded_run_data = "sonify.runs[0].sounds"
-    full_scale = page.evaluate(f"{embedded_run_data}.weighting.full_scale")
+def test_the_page_plays_audible_wav(page, folder):
+    """The stems with filter and gain add up to audible.wav, to 1 % of its level and the step of
+    16 bits for each stem."""
     first, last = 480_000, 500_000
     heard = page.evaluate(
-        f"""sonify.player.samples(0, 'audible').then((stems) => {{
+        f"""sonify.player.samples().then((stems) => {{
         const sum = new Array({last - first}).fill(0)
         for (const {{ channels }} of stems)
           for (let i = {first}; i < {last}; i++) sum[i - {first}] += channels[0][i]
         return sum }})"""
     )
-    pressure, rate = soundfile.read(folder / "pressure.wav")
-    expected = sosfilt(a_weighting(rate), pressure)[first:last] / full_scale
-    step = page.evaluate(f"{embedded_run_data}.full_scale") / full_scale / 2**15
-    assert np.abs(np.array(heard) - expected).max() < 2 * 4 * step
-    assert np.abs(expected).max() > 100 * step
+    expected, _ = soundfile.read(folder / "audible.wav")
+    expected = expected[first:last, 0]  # the other channel is a second ear
+    gain = page.evaluate(
+        f"10 ** (sonify.runs[0].sounds.audible.gain[{first // 48}] / 2000)"
+    )
+    step = page.evaluate("sonify.runs[0].sounds.full_scale") * gain / 2**15
+    rms = np.sqrt(np.mean(expected**2))
+    assert np.sqrt(np.mean((np.array(heard) - expected) ** 2)) < 0.01 * rms + step
+    assert rms > 20 * step
+
+
+def test_a_switch_plays_the_true_pressure(page, folder):
+    """Its largest sample is that of sound.wav, and the audible copy is another one."""
+    largest = """sonify.player.samples().then((stems) => {
+      const sum = new Float32Array(stems[0].channels[0].length)
+      for (const { channels } of stems) channels[0].forEach((x, i) => (sum[i] += x))
+      return sum.reduce((most, x) => Math.max(most, Math.abs(x)), 0) })"""
+    audible = page.evaluate(largest)
+    page.check("#natural")
+    peak = np.abs(soundfile.read(folder / "sound.wav")[0]).max()
+    assert page.evaluate(largest) == pytest.approx(peak, abs=1e-3)
+    assert abs(audible - peak) > 0.01
+
+
+def test_the_times_below_the_spectrogram_are_those_of_the_view(page):
+    """A tick is at the share of the view that its text states."""
+    page.evaluate("sonify.timeline.show(17.2, 18.4)")
+    places = page.evaluate(
+        """[...document.querySelectorAll('.times span')].map((tick) =>
+        [parseFloat(tick.textContent), parseFloat(tick.style.left) / 100])"""
+    )
+    assert len(places) >= 4
+    for seconds, share in places:
+        assert 17.2 + 1.2 * share == pytest.approx(seconds, abs=1e-6)
+
+
+def test_the_spectrogram_of_noise_has_no_seam(page):
+    """The mean level of six rows differs from that of the six rows above by less than 2 dB; a
+    change of the window by a factor of 8 would be a step of 9 dB."""
+    rows = page.evaluate(
+        """async () => {
+      const s = sonify.spectrograms[0]
+      let seed = 1
+      s.mix = Float32Array.from({ length: s.samples.length }, () => {
+        seed = (seed * 48271) % 2147483647
+        return 0.1 * (seed / 1073741823.5 - 1)
+      })
+      await s.done
+      const { width, height } = s.canvas
+      const pixels = s.canvas.getContext('2d').getImageData(0, 0, width, height).data
+      const shades = new Map(Array.from({ length: 256 }, (_, i) => [s.colours.slice(3 * i, 3 * i + 3).join(), i]))
+      const mean = (row) => {
+        let sum = 0
+        for (let x = row * width; x < (row + 1) * width; x++) sum += shades.get(pixels.slice(4 * x, 4 * x + 3).join())
+        return (65 / 255) * (sum / width)
+      }
+      return Array.from({ length: height }, (_, row) => [s.frequency(1 - row / height), mean(row)]) }"""
+    )
+    _, level = np.array(rows).T
+    six = np.convolve(level, np.full(6, 1 / 6), "valid")
+    assert np.ptp(six) > 3, "the windows do differ"
+    assert np.abs(six[6:] - six[:-6]).max() < 2
 
 
 def test_keys_do_what_the_page_says(page):
@@ -476,13 +532,21 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     assert any("Content Security Policy" in text for text in said)
     page.goto(address)
     assert page.locator("td", has_text="passed").count() == 1
+    until(page, f"({READY})()")
     page.close()
 
 
 def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder, address):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.goto(f"{address}compare?a={folder.name}&b={folder.name}")
+    page.goto(address)
+    until(page, f"({READY})()")
+    page.check("input[name=b]")
     until(page, f"({READY})() && sonify.spectrograms.length == 2")
+    one, other = (
+        canvas.bounding_box() for canvas in page.locator("#disks canvas").all()
+    )
+    assert one["y"] == other["y"], "the disks are side by side"
+    assert one["x"] + one["width"] <= other["x"]
     page.evaluate("sonify.player.seek(10.0)")
     page.click("#play")
     until(page, "sonify.player.playing")

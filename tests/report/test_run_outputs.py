@@ -5,6 +5,7 @@ Source: the README's table of outputs; the claims of Kessler & O'Reilly (2002), 
 Oracle: the files, read back with independent readers; the known verdicts of the corrected model.
 """
 
+import gzip
 import json
 import re
 import signal
@@ -12,6 +13,7 @@ import sys
 from base64 import b64decode
 from dataclasses import replace
 from html import unescape
+from importlib import resources
 from io import BytesIO
 from types import SimpleNamespace
 
@@ -20,6 +22,8 @@ import numpy as np
 import pytest
 import soundfile
 from paths import ROOT
+from scipy.signal import sosfilt
+from scipy.spatial import cKDTree
 
 from benchmarks.cases.sound_error import audible_error
 from dynamics import simulate
@@ -39,10 +43,12 @@ from sonify.claims.rigid_motion import contact_kept
 from sonify.claims.sound import modes_take_little
 from sonify.claims.surface_summary import complete_answers
 from sonify.hearing import loudness as hearing
+from sonify.hearing.audio_source import Recording
 from sonify.plan.preflight import plan_with_modes
 from sonify.report import page as report
 from sonify.report import page_data
 from sonify.sound.render import Renderer
+from sonify.studio.application import OPENING_RUN
 
 FILES = {
     "sound.wav",
@@ -395,6 +401,58 @@ def test_the_page_plays_the_stems(result):
     whole = soundfile.read(result.out / "sound.wav")[0]
     assert np.abs(sum(tracks) - whole).max() < (len(tracks) / 2 + 1) * 2.0**-15
     assert data["full_scale"] == result.sound.full_scale
+
+
+def test_the_page_has_the_gain_of_the_audible_copy(result):
+    """The A-weighted pressure with the stored gain is audible.wav within 0.2 dB of its level,
+    from 0.3 s on, when the filter has settled."""
+    audible = page_data.encoded_sounds(result.sound)["content"]["audible"]
+    stored = audible["gain"]
+    gain_db = np.frombuffer(b64decode(stored["base64"]), stored["dtype"]) / 100
+    rate = result.sound.sample_rate
+    pressure = np.ravel(result.sound.pressure.read(0))
+    weighted = sosfilt(np.array(audible["sections"]), pressure)
+    middle = (np.arange(len(gain_db)) + 0.5) * audible["interval"]
+    gain = 10 ** (np.interp(np.arange(len(weighted)) / rate, middle, gain_db) / 20)
+    expected = soundfile.read(result.out / "audible.wav")[0][:, 0]
+    error = (gain * weighted - expected)[round(0.3 * rate) :]
+    assert np.sqrt(np.mean(error**2)) < 0.02 * np.sqrt(np.mean(expected**2))
+
+
+def test_a_silent_sound_has_a_gain():
+    """No sample of silence determines a gain."""
+    silence = Recording(samples=np.zeros(480), sample_rate=48000)
+    assert not page_data.audible_gain_db(silence, silence, 0.0).any()
+
+
+def test_the_page_is_small(result):
+    """6 MB up to 20 s of sound, and 0.15 MB for each further second."""
+    size = (result.out / "report.html").stat().st_size
+    assert size < 6e6 + 0.15e6 * max(result.sound.duration - 20, 0)
+
+
+def test_the_opening_run_of_the_studio_has_the_form_of_a_page(result):
+    """`python -m sonify.studio.opening` renews it after a change of the form."""
+    shipped = resources.files("sonify.studio") / OPENING_RUN
+    opening = json.loads(gzip.decompress(shipped.read_bytes()))
+    data = page_data.page_data(result, page_parts(result))
+    assert opening["name"] == "toy"
+    assert opening["headline"].endswith(".")
+    assert set(opening) == {*data, "headline"}
+    for name in ("sounds", "disk", "motion", "lines"):
+        assert set(opening[name]) == set(data[name])
+    assert set(opening["sounds"]["audible"]) == set(data["sounds"]["audible"])
+
+
+def test_a_fine_mesh_is_thinned_evenly():
+    """The kept points are fewer, cover every part of the table and include its corners."""
+    grid = np.stack(np.meshgrid(np.linspace(0, 3, 300), np.linspace(0, 1, 100)), -1)
+    points = grid.reshape(-1, 2)
+    kept = points[page_data.thinned(points, 1000)]
+    assert 900 < len(kept) < 1200
+    assert {(0.0, 0.0), (3.0, 0.0), (0.0, 1.0), (3.0, 1.0)} <= set(map(tuple, kept))
+    assert cKDTree(kept).query(points)[0].max() < 2 * np.sqrt(3 / 1000)
+    assert page_data.thinned(points[:50], 1000).tolist() == list(range(50))
 
 
 def test_the_page_shows_the_motion(result):

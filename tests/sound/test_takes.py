@@ -27,6 +27,7 @@ from sonify.export.takes import (
     varied_scene,
     write_take,
 )
+from sonify.hearing.audio_source import read_samples
 from sonify.runtime.progress import Stages
 from sonify.scene_errors import InputError
 from sonify.sound.playback import ScaledTrack
@@ -269,6 +270,26 @@ def tone(frequency, seconds, rate=48000):
     return np.sin(2 * np.pi * frequency * np.arange(int(seconds * rate)) / rate + 0.01)
 
 
+def test_the_last_seconds_of_the_audible_copy_are_written(tmp_path):
+    """The file is the end of the sound of audible.wav, with a fade where it is cut; its loudness
+    and true peak are those of that copy."""
+    sound = solve(brief_scene().replace("numerics.time_limit=3")).sound
+    write_take(sound, tmp_path / "whole.wav", "", None, True)
+    write_take(sound, tmp_path / "last.wav", "", 1.0, True)
+    whole, rate = soundfile.read(tmp_path / "whole.wav")
+    last, _ = soundfile.read(tmp_path / "last.wav")
+    assert len(last) == rate < len(whole)
+    faded = round(0.1 * rate)
+    assert np.array_equal(last[faded:], whole[-rate + faded :])
+    assert not last[0].any()
+    assert np.abs(last[:faded]).max() < np.abs(whole[-rate:][:faded]).max()
+    assert true_peak_dbtp(whole, 4) < -1.0
+    copy = read_samples(sound.audible, 0, sound.audible.frames)
+    assert np.abs(whole).max() == pytest.approx(np.abs(copy).max(), abs=1e-6)
+    comment = TinyTag.get(tmp_path / "last.wav").comment
+    assert comment.startswith("A-weighted, compressed dynamics, not in pascal")
+
+
 def test_the_loop_of_a_tone_is_a_whole_number_of_periods():
     begin, end = loop_points(tone(1000, 4.0), 48000)
     assert (end + 1 - begin) % 48 == 0
@@ -363,6 +384,9 @@ air = { film = "none" }
         ("sound --strike 3", "--strike = 3.0: does not apply to sound"),
         ("motion --as csv --takes 3", "--takes = 3: does not apply to motion"),
         ("modes --as vtu --seed 3", "--seed = 3: does not apply to modes"),
+        ("sound --last 0.1", "--last = 0.1: must be at least 0.5 s"),
+        ("sound --last nan", "--last = nan: must be at least 0.5 s"),
+        ("motion --as csv --audible", "--audible = True: does not apply to motion"),
         ("sound nowhere", "nowhere: no such scene"),
     ],
 )

@@ -1,12 +1,136 @@
 "use strict";
 const $ = (id) => document.getElementById(id);
+const OPENING = ""; // place of the shipped run
+const STORE = "sonify-studio";
+const isEditable = Boolean($("scene-form"));
 const sliderSteps = 1000;
 let controls = [];
 let changed = {};
-let abort = null;
-let chosen = null;
+let abort = null; // of the running request
+let view = null; // the workbench
+let shown = { a: null, b: null }; // places of the runs in the workbench
+let recording = null; // data of the recording
+let displays = 0; // number of calls of display()
 
 const rounded = (value) => Number(value.toPrecision(4));
+const path = (place) => place.split("/").map(encodeURIComponent).join("/");
+
+function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+// What survives a reload
+
+function stored() {
+  try {
+    return JSON.parse(localStorage.getItem(STORE)) ?? {};
+  } catch {
+    return {};
+  }
+}
+
+function store(values) {
+  try {
+    localStorage.setItem(STORE, JSON.stringify({ ...stored(), ...values }));
+  } catch {
+    // without storage, a reload starts anew
+  }
+}
+
+// Runs in the workbench
+
+const loaded = new Map();
+
+async function dataOf(place) {
+  if (!loaded.has(place)) {
+    const answer = await fetch(place === OPENING ? "opening" : `data/${path(place)}`);
+    if (!answer.ok) throw new Error("this run has no page");
+    loaded.set(place, await answer.json());
+    if (loaded.size > 4) loaded.delete(loaded.keys().next().value);
+  }
+  return loaded.get(place);
+}
+
+function rowOf(place) {
+  return document.querySelector(`#run-list tr[data-place="${CSS.escape(place)}"]`);
+}
+
+/** Return a run or a recording with its end at the end of another run. */
+function aligned(other, run) {
+  const shift = run.source_end - other.source_end;
+  const { start, duration, source_end, delay } = other;
+  return { ...other, start: start + shift, duration: duration + shift, source_end: source_end + shift, delay: delay + shift };
+}
+
+/** Show run `a` and, if given, run `b` or the recording; keep position and settings unless given. */
+async function display(places, { position, plays } = {}) {
+  const number = ++displays;
+  shown = { a: places.a, b: places.b ?? null };
+  const named = async (place) => ({ ...(await dataOf(place)), name: rowOf(place)?.dataset.name ?? "toy" });
+  const given = [await named(shown.a)];
+  if (shown.b !== null) given.push(aligned(await named(shown.b), given[0]));
+  else if (recording) given.push(aligned({ ...recording, colours: given[0].colours }, given[0]));
+  if (number !== displays) return;
+  const isTrueScale = document.querySelector("#natural")?.checked;
+  position ??= view?.player.position;
+  if (view?.player.playing) [position, plays] = [view.player.time, plays ?? true];
+  view?.close();
+  $("bench").replaceChildren($("workbench-template").content.cloneNode(true));
+  $("curves-and-modes").replaceChildren(document.querySelector("#bench .desk"));
+  const row = rowOf(shown.a);
+  $("run-name").textContent = given[0].name;
+  $("run-headline").textContent = row?.dataset.headline ?? given[0].headline ?? "";
+  markChoice();
+  store({ a: shown.a, b: shown.b });
+  const made = (view = window.showRuns(given));
+  made.player.onChange(() => made.player.playing && $("live")?.pause());
+  await made.ready;
+  if (number !== displays) return;
+  if (isTrueScale) document.querySelector("#natural").click();
+  if (position) await made.player.seek(position);
+  if (plays) await made.player.play();
+}
+
+function attempt(promise) {
+  promise.catch((error) => showFault(`The run cannot be shown: ${error.message}.`));
+}
+
+function markChoice() {
+  for (const which of ["a", "b"]) {
+    for (const radio of document.querySelectorAll(`#run-list input[name=${which}]`)) {
+      radio.checked = radio.value === shown[which];
+    }
+  }
+}
+
+$("run-list").addEventListener("change", ({ target }) => {
+  if (target.name === "a") attempt(display({ ...shown, a: target.value }));
+  if (target.name === "b") attempt(display({ ...shown, b: target.value }));
+});
+
+$("run-list").addEventListener("click", ({ target }) => {
+  if (target.name === "b" && target.value === shown.b) attempt(display({ a: shown.a })); // a second click removes B
+});
+
+async function refreshList() {
+  const answer = await fetch("list");
+  if (answer.ok) $("run-list").innerHTML = await answer.text();
+  markChoice();
+}
+
+/** Show the runs of the last visit, or the first run. */
+async function openFirst() {
+  const before = stored();
+  const exists = (place) => place === OPENING || Boolean(rowOf(place));
+  const first = [...document.querySelectorAll("#run-list input[name=a]:not(:disabled)")][0]?.value;
+  const a = typeof before.a === "string" && exists(before.a) ? before.a : isEditable ? OPENING : first;
+  if (a === undefined) return;
+  await display({ a, b: typeof before.b === "string" && exists(before.b) ? before.b : null });
+}
+
+// Controls of the scene
 
 function fromSlider(control, position) {
   const share = position / sliderSteps;
@@ -22,92 +146,99 @@ function toSlider(control, value) {
   return Math.round(sliderSteps * Math.min(Math.max(share, 0), 1));
 }
 
-function element(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
+const nameOf = (control) => (control.unit ? `${control.label} [${control.unit}]` : control.label);
 
-function nameOf(control) {
-  const words = control.key.replace("_deg", "").split(".");
-  const name = words.length > 1 ? `${words[0]}: ${words[1]}` : words[0];
-  return control.unit ? `${name} [${control.unit}]` : name;
+function change(control, value) {
+  changed[control.key] = value;
+  store({ scene: $("scene").value, changed });
+  showFault("", control.key);
 }
 
 function numberField(control) {
   const id = `control-${control.key}`;
   const label = element("label", { htmlFor: id, textContent: nameOf(control), title: control.meaning });
   const number = element("input", { type: "number", id, step: "any" });
-  number.value = control.value === null ? "" : rounded(control.value);
-  if (control.optional) number.placeholder = "none";
   const slider = element("input", { type: "range", min: 0, max: sliderSteps, step: 1 });
   slider.setAttribute("aria-label", `${nameOf(control)}, slider`);
-  const updateSliderText = () => slider.setAttribute("aria-valuetext", number.value || "none");
-  slider.value = toSlider(control, control.value);
-  updateSliderText();
+  if (control.optional) number.placeholder = "none";
+  const write = (value) => {
+    if (value !== undefined) number.value = value === null ? "" : rounded(value * control.factor);
+    slider.setAttribute("aria-valuetext", number.value || "none");
+  };
+  const value = control.key in changed ? changed[control.key] : control.value;
+  write(value);
+  slider.value = toSlider(control, value);
   slider.addEventListener("input", () => {
-    number.value = fromSlider(control, Number(slider.value));
-    changed[control.key] = Number(number.value);
-    updateSliderText();
-    showFault("", control.key);
+    write(fromSlider(control, Number(slider.value)));
+    change(control, fromSlider(control, Number(slider.value)));
   });
   number.addEventListener("input", () => {
-    changed[control.key] = number.value === "" ? null : Number(number.value);
-    if (number.value !== "") slider.value = toSlider(control, Number(number.value));
-    updateSliderText();
-    showFault("", control.key);
+    const typed = number.value === "" ? null : rounded(Number(number.value) / control.factor);
+    if (typed !== null) slider.value = toSlider(control, typed);
+    write();
+    change(control, typed);
   });
   return [label, number, slider];
 }
 
 function choiceText(control, choice) {
   if (choice === "") return "as in the scene";
-  return control.key === "surface" ? `as in ${choice}` : choice;
+  if (control.key === "surface") return choice === "published" ? "rigid" : `that of ${choice}`;
+  return choice;
 }
 
 function choiceField(control) {
   const id = `control-${control.key}`;
-  const label = element("label", { htmlFor: id, textContent: nameOf(control).replace(": name", ""), title: control.meaning });
+  const label = element("label", { htmlFor: id, textContent: control.label, title: control.meaning });
   const list = element("select", { id });
   for (const choice of control.choices) {
     list.append(element("option", { value: choice, textContent: choiceText(control, choice) }));
   }
-  list.value = control.value;
-  list.addEventListener("change", () => {
-    changed[control.key] = list.value;
-    showFault("", control.key);
-  });
+  list.value = control.key in changed ? changed[control.key] : control.value;
+  list.addEventListener("change", () => change(control, list.value));
   return [label, list];
 }
 
-async function showControls() {
+async function showControls(values = {}) {
   const option = $("scene").selectedOptions[0];
   $("summary").textContent = option.dataset.summary;
   const answer = await fetch(`controls/${encodeURIComponent(option.value)}`);
   controls = await answer.json();
-  changed = {};
+  changed = values;
+  store({ scene: option.value, changed });
   showFault("");
-  showNotices([]);
-  $("controls").replaceChildren(
-    ...controls.map((control) => {
-      const parts = control.choices.length ? choiceField(control) : numberField(control);
-      const fault = element("span", { id: `fault-${control.key}`, className: "fault" });
-      parts[1].setAttribute("aria-describedby", fault.id);
-      return element("div", { className: "field" }, ...parts, fault);
-    }),
-  );
+  showRemarks([]);
+  const fields = (isMain) =>
+    controls
+      .filter((control) => control.is_main === isMain)
+      .map((control) => {
+        const parts = control.choices.length ? choiceField(control) : numberField(control);
+        const fault = element("span", { id: `fault-${control.key}`, className: "fault" });
+        parts[1].setAttribute("aria-describedby", fault.id);
+        return element("div", { className: "field" }, ...parts, fault);
+      });
+  $("controls").replaceChildren(...fields(true));
+  $("further-controls").replaceChildren(...fields(false));
 }
 
 function showFault(sentence, key = "") {
   const field = key && $(`control-${key}`);
   if (!field) {
-    $("fault").textContent = sentence;
+    if ($("fault")) $("fault").textContent = sentence;
     return;
   }
   $(`fault-${key}`).textContent = sentence;
   field.setAttribute("aria-invalid", sentence ? "true" : "false");
-  if (sentence) field.focus();
+  if (!sentence) return;
+  field.closest("details")?.setAttribute("open", "");
+  field.focus();
 }
+
+function showRemarks(lines) {
+  $("remarks").textContent = lines.join(" ");
+}
+
+// Runs
 
 async function* linesOf(response) {
   const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
@@ -122,101 +253,15 @@ async function* linesOf(response) {
   }
 }
 
-function showNotices(lines) {
-  $("notice").textContent = lines.join(" ");
-}
-
 function progressText(status) {
   if (status.before) return `waiting for ${status.before} earlier ${status.before > 1 ? "jobs" : "job"}`;
   return status.line || "starting";
 }
 
-function chooseRun(run) {
-  const player = $("player");
-  const position = player.currentTime;
-  const plays = !player.paused;
-  const first = chosen === null;
-  chosen = run;
-  player.src = run.sound;
-  player.addEventListener("loadedmetadata", () => {
-    player.currentTime = Math.min(position, player.duration);
-    if (plays || first || run.fresh) player.play().catch(() => {});
-    run.fresh = false;
-  }, { once: true });
-  showPage(run);
-}
-
-function showPage(run) {
-  if (chosen !== run) return;
-  $("page").hidden = !run.done;
-  if (run.done && $("page").getAttribute("src") !== run.page) $("page").src = run.page;
-}
-
-function addRun(run) {
-  const id = `run-${document.querySelectorAll("#runs li").length + 1}`;
-  const radio = element("input", { type: "radio", name: "chosen", id, checked: true });
-  radio.addEventListener("change", () => chooseRun(run));
-  run.label = element("label", { htmlFor: id, textContent: ` ${run.name}` });
-  $("runs").append(element("li", {}, radio, run.label));
-  $("runs-box").hidden = false;
-  $("empty").hidden = true;
-  $("player").currentTime = 0;
-  run.label.scrollIntoView({ block: "nearest" });
-  chooseRun(run);
-}
-
-function nameOfRun() {
-  const words = Object.entries(changed).map(([key, value]) => `${key} = ${value ?? "none"}`);
-  return [$("scene").value, ...words].join(", ");
-}
-
-async function runScene(event) {
-  event.preventDefault();
-  if (abort) return;
-  const scene = $("scene").value;
-  const values = { ...changed };
-  const run = { name: nameOfRun(), fresh: true, added: false, done: false };
-  for (const control of controls) showFault("", control.key);
-  showFault("");
-  showNotices([]);
-  abort = new AbortController();
-  busy(true);
-  try {
-    const response = await fetch("runs", {
-      method: "POST",
-      body: JSON.stringify({ scene, values }),
-      signal: abort.signal,
-    });
-    if (!response.ok) {
-      const status = await response.json();
-      showFault(status.error, status.key);
-      return;
-    }
-    for await (const status of linesOf(response)) {
-      if (status.error) showFault(status.error, status.key);
-      const notices = status.notices ?? status.result?.notices;
-      if (notices) showNotices(notices);
-      if ((status.streams || status.heard) && !run.added) {
-        const sound = status.heard ? status.sound : status.stream;
-        Object.assign(run, { sound, page: status.page, added: true });
-        addRun(run);
-      }
-      if (status.heard && run.sound !== status.sound) {
-        run.sound = status.sound;
-        if (chosen === run) chooseRun(run);
-      }
-      if (status.done) {
-        run.done = true;
-        run.label.textContent = ` ${run.name}: ${status.result.outcome}`;
-        showPage(run);
-      } else showProgress(status);
-    }
-  } catch (error) {
-    showFault(error.name === "AbortError" ? "The run was cancelled." : "The studio does not respond; is it still running?");
-  } finally {
-    abort = null;
-    busy(false);
-  }
+function showProgress(status) {
+  $("doing").textContent = progressText(status);
+  if (status.share === null || status.share === undefined) $("progress").removeAttribute("value");
+  else $("progress").value = status.share;
 }
 
 function busy(on) {
@@ -226,11 +271,99 @@ function busy(on) {
   if (on) showProgress({ line: "", share: null });
 }
 
-function showProgress(status) {
-  $("doing").textContent = progressText(status);
-  if (status.share === null || status.share === undefined) $("progress").removeAttribute("value");
-  else $("progress").value = status.share;
+/** Play a sound while it is rendered; the Play button of the workbench pauses it. */
+function playLive(address) {
+  view?.player.pause();
+  $("live").src = address;
+  $("live").play().catch(() => {});
 }
+
+function endLive() {
+  $("live").pause();
+  $("live").removeAttribute("src");
+  $("live").load();
+}
+
+async function finishRun(status) {
+  const plays = !$("live").paused && !$("live").ended;
+  const position = plays ? $("live").currentTime : 0;
+  await refreshList();
+  await dataOf(status.place);
+  const now = plays ? $("live").currentTime : position;
+  endLive();
+  await display({ a: status.place, b: shown.b }, { position: now, plays });
+}
+
+async function runScene(event) {
+  event?.preventDefault();
+  if (abort) return;
+  for (const control of controls) showFault("", control.key);
+  showFault("");
+  showRemarks([]);
+  abort = new AbortController();
+  busy(true);
+  let streams = false;
+  try {
+    const body = JSON.stringify({ scene: $("scene").value, values: changed });
+    const response = await fetch("runs", { method: "POST", body, signal: abort.signal });
+    if (!response.ok) {
+      const status = await response.json();
+      showFault(status.error, status.key);
+      return;
+    }
+    for await (const status of linesOf(response)) {
+      if (status.error) showFault(status.error, status.key);
+      const notices = status.notices ?? status.result?.notices;
+      if (notices) showRemarks(notices);
+      if (status.streams && !streams) playLive(status.stream);
+      streams ||= status.streams;
+      if (status.done) await finishRun(status);
+      else if (!status.error) showProgress(status);
+    }
+  } catch (error) {
+    showFault(error.name === "AbortError" ? "The run was cancelled." : "The studio does not respond; is it still running?");
+  } finally {
+    abort = null;
+    endLive();
+    busy(false);
+  }
+}
+
+// Takes
+
+async function writeTakes(event) {
+  event.preventDefault();
+  const state = $("takes-state");
+  $("takes-files").replaceChildren();
+  $("takes-write").disabled = true;
+  try {
+    const last = $("takes-last").value;
+    const body = JSON.stringify({
+      scene: $("scene").value,
+      values: changed,
+      takes: Number($("takes-count").value),
+      last: last === "" ? null : Number(last),
+      audible: $("takes-audible").checked,
+    });
+    const response = await fetch("takes", { method: "POST", body });
+    if (!response.ok) {
+      state.textContent = (await response.json()).error;
+      return;
+    }
+    for await (const status of linesOf(response)) {
+      state.textContent = status.error ?? (status.done ? `Written into the folder ${status.place}:` : progressText(status));
+      if (!status.done) continue;
+      const links = status.result.files.map((name) => element("a", { href: `runs/${path(status.place)}/${encodeURIComponent(name)}`, download: name, textContent: name }));
+      $("takes-files").replaceChildren(...links.map((link) => element("li", {}, link)));
+    }
+  } catch {
+    state.textContent = "The studio does not respond; is it still running?";
+  } finally {
+    $("takes-write").disabled = false;
+  }
+}
+
+// Recordings
 
 function wavOf(sound) {
   const samples = sound.getChannelData(0);
@@ -254,26 +387,34 @@ function wavOf(sound) {
   return bytes.buffer;
 }
 
-async function analyse(file) {
+/** Return a file as WAV if the browser can decode it, and as it is otherwise. */
+async function decoded(file) {
+  const context = new AudioContext({ sampleRate: 48000 });
+  try {
+    return wavOf(await context.decodeAudioData(await file.arrayBuffer()));
+  } catch {
+    return file;
+  } finally {
+    context.close();
+  }
+}
+
+async function analyse(file, span = {}) {
   const state = $("recording-state");
+  $("drop").scrollIntoView({ block: "nearest" });
   $("recording").replaceChildren();
   state.textContent = "reading the recording";
   try {
-    const context = new AudioContext({ sampleRate: 48000 });
-    let body = file; // the studio reads what the browser cannot decode, or says why not
-    try {
-      body = wavOf(await context.decodeAudioData(await file.arrayBuffer()));
-    } catch {
-      // the file itself is sent
-    } finally {
-      context.close();
-    }
+    const body = await decoded(file);
     const query = new URLSearchParams({
       scene: $("scene").value,
       values: JSON.stringify(changed),
       name: file.name ?? "",
     });
-    for (const end of ["from", "to"]) if ($(end).value !== "") query.set(end, $(end).value);
+    for (const end of ["from", "to"]) {
+      const value = span[end] ?? $(end).value;
+      if (value !== "") query.set(end, value);
+    }
     const response = await fetch(`recordings?${query}`, { method: "POST", body });
     if (response.status === 413) {
       state.textContent = await response.text();
@@ -285,33 +426,75 @@ async function analyse(file) {
       showFault(status.error, status.key);
       return;
     }
-    const compare = () => chosen?.name === nameOfRun() || $("scene-form").requestSubmit(); // run the simulation
-    if (body !== file) compare();
     for await (const status of linesOf(response)) {
       state.textContent = status.error ?? (status.done ? "" : progressText(status));
-      if (!status.done) continue;
-      showRecording(status);
-      if (body === file && status.result.fit.length) compare();
+      if (status.done) await showRecording(status, file, span);
     }
   } catch {
     state.textContent = "The studio does not respond; is it still running?";
   }
 }
 
-function showRecording(status) {
-  const list = (title, lines) => [
-    element("h3", { textContent: title }),
-    ...lines.map((line) => element("p", { textContent: line })),
-  ];
-  const pictures = status.result.pictures.map((name) =>
-    element("img", { src: status.folder + name, alt: `Picture of the recording: ${name.replace(".png", "")}` }),
+async function showRecording({ result, folder }, file, span) {
+  const parts = result.summary.map((line) => element("p", { textContent: line }));
+  if (result.runs.length > 1) {
+    const inOrder = [...result.runs].sort((one, other) => one.start - other.start);
+    const choices = inOrder.map(({ end, high }, i) => {
+      const from = i ? inOrder[i - 1].high : (span.from ?? 0); // all of the sound since the run before
+      const button = element("button", { type: "button", textContent: `run that ends at ${end.toFixed(1)} s` });
+      button.addEventListener("click", () => analyse(file, { from, to: high + 1 }));
+      return button;
+    });
+    parts.push(element("p", { className: "actions" }, ...choices));
+  }
+  const [first, ...others] = ["spectrogram.png", ...result.pictures].filter(
+    (name, i, all) => result.pictures.includes(name) && all.indexOf(name) === i,
   );
-  const verdict = status.result.fit.length ? list(`Compared with ${$("scene").value}`, status.result.fit) : [];
-  const gallery = element("div", { className: "pictures" }, ...pictures);
-  $("recording").replaceChildren(...verdict, ...list("Analysis of the recording", status.result.heard), gallery);
+  if (first) parts.push(picture(folder, first));
+  if (result.details.length) {
+    const lines = result.details.map((line) => element("p", { textContent: line }));
+    const gallery = others.map((name) => picture(folder, name));
+    parts.push(element("details", {}, element("summary", { textContent: "Details" }), ...lines, ...gallery));
+  }
+  $("recording").replaceChildren(...parts);
+  if (!result.runs.length) return;
+  const answer = await fetch(`${folder}recording.json`);
+  if (!answer.ok) return;
+  recording = await answer.json();
+  attempt(display({ a: shown.a ?? OPENING }));
+}
+
+/** Return a picture that a click enlarges. */
+function picture(folder, name) {
+  const words = name.replace(".png", "").replaceAll("_", " ");
+  const button = element("button", { type: "button", className: "picture" }, element("img", { src: folder + name, alt: `Picture of the recording: ${words}` }));
+  button.setAttribute("aria-expanded", "false");
+  button.addEventListener("click", () => button.setAttribute("aria-expanded", String(button.classList.toggle("large"))));
+  return button;
 }
 
 let recorder = null;
+
+/** Show the level of a microphone [dB re full scale] until the stream ends. */
+function showLevel(stream) {
+  const context = new AudioContext();
+  const meter = new AnalyserNode(context, { fftSize: 2048 });
+  context.createMediaStreamSource(stream).connect(meter);
+  const block = new Float32Array(meter.fftSize);
+  $("level-box").hidden = false;
+  const update = () => {
+    if (!stream.active) {
+      $("level-box").hidden = true;
+      context.close();
+      return;
+    }
+    meter.getFloatTimeDomainData(block);
+    const peak = block.reduce((most, x) => Math.max(most, Math.abs(x)), 1e-6);
+    $("level").value = 20 * Math.log10(peak);
+    requestAnimationFrame(update);
+  };
+  update();
+}
 
 async function toggleRecording() {
   const button = $("record");
@@ -333,6 +516,7 @@ async function toggleRecording() {
       analyse(new Blob(pieces));
     };
     recorder.start();
+    showLevel(stream);
     button.textContent = "Stop recording";
     button.setAttribute("aria-pressed", "true");
   } catch {
@@ -340,19 +524,46 @@ async function toggleRecording() {
   }
 }
 
-$("scene").addEventListener("change", showControls);
-$("scene-form").addEventListener("submit", runScene);
-$("stop").addEventListener("click", () => abort?.abort());
-$("record").addEventListener("click", toggleRecording);
-$("file").addEventListener("change", () => $("file").files[0] && analyse($("file").files[0]));
-document.addEventListener("dragover", (event) => {
-  event.preventDefault();
-  $("drop").classList.add("over");
-});
-document.addEventListener("dragleave", () => $("drop").classList.remove("over"));
-document.addEventListener("drop", (event) => {
-  event.preventDefault();
-  $("drop").classList.remove("over");
-  if (event.dataTransfer.files[0]) analyse(event.dataTransfer.files[0]);
-});
-showControls();
+function addForm() {
+  const before = stored();
+  const known = [...$("scene").options].some(({ value }) => value === before.scene);
+  if (known) $("scene").value = before.scene;
+  showControls(known ? (before.changed ?? {}) : {});
+  $("scene").addEventListener("change", () => showControls());
+  $("reset").addEventListener("click", () => showControls());
+  $("scene-form").addEventListener("submit", runScene);
+  $("stop").addEventListener("click", () => abort?.abort());
+  $("takes-form").addEventListener("submit", writeTakes);
+  $("record").addEventListener("click", toggleRecording);
+  $("file").addEventListener("change", () => $("file").files[0] && analyse($("file").files[0]));
+  document.addEventListener("dragover", (event) => {
+    event.preventDefault();
+    $("drop").classList.add("over");
+  });
+  document.addEventListener("dragleave", () => $("drop").classList.remove("over"));
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    $("drop").classList.remove("over");
+    if (event.dataTransfer.files[0]) analyse(event.dataTransfer.files[0]);
+  });
+  $("bench").addEventListener(
+    "click",
+    (event) => {
+      const live = $("live");
+      if (!event.target.closest("#play") || !live.currentSrc || !live.hasAttribute("src") || live.ended) return;
+      event.stopPropagation();
+      if (live.paused) live.play();
+      else live.pause();
+    },
+    true,
+  );
+  for (const kind of ["play", "pause"]) {
+    $("live").addEventListener(kind, () => {
+      const play = document.querySelector("#play");
+      if (play && !view?.player.playing) play.textContent = $("live").paused ? "Play" : "Pause";
+    });
+  }
+}
+
+if (isEditable) addForm();
+attempt(openFirst());

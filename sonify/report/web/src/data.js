@@ -5,7 +5,8 @@ export function runs() {
   return [...document.querySelectorAll('script.run')].map((script) => unpacked(JSON.parse(script.textContent)))
 }
 
-function unpacked(value) {
+/** Return a value of JSON with its arrays decoded. */
+export function unpacked(value) {
   if (Array.isArray(value)) return value.map(unpacked)
   if (value === null || typeof value !== 'object') return value
   if (value.base64 !== undefined) return array(value)

@@ -13,6 +13,12 @@ export class Disk3D {
     this.stage = new Stage(canvas, 6 * disk.radius)
     this.body = body(disk)
     this.stage.scene.add(table(disk), this.body)
+    if (disk.mirror) {
+      this.image = this.body.clone()
+      const reflection = new THREE.Group()
+      reflection.scale.z = -1
+      this.stage.scene.add(reflection.add(this.image))
+    }
     this.contact = new THREE.Mesh(
       new THREE.SphereGeometry(0.03 * disk.radius, 16, 12),
       new THREE.MeshBasicMaterial({ color: theme('--contact') }),
@@ -51,6 +57,8 @@ export class Disk3D {
     this.body.position.set(x, y, at(contact.inclination, contact.height, inclination))
     this.body.setRotationFromMatrix(new THREE.Matrix4().makeBasis(outward, across, axis))
     this.body.rotateZ(spin)
+    this.image?.position.copy(this.body.position)
+    this.image?.quaternion.copy(this.body.quaternion)
     this.contact.position.set(...this.#contact({ precession, inclination, x, y }))
   }
 
@@ -96,19 +104,21 @@ function body({ radius, thickness, inner_radius: hole, edge }) {
     new THREE.LatheGeometry(points, 96).rotateX(Math.PI / 2),
     new THREE.MeshStandardMaterial({ color: theme('--steel'), metalness: 0.55, roughness: 0.35, flatShading: true, side: THREE.DoubleSide }),
   )
-  const mark = new THREE.Mesh(
-    new THREE.RingGeometry(Math.max(0.45 * radius, hole), 0.99 * radius, 12, 1, -0.15, 0.3),
-    new THREE.MeshBasicMaterial({ color: theme('--mark'), side: THREE.DoubleSide }),
-  )
-  mark.position.z = 0.505 * thickness
-  solid.add(mark)
-  return solid
+  const paint = new THREE.MeshBasicMaterial({ color: theme('--mark'), side: THREE.DoubleSide })
+  const [from, angle] = [-0.15, 0.3] // [rad], of the mark on face and rim
+  const face = new THREE.Mesh(new THREE.RingGeometry(Math.max(0.45 * radius, hole), 0.99 * edge[0], 12, 1, from, angle), paint)
+  face.position.z = 0.505 * thickness
+  const lateral = 2 * edge.at(-1) // its height
+  const rim = new THREE.Mesh(new THREE.CylinderGeometry(1.004 * radius, 1.004 * radius, lateral, 12, 1, true, from + Math.PI / 2, angle), paint)
+  rim.rotateX(Math.PI / 2)
+  return solid.add(face, rim)
 }
 
-function table({ radius }) {
+function table({ radius, mirror }) {
+  const glass = { transparent: true, opacity: 0.7, depthWrite: false, roughness: 0.1 }
   const top = new THREE.Mesh(
     new THREE.CircleGeometry(4 * radius, 96),
-    new THREE.MeshStandardMaterial({ color: theme('--table'), roughness: 0.9 }),
+    new THREE.MeshStandardMaterial({ color: theme('--table'), ...(mirror ? glass : { roughness: 0.9 }) }),
   )
   const rings = new THREE.PolarGridHelper(4 * radius, 12, 4, 96, theme('--line'), theme('--line')).rotateX(Math.PI / 2)
   rings.position.z = 2e-5

@@ -1,7 +1,7 @@
 // Interactive page of a run: sound, spectrogram and curves over time, and 3-D views of the disk and its modes.
 // Without this script, the page still contains all results as text and pictures.
 import './page.css'
-import { clock, runs } from './data.js'
+import { clock, runs, unpacked } from './data.js'
 import { Curves } from './curves.js'
 import { Disk3D } from './disk3d.js'
 import { MAX_DRAWN_DISPLACEMENT, Modes3D } from './modes3d.js'
@@ -32,32 +32,48 @@ function showNotice(text) {
   $('#notice').hidden = !text
 }
 
-async function start() {
+/** Show runs in `#workbench`; return an object with `player`, `timeline`, `runs`, `ready` and `close()`. */
+function show(all) {
   document.documentElement.classList.add('alive')
-  addCopyButtons()
-  await nextFrame() // show title and answers before decoding starts
-  const all = runs()
   const player = new Player(all)
   const timeline = new Timeline(player.duration, player)
+  const view = { player, timeline, runs: all, spectrograms: [], disks: [], open: true }
+  view.close = () => {
+    view.open = false
+    player.close()
+    view.disks.forEach(({ stage }) => stage.close())
+    view.bodies?.forEach((body) => body.close())
+  }
   timeline.onError = (error) => showNotice(`No sound: ${error.message}.`)
-  window.sonify = { player, timeline, runs: all, spectrograms: [] }
+  window.sonify = view
+  view.ready = fill(view)
+  return view
+}
+
+async function fill(view) {
+  const { player, timeline, runs: all } = view
   addTransport(player, timeline, all)
-  const scenes = addDiskViews(all)
-  scenes.disks.forEach((disk) => disk.draw(player.time))
+  await nextFrame() // show title and answers before decoding starts
+  if (!view.open) return
+  Object.assign(view, addDiskViews(all))
+  view.disks.forEach((disk) => disk.draw(player.time))
   await nextFrame()
+  if (!view.open) return
   const curves = addCurves(all, timeline)
   timeline.keys($('#workbench'))
   everyFrame(() => {
+    if (!view.open) return false
     player.tick()
     timeline.draw()
     updateMeters(player)
     $('#clock').textContent = clock(player.time, timeline.span[1] - timeline.span[0])
     curves.forEach((one) => one.showValues(player.time))
-    scenes.disks.forEach((disk) => disk.draw(player.time))
-    scenes.bodies.forEach((draw) => draw(performance.now() / 1000))
+    view.disks.forEach((disk) => disk.draw(player.time))
+    view.bodies.forEach((body) => body.draw(performance.now() / 1000))
+    return true
   })
   try {
-    await addSpectrograms(all, player, timeline)
+    await addSpectrograms(view)
     await player.samples()
   } catch (error) {
     showNotice(`This browser cannot decode the sound (${error.message}); play the WAV files in the folder of this page instead.`)
@@ -69,10 +85,10 @@ function nextFrame() {
   return new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 }
 
+/** Call `draw()` at every screen refresh as long as it returns true. */
 function everyFrame(draw) {
   const frame = () => {
-    draw()
-    requestAnimationFrame(frame)
+    if (draw()) requestAnimationFrame(frame)
   }
   requestAnimationFrame(frame)
 }
@@ -99,7 +115,7 @@ function addTransport(player, timeline, all) {
   plays.addEventListener('click', () => attempt(player.toggle()))
   $('#speed').addEventListener('change', (event) => attempt(player.set({ speed: Number(event.target.value) })))
   $('#pitch').addEventListener('change', (event) => attempt(player.set({ keepPitch: event.target.checked })))
-  $('#scale').addEventListener('change', (event) => attempt(player.set({ scale: event.target.value })))
+  $('#natural').addEventListener('change', (event) => attempt(player.set({ scale: event.target.checked ? 'true' : 'audible' })))
   $('#volume').addEventListener('input', (event) => attempt(player.set({ volume: Number(event.target.value) })))
   const atSpeed = (speed) => {
     $('#speed').value = String(speed)
@@ -182,37 +198,40 @@ function updateMeters(player) {
   }
 }
 
-async function addSpectrograms(all, player, timeline) {
+async function addSpectrograms(view) {
+  const { runs: all, player, timeline } = view
   for (const [i, run] of all.entries()) {
     const stems = await player.samples(i, 'true')
+    if (!view.open) return
     const mix = () => {
       const samples = new Float32Array(stems[0].channels[0].length)
       const heard = stems.filter(({ name }) => player.sounds(name))
       for (const { channels } of heard) for (let n = 0; n < samples.length; n++) samples[n] += channels[0][n]
       return samples
     }
-    const { rates, modes } = run.lines
-    const lines = [
+    const { rates, modes } = run.lines ?? {}
+    const lines = rates ? [
       { t: rates.t, f: rates.precession, colour: '#fff', dash: [] },
       { t: rates.t, f: rates.nutation, colour: '#56b4e9', dash: [7, 4] },
       ...[...modes].map((f) => ({ t: [0, run.motion.t.at(-1)], f: [f, f], colour: '#fff', dash: [1, 5] })),
-    ]
+    ] : []
     const panel = element('div', { className: 'panel spectrogram' }, element('canvas'), element('canvas', { className: 'lines' }))
     const title = element('span', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name} ` : 'Spectrogram ' })
-    const key = element('span', { className: 'value', textContent: LINE_LEGEND })
-    $('#loading').before(element('p', { className: 'caption' }, title, key), panel)
-    makeTimeSlider(panel, `${run.seen} ${LINE_LEGEND}`, player)
+    const key = element('span', { className: 'value', textContent: rates ? LINE_LEGEND : '' })
+    const axis = element('div', { className: 'times', ariaHidden: 'true' })
+    $('#loading').before(element('p', { className: 'caption' }, title, key), panel, axis)
+    makeTimeSlider(panel, `${run.seen} ${key.textContent}`, player)
     const spectrogram = new Spectrogram($('canvas', panel), mix(), {
       sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.full_scale, start: run.start,
     })
-    spectrogram.onScale = (words) => $('#levels').append(' ', words)
+    spectrogram.onScale = (words) => $('#levels')?.append(' ', words)
     const audible = () => player.names.filter((name) => player.sounds(name)).join()
     let shown = audible()
     player.onChange(() => {
       if (shown === (shown = audible())) return
       spectrogram.mix = mix()
     })
-    window.sonify.spectrograms.push(spectrogram)
+    view.spectrograms.push(spectrogram)
     timeline.add(spectrogram)
     $('#lines').addEventListener('change', (event) => {
       spectrogram.showLines = event.target.checked
@@ -248,7 +267,7 @@ function addCurves(all, timeline) {
     $('#curves').append(place)
     return place
   }
-  const makers = all.map((run, i) => {
+  const makers = all.filter(({ motion }) => motion).map((run, i) => {
     const t = run.motion.t.map((time) => time + run.delay)
     const who = all.length > 1 ? `${'AB'[i]}: ` : ''
     const { rates } = run.lines
@@ -272,12 +291,14 @@ const theme = (name) => getComputedStyle(document.documentElement).getPropertyVa
 
 function addDiskViews(all) {
   try {
-    const disks = all.map((run, i) => {
+    const moving = all.filter(({ motion }) => motion)
+    $('.hero').classList.toggle('pair', moving.length > 1)
+    const disks = moving.map((run, i) => {
       const canvas = element('canvas', { className: 'orbit', tabIndex: 0 })
       canvas.setAttribute('role', 'img')
-      canvas.setAttribute('aria-label', `The disk ${all.length > 1 ? `of ${run.name} ` : ''}on its table at the playback time. Arrow keys turn the view; plus and minus zoom in and out.`)
-      if (all.length > 1) $('#disks').append(element('p', { className: 'caption' }, `${'AB'[i]}: ${run.name}`))
-      $('#disks').append(canvas)
+      canvas.setAttribute('aria-label', `The disk ${moving.length > 1 ? `of ${run.name} ` : ''}on its table at the playback time. Arrow keys turn the view; plus and minus zoom in and out.`)
+      const caption = moving.length > 1 ? [element('figcaption', { textContent: `${'AB'[i]}: ${run.name}` })] : []
+      $('#disks').append(element('figure', {}, ...caption, canvas))
       return new Disk3D(canvas, run)
     })
     const name = all.length > 1 ? ` (A: ${all[0].name})` : ''
@@ -295,7 +316,8 @@ function addModeView(given, whose, name) {
   const [choice, swing] = [$(`#${whose}mode`), $(`#${whose}swing`)]
   let modes // created when first visible
   let seen = false
-  new IntersectionObserver(([{ isIntersecting }]) => (seen = isIntersecting)).observe(canvas)
+  const observer = new IntersectionObserver(([{ isIntersecting }]) => (seen = isIntersecting))
+  observer.observe(canvas)
   given.captions.forEach((caption, i) => choice.append(element('option', { value: String(i), textContent: caption })))
   const pick = (number) => {
     modes?.pick(number)
@@ -307,7 +329,7 @@ function addModeView(given, whose, name) {
   swing.checked = !still.matches
   $(`#${whose}modes3d`).hidden = false
   $(`#${whose}modes3d h2`).append(name)
-  return (seconds) => {
+  const draw = (seconds) => {
     if (!seen) return
     if (!modes) {
       modes = new Modes3D(canvas, given)
@@ -315,9 +337,19 @@ function addModeView(given, whose, name) {
     }
     modes.draw(seconds, still.matches || !swing.checked)
   }
+  const close = () => {
+    observer.disconnect()
+    modes?.stage.close()
+  }
+  return { draw, close }
 }
 
-start().catch((error) => {
-  showNotice(`The page cannot show this run interactively (${error.message}); the text and pictures below are complete.`)
-  throw error
-})
+const embedded = runs()
+if (embedded.length) {
+  addCopyButtons()
+  show(embedded).ready.catch((error) => {
+    showNotice(`The page cannot show this run interactively (${error.message}); the text and pictures below are complete.`)
+    throw error
+  })
+}
+window.showRuns = (given) => show(given.map(unpacked)) // for the studio, which loads the data of its runs

@@ -7,7 +7,8 @@ export const MAX_DRAWN_DISPLACEMENT = 0.18 // divided by the radius
 
 export class Modes3D {
   constructor(canvas, { points, triangles, shapes }) {
-    Object.assign(this, { points, shapes })
+    const isAxial = 3 * shapes[0].length === points.length
+    Object.assign(this, { points, shapes: isAxial ? shapes.map(alongZ) : shapes })
     this.radius = Math.max(...points)
     this.stage = new Stage(canvas, 3.6 * this.radius)
     const geometry = new THREE.BufferGeometry()
@@ -50,6 +51,13 @@ export class Modes3D {
     if (!still) this.moved(Math.cos((2 * Math.PI * seconds) / PERIOD))
     this.stage.draw()
   }
+}
+
+/** Return displacements along z as vectors. */
+function alongZ(heights) {
+  const vectors = new Int16Array(3 * heights.length)
+  heights.forEach((height, i) => (vectors[3 * i + 2] = height))
+  return vectors
 }
 
 function largest(shape) {

@@ -6,11 +6,12 @@ const STRETCHER_LEAD = 0.05 // [s], between scheduling and playback, so that the
 const FADE_IN = 0.1 // [s], so that a part of a sound starts without a click
 
 export class Player {
-  /** `runs` contain sounds {full_scale, tracks: {name: data URL}, weighting: {full_scale, sections}}. */
+  /** `runs` contain sounds {full_scale, tracks: {name: data URL}, audible: {sections, interval, gain}}; the gain [0.01 dB
+   * re 1/Pa] makes the audible copy from the A-weighted pressure. */
   constructor(runs) {
     this.runs = runs
     this.run = 0
-    this.scale = 'audible' // A-weighted, or 'true'
+    this.scale = 'audible' // A-weighted and mastered, or 'true', the pressure at the same scale for all runs
     this.speed = 1
     this.keepPitch = false
     this.volume = 1
@@ -39,7 +40,7 @@ export class Player {
   /** Return the samples of all stems, decoded once, as a list of {name, channels: [Float32Array]}. */
   async samples(run = this.run, scale = this.scale) {
     const key = `${run} ${scale}`
-    if (!this.decoded.has(key)) this.decoded.set(key, scale === 'true' ? this.#decode(this.runs[run]) : this.#weighted(run))
+    if (!this.decoded.has(key)) this.decoded.set(key, scale === 'true' ? this.#decode(this.runs[run]) : this.#audible(run))
     return this.decoded.get(key)
   }
 
@@ -56,34 +57,57 @@ export class Player {
     )
   }
 
-  async #weighted(run) {
+  async #audible(run) {
     const { sounds, sample_rate: sampleRate } = this.runs[run]
-    const { full_scale: fullScale, sections } = sounds.weighting
     const stems = await this.samples(run, 'true')
+    const size = stems[0].channels[0].length
+    const gain = this.#gainSamples(run, size)
     return Promise.all(
       stems.map(async ({ name, channels }) => {
-        const context = new OfflineAudioContext(channels.length, channels[0].length, sampleRate)
-        const buffer = context.createBuffer(channels.length, channels[0].length, sampleRate)
+        const context = new OfflineAudioContext(channels.length, size, sampleRate)
+        const buffer = context.createBuffer(channels.length, size, sampleRate)
         channels.forEach((channel, i) => buffer.copyToChannel(channel, i))
         const source = new AudioBufferSourceNode(context, { buffer })
-        const filters = sections.map((row) => new IIRFilterNode(context, { feedforward: row.slice(0, 3), feedback: row.slice(3) }))
-        const gain = new GainNode(context, { gain: sounds.full_scale / fullScale })
-        ;[source, ...filters, gain, context.destination].reduce((from, to) => from.connect(to))
+        const filters = sounds.audible.sections.map((row) => new IIRFilterNode(context, { feedforward: row.slice(0, 3), feedback: row.slice(3) }))
+        ;[source, ...filters, context.destination].reduce((from, to) => from.connect(to))
         source.start()
-        const heard = await context.startRendering()
-        return { name, channels: channels.map((_, c) => heard.getChannelData(c)) }
+        const weighted = await context.startRendering()
+        const heard = channels.map((_, c) => weighted.getChannelData(c).map((x, i) => x * gain[i]))
+        return { name, channels: heard }
       }),
     )
   }
 
-  /** Pressure [Pa] represented by a sample of 1.0. */
+  /** Return the gain of the audible copy for every sample of the stems. */
+  #gainSamples(run, size) {
+    const { sounds, sample_rate: sampleRate } = this.runs[run]
+    const { interval, gain } = sounds.audible
+    const factor = Float32Array.from(gain, (level) => sounds.full_scale * 10 ** (level / 2000))
+    const last = factor.length - 1
+    return Float32Array.from({ length: size }, (_, i) => {
+      const place = Math.min(Math.max(i / sampleRate / interval - 0.5, 0), last)
+      const k = Math.min(Math.floor(place), last - 1)
+      return last ? factor[k] + (place - k) * (factor[k + 1] - factor[k]) : factor[0]
+    })
+  }
+
+  /** Pressure [Pa] represented by a sample of 1.0 of the stems at the current time. */
   get fullScale() {
-    const { sounds } = this.runs[this.run]
-    return this.scale === 'true' ? sounds.full_scale : sounds.weighting.full_scale
+    const { sounds, start } = this.runs[this.run]
+    if (this.scale === 'true') return sounds.full_scale
+    const { interval, gain } = sounds.audible
+    const k = Math.round((this.time - start) / interval - 0.5)
+    return 10 ** (-gain[Math.min(Math.max(k, 0), gain.length - 1)] / 2000)
   }
 
   get unit() {
     return this.scale === 'true' ? 'dB SPL' : 'dB(A)'
+  }
+
+  /** Factor that makes the true pressures of all runs comparable. */
+  get #commonScale() {
+    if (this.scale !== 'true') return 1
+    return this.runs[this.run].sounds.full_scale / Math.max(...this.runs.map(({ sounds }) => sounds.full_scale))
   }
 
   /** Current time of the sound [s], from the audio clock minus the output latency. */
@@ -151,7 +175,7 @@ export class Player {
     const across = stems[0].channels.length
     const splitter = this.context.createChannelSplitter(stems.length * across)
     this.master?.disconnect()
-    this.master = new GainNode(this.context, { gain: this.volume })
+    this.master = new GainNode(this.context)
     this.master.connect(this.context.destination)
     source.connect(splitter)
     this.strips = stems.map(({ name }, i) => {
@@ -167,7 +191,7 @@ export class Player {
 
   #setGains() {
     for (const { name, gain } of this.strips ?? []) gain.gain.value = this.sounds(name) ? 1 : 0
-    if (this.master) this.master.gain.value = this.volume
+    if (this.master) this.master.gain.value = this.volume * this.#commonScale
   }
 
   /** Return whether a stem is audible (not muted). */
@@ -227,6 +251,12 @@ export class Player {
 
   #changed() {
     this.listeners.forEach((note) => note())
+  }
+
+  /** Stop the sound and release the audio device. */
+  close() {
+    this.pause()
+    this.context?.close()
   }
 
   /** Stop at the end; to be called at every screen refresh. */

@@ -3,10 +3,11 @@
 import FFT from 'fft.js'
 
 const MIN_FREQUENCY = 10 // [Hz]
-const SPLIT_FREQUENCY = 1000 // [Hz], above which the short window is used
 const RANGE = 65 // [dB], between the darkest and the brightest colour
+const SILENCE = -300 // [dB], level of samples that are zero
 const MAX_BAND_DIFFERENCE = 50 // [dB], between the brightest levels of low and high frequencies
-const BLEND = [300, 3000] // [Hz], range in which the brightest level changes from that of low to that of high frequencies
+const BLEND = [300, 3000] // [Hz], range in which window and brightest level change from those of low to those of high frequencies
+const MIN_TICK_DISTANCE = 80 // [px], between the times below the panel
 const REDRAW_INTERVAL = 200 // [ms], while the picture is being computed
 const WORK_TIME = 12 // [ms], of computation between two screen refreshes
 
@@ -17,6 +18,7 @@ export class Spectrogram {
     Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay, fullScale, start })
     this.element = canvas.parentElement
     this.overlay = this.element.querySelector('canvas.lines')
+    this.axis = this.element.nextElementSibling
     this.showLines = true
     this.done = Promise.resolve()
   }
@@ -36,6 +38,7 @@ export class Spectrogram {
 
   show(from, to) {
     this.span = [from, to]
+    this.#drawAxis(from, to)
     const job = (this.job = {}) // other jobs stop, unless they determine the colour scale
     this.first ??= this.#draw(job, from, to)
     this.done = this.first.then(() => this.#draw(job, from, to))
@@ -57,6 +60,7 @@ export class Spectrogram {
     let painted = rest
     for (let column = 0; column < width; column++) {
       const time = from + ((column + 0.5) / width) * (to - from)
+      for (let row = 0; row < height; row++) level[row * width + column] = 0 // the bands are added with their weights
       for (const band of bands) band.read(this.samples, (time - this.start) * this.sampleRate, level, column, width)
       if (performance.now() - rest > WORK_TIME) {
         await new Promise(requestAnimationFrame)
@@ -79,10 +83,11 @@ export class Spectrogram {
   #bands(perColumn, height) {
     const long = windowSize(16 * perColumn * this.sampleRate, 512, 16384)
     const short = Math.max(long >> 3, 256)
-    const split = Math.round(height * (1 - this.height(SPLIT_FREQUENCY)))
+    const [from, to] = BLEND.map((frequency) => Math.round(height * (1 - this.height(frequency))))
+    const weight = (row) => Math.min(Math.max((from - row) / (from - to), 0), 1)
     return [
-      new Band(this, short, 0, split, height),
-      new Band(this, long, split, height, height),
+      new Band(this, short, [0, from], height, weight),
+      new Band(this, long, [to, height], height, (row) => 1 - weight(row)),
     ]
   }
 
@@ -142,6 +147,21 @@ export class Spectrogram {
     }
   }
 
+  /** Write the times below the panel. */
+  #drawAxis(from, to) {
+    const ticks = niceTicks(from, to, Math.max(this.element.clientWidth / MIN_TICK_DISTANCE, 1))
+    this.axis.replaceChildren(
+      ...ticks.times.map((time) => {
+        const tick = document.createElement('span')
+        const share = (time - from) / (to - from)
+        tick.textContent = `${time.toFixed(ticks.digits)} s`
+        tick.style.left = `${100 * share}%`
+        tick.className = share < 0.03 ? 'first' : share > 0.97 ? 'last' : ''
+        return tick
+      }),
+    )
+  }
+
   #ticks(context, width, height) {
     Object.assign(context, { font: '11px system-ui, sans-serif', lineWidth: 1 })
     for (let decade = MIN_FREQUENCY; decade < this.highest; decade *= 10) {
@@ -163,9 +183,19 @@ export class Spectrogram {
   }
 }
 
+/** Return at most `count` round times from `from` to `to` with the number of their decimals. */
+function niceTicks(from, to, count) {
+  const least = (to - from) / count
+  const decade = 10 ** Math.floor(Math.log10(least))
+  const step = decade * [1, 2, 5, 10].find((factor) => factor * decade >= least * (1 - 1e-9))
+  const first = Math.ceil(from / step - 1e-9)
+  const times = Array.from({ length: Math.floor(to / step + 1e-9) - first + 1 }, (_, i) => (first + i) * step)
+  return { times, digits: Math.max(-Math.floor(Math.log10(step) + 1e-9), 0) }
+}
+
 function brightest(level, bands, width) {
   const tops = bands.map(({ first, last }) => loudest(level.subarray(first * width, last * width)))
-  return tops.map((top) => Math.max(top, Math.max(...tops) - MAX_BAND_DIFFERENCE))
+  return tops.map((top) => Math.max(top, Math.max(...tops) - MAX_BAND_DIFFERENCE, SILENCE + RANGE))
 }
 
 function loudest(levels) {
@@ -178,10 +208,11 @@ function windowSize(wanted, least, most) {
   return 2 ** Math.round(Math.log2(Math.min(Math.max(wanted, least), most)))
 }
 
-// Rows first <= row < last of the picture, computed with a Hann window of `size` samples.
+// Rows first <= row < last of the picture, computed with a Hann window of `size` samples and added with their weights.
 class Band {
-  constructor(spectrogram, size, first, last, height) {
+  constructor(spectrogram, size, [first, last], height, weight) {
     Object.assign(this, { size, first, last })
+    this.weights = Float32Array.from({ length: last - first }, (_, i) => weight(first + i))
     this.fft = new FFT(size)
     this.taper = Float64Array.from({ length: size }, (_, i) => (Math.SQRT2 * (1 - Math.cos((2 * Math.PI * i) / size))) / size)
     this.input = new Float64Array(size)
@@ -195,7 +226,7 @@ class Band {
     for (let i = 0; i < this.size; i++) this.input[i] = (samples[start + i] ?? 0) * this.taper[i]
     this.fft.realTransform(this.output, this.input)
     this.rows.forEach(([low, high], i) => {
-      level[(this.first + i) * width + column] = 10 * Math.log10(this.#power(low, high) + 1e-30)
+      level[(this.first + i) * width + column] += this.weights[i] * 10 * Math.log10(this.#power(low, high) + 10 ** (SILENCE / 10))
     })
   }
 

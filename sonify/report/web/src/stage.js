@@ -40,6 +40,13 @@ export class Stage {
     this.stale = true
   }
 
+  /** Release the graphics memory; a browser allows few contexts. */
+  close() {
+    this.controls.dispose()
+    this.renderer.dispose()
+    this.renderer.forceContextLoss()
+  }
+
   draw() {
     if (!this.stale) return
     const { clientWidth: width, clientHeight: height } = this.canvas
