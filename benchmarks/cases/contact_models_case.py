@@ -69,10 +69,10 @@ FORCE_RATE = 1e5
 MIN_FORCE_RMS = 0.01
 """Smallest rms of the varying force, divided by the weight, to which errors relate."""
 
-LONG_WAVES = 6e-3
+LONG_WAVE_CUTOFF = 6e-3
 """Shortest wavelength [m] of unevenness that does not excite the contact resonance."""
 
-SHORT_WAVES = 2e-3
+SHORT_WAVE_CUTOFF = 2e-3
 """Shortest wavelength [m] of unevenness that excites the contact resonance."""
 
 
@@ -173,7 +173,7 @@ class TableCase:
 
     kind: str
     curvature_number: float = 0.0
-    shortest: float = LONG_WAVES
+    shortest: float = LONG_WAVE_CUTOFF
     order: int = 0
     friction: float = 0.0
     is_flexible: bool = False
@@ -240,15 +240,15 @@ class TableCase:
         """Height profiles of a smooth table and of an edge with all heights."""
         if not self.curvature_number:
             return SMOOTH_PROFILE, SMOOTH_PROFILE
-        edge = spline_profile(np.fft.rfft(self.heights), 2 * pi * self.scene.disk.radius)
+        edge = spline_profile(
+            np.fft.rfft(self.heights), 2 * pi * self.scene.disk.radius
+        )
         return SMOOTH_PROFILE, edge
 
     @property
     def models(self) -> tuple[str, ...]:
         """Names of the models that apply; on a flexible table "full" follows the gap."""
-        return tuple(
-            name for name in SOLVERS if name != "full" or not self.is_flexible
-        )
+        return tuple(name for name in SOLVERS if name != "full" or not self.is_flexible)
 
     def solve(self, model: str, rate: float) -> Answer:
         """Return the `Stretch` by one of `models`.
@@ -378,6 +378,12 @@ SOLVERS = {
 """Functions of case and rate by the name of the model."""
 
 
+def predicted_force_rms(case: TableCase) -> float:
+    """Return the rms of the varying force by the filter, divided by the weight."""
+    stretch = case.solve("filter", 1.92e5).values
+    return stretch.force_rms() / case.scene.disk.weight
+
+
 def errors(found: Stretch, reference: Stretch, weight: float) -> Errors:
     """Return the errors of a stretch of a disk of a weight [N] against a reference."""
     stop = min(found.end, reference.end)
@@ -403,7 +409,7 @@ def errors(found: Stretch, reference: Stretch, weight: float) -> Errors:
 
 
 ROUGH = partial(TableCase, kind="rough, long waves")
-SHORT = partial(TableCase, kind="rough, short waves", shortest=SHORT_WAVES)
+SHORT = partial(TableCase, kind="rough, short waves", shortest=SHORT_WAVE_CUTOFF)
 WAVY = partial(TableCase, kind="wavy", order=12)
 FLEXIBLE = partial(TableCase, kind="flexible", is_flexible=True)
 FRICTION = partial(TableCase, kind="with friction", friction=10.0)
@@ -413,7 +419,7 @@ CASES = {
         TableCase(kind="smooth"),
         *(ROUGH(curvature_number=k) for k in (0.05, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5)),
         *(WAVY(curvature_number=k) for k in (0.1, 0.25, 0.5)),
-        *(SHORT(curvature_number=k) for k in (0.02, 0.05, 0.1, 0.2)),
+        *(SHORT(curvature_number=k) for k in (0.02, 0.03, 0.04, 0.05, 0.07, 0.1, 0.2)),
         *(FLEXIBLE(curvature_number=k) for k in (0.0, 0.2)),
         *(FRICTION(curvature_number=k) for k in (0.0, 0.2)),
     )
