@@ -147,7 +147,7 @@ def tables(records: list[Record]) -> dict[str, list[list]]:
             all_errors.append([name, model, *values])
             steps.append([name, model, *_steps_cells(records, model, name)])
     return {
-        f"Motion error, smallest step (bold: more than {MAX_MOTION_ERROR:.0%})": motion,
+        f"Motion error, smallest step (bold: more than {_percent(MAX_MOTION_ERROR)})": motion,
         "Error of the force spectrum, smallest step": spectra,
         "All errors, smallest step": all_errors,
         "Step sizes": steps,
@@ -174,7 +174,9 @@ def _motion_cell(error: float) -> str:
 
 def _percent(error: float) -> str:
     smallest = 1e-4
-    return "< 0.01 %" if error < smallest else f"{100 * error:.2g} %"
+    if error < smallest:
+        return "< 0.01 %"
+    return f"{100 * error:.0f} %" if error >= 1 else f"{100 * error:.2g} %"
 
 
 def conclusion(records: list[Record]) -> list[str]:
@@ -204,7 +206,7 @@ def _limit_of_curvature(records):
     limits = _limits_in_words(records, LONG_WAVES, lambda case: case.curvature_number)
     return (
         f"On waves longer than the contact, one contact gives the motion within "
-        f"{MAX_MOTION_ERROR:.0%} at small curvature numbers ({limits}); the program changes "
+        f"{_percent(MAX_MOTION_ERROR)} at small curvature numbers ({limits}); the program changes "
         f"to `many` above {MAX_RELATIVE_CURVATURE_FOR_ROLLING:g}."
     )
 
@@ -264,19 +266,22 @@ def _lacks_sentence(records):
     )
     friction = cases_of(records, "with friction")
     flexible = cases_of(records, "flexible")
-    if friction and flexible:
-        name = flexible[0].name
-        spectrum = finest(records, "full, tracked", name)[SPECTRUM].error
+    if not (friction and flexible):
+        return sentence + "."
+    uneven = friction[-1]
+    differs = _percent(motion_error(records, "full", uneven.name))
+    sentence += f" (with friction the motions differ by {differs} at {uneven.curvature_number:g})"
+    name = flexible[0].name
+    one_way = _percent(motion_error(records, "filter", name))
+    two_way = _percent(motion_error(records, "full, tracked", name))
+    sentence += (
+        f"; on a flexible table the filter is wrong by {one_way} and `full, tracked` agrees "
+        f"with `many` within {two_way}"
+    )
+    spectrum = finest(records, "full, tracked", name)[SPECTRUM].error
+    if spectrum > MAX_POLYGON_SPECTRUM_ERROR:
         sentence += (
-            f" ({_percent(motion_error(records, 'full', friction[-1].name))} of the motion "
-            f"with friction at {friction[-1].curvature_number:g}); on a flexible table the "
-            f"filter is wrong by {_percent(motion_error(records, 'filter', name))} and "
-            f"`full, tracked` agrees with `many` within "
-            f"{_percent(motion_error(records, 'full, tracked', name))}"
+            ", but not in the spectrum, since `many` interpolates the table between 64 "
+            "points of the rim"
         )
-        if spectrum > MAX_POLYGON_SPECTRUM_ERROR:
-            sentence += (
-                ", but not in the spectrum, since `many` interpolates the table between 64 "
-                "points of the rim"
-            )
     return sentence + "."
