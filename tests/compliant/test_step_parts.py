@@ -29,6 +29,7 @@ from dynamics.compliant.stepping import (
 from dynamics.compliant.stepping.model import CompiledModel
 from dynamics.compliant.stepping.rim_modes import NO_RIM_MODES
 from dynamics.compliant.stepping.state_layout import STATE, STATE_SLICES
+from dynamics.film import film_kernels
 from dynamics.film.wedge import film_in_si_units, film_under
 from dynamics.rattling import air_impulses, layout, resistance, rim_contacts
 from dynamics.rattling.rattling_motion import rattling_model
@@ -242,6 +243,21 @@ def test_the_film_slows_the_fall_exponentially_and_takes_its_energy(
     assert after == pytest.approx(before * decay, rel=1e-6, abs=1e-9 * abs(before))
     lost = first - kinetic_energy(fixed, state)
     assert state[STATE.film_loss] == pytest.approx(lost, rel=1e-6)
+
+
+@pytest.mark.parametrize("speed", [-0.2, 0.0, 0.3])
+@pytest.mark.parametrize("impulse", [1e-3, 1.0])
+def test_compressed_air_does_at_most_the_work_of_its_energy(speed, impulse):
+    """A mass of 1/mobility gains the kinetic energy that the air returns."""
+    mass = 0.4
+    given, work = film_kernels.compressed_air_impulse(impulse, speed, 1 / mass, 2e-3)
+    gain = mass / 2 * ((speed + given / mass) ** 2 - speed**2)
+    assert work == pytest.approx(gain, rel=1e-9)
+    if impulse == 1.0:
+        assert work == pytest.approx(2e-3)
+    else:
+        assert given == impulse
+        assert work < 2e-3
 
 
 def rattling_velocity(constants, y):
