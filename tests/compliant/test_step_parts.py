@@ -19,7 +19,11 @@ from dynamics import plan_motion
 from dynamics.air import Air
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.modes_from_scene import modes_from_numbers
-from dynamics.compliant.state_conversion import energy, preloaded_compliant_state
+from dynamics.compliant.state_conversion import (
+    energy,
+    limit_energy,
+    preloaded_compliant_state,
+)
 from dynamics.compliant.stepping import (
     contact_energy,
     normal,
@@ -34,6 +38,7 @@ from dynamics.film.wedge import film_in_si_units, film_under
 from dynamics.rattling import air_impulses, layout, resistance, rim_contacts
 from dynamics.rattling.rattling_motion import rattling_model
 from dynamics.surface import ModesSurface, SurfaceMode
+from dynamics.switching import ImpossibleContactError
 from sonify import load_scene
 
 STEP = 1e-3
@@ -167,6 +172,64 @@ def test_a_steady_force_holds_a_table_mode_at_its_static_deflection():
     table_modes.advance_modes(modes, 4.0, STEP)
     assert modes.amplitude == pytest.approx(static)
     assert modes.velocity == pytest.approx(0, abs=1e-12)
+
+
+def test_a_coupled_table_starts_in_its_steady_response_to_the_precession(plan, model):
+    """q = A exp(i n theta), A = -P w/(omega^2 - (n Omega)^2 + 2 i zeta omega n Omega), where w is
+    the shape under the contact."""
+    beta = 0.1
+    rate = -80.0
+    waves = table_mode(damping=0.2)
+    y = preloaded_compliant_state(
+        model, np.array([0.4, beta, 0, 0, 0, 0, 0, rate * np.sin(beta), 0, 0, 0.0])
+    )
+    moving = replace(model, modes=waves, rate=1e6)
+    modes = moving.supporting_modes(y)
+    angle = modes.contact[table_modes.CONTACT.angle]
+    omega = 2 * np.pi * 60.0
+    turning = 2 * rate
+    denominator = omega**2 - turning**2 + 0.4j * omega * turning
+    # the response to the weight on a cosine under the contact, and on the sine beside it
+    here = -model.constants.weight / denominator
+    shape = np.hypot(*modes.shape_before)
+    turned = (modes.amplitude[0] + 1j * modes.amplitude[1]) * np.exp(-2j * angle)
+    speed = (modes.velocity[0] + 1j * modes.velocity[1]) * np.exp(-2j * angle)
+    assert turned == pytest.approx(here * shape, rel=1e-3)
+    assert speed == pytest.approx(1j * turning * here * shape, rel=1e-3)
+
+
+def test_a_disk_put_on_its_springs_has_three_fifths_of_the_work_of_its_weight_less(
+    model,
+):
+    """The weight does the work W d, of which Hertz's contact stores 2/5."""
+    start = np.array([0.4, 0.3, 0, 0, 0, 0, 0, 0, 0, 0, 0.0])
+    weight = model.constants.weight
+    free, loaded = (
+        preloaded_compliant_state(model, start, np.array([0, 0, force]))
+        for force in (1e-12, weight)
+    )
+    depth = -loaded[STATE.gap]
+    stiffness = float(model.tabulated_law.stiffness(np.log(np.sin([0.3])))[0])
+    assert depth == pytest.approx((weight / stiffness) ** (2 / 3), rel=1e-6)
+    step = np.diff(energy(model, np.array([free, loaded])))[0]
+    assert step == pytest.approx(-0.6 * weight * depth, rel=1e-3)
+
+
+def test_a_hand_over_that_must_not_gain_energy_slows_all_velocities_by_one_factor(
+    model, state
+):
+    before = state.copy()
+    total = energy(model, state[None])[0]
+    moving = kinetic_energy(model.constants, state)
+    limit_energy(model, state, total + 1.0)
+    assert np.array_equal(state, before)
+    limit_energy(model, state, total - moving / 4)
+    factor = np.sqrt(3 / 4)
+    for part in (STATE_SLICES.velocity, STATE_SLICES.angular_momentum):
+        assert state[part] == pytest.approx(factor * before[part])
+    assert energy(model, state[None])[0] == pytest.approx(total - moving / 4)
+    with pytest.raises(ImpossibleContactError, match="bending the table"):
+        limit_energy(model, state, total - 2 * moving)
 
 
 def kinetic_energy(constants, y):
