@@ -30,6 +30,7 @@ from benchmarks.charts.contact_models_records import (
 from benchmarks.timed_runs import Failure, Record, processor_seconds, selected_values
 from dynamics.compliant.model_selection import (
     LIFT_OFF_FORCE_RMS,
+    MAX_FORCE_RMS_FOR_ONE_CONTACT,
     MAX_RELATIVE_CURVATURE_FOR_ROLLING,
 )
 
@@ -217,8 +218,8 @@ def _limit_of_force(records):
     return (
         f"On short waves, which excite the contact resonance, the limit is the rms of the "
         f"varying force by the filter, divided by the weight ({limits}); the program changes "
-        f"from `filter` to `full` above {LIFT_OFF_FORCE_RMS:g} and has no upper limit of "
-        f'`full`, so set `numerics.contact = "many"` beyond it.'
+        f"from `filter` to `full` above {LIFT_OFF_FORCE_RMS:g} and warns above "
+        f'{MAX_FORCE_RMS_FOR_ONE_CONTACT:g}, where `numerics.contact = "many"` is needed.'
     )
 
 

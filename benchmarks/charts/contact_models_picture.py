@@ -20,6 +20,7 @@ from benchmarks.charts.error_time_picture import DPI, family_colours, save
 from benchmarks.timed_runs import Record
 from dynamics.compliant.model_selection import (
     LIFT_OFF_FORCE_RMS,
+    MAX_FORCE_RMS_FOR_ONE_CONTACT,
     MAX_RELATIVE_CURVATURE_FOR_ROLLING,
 )
 
@@ -57,12 +58,11 @@ def _drawn_motion_error(records: list[Record], model: str, case: str) -> float:
     return min(motion_error(records, model, case), NO_SOLUTION_HEIGHT)
 
 
-def _draw_limits(axes: Axes, limit_of_plan: float | None = None):
-    """Draw the largest motion error, and the value from which the plan changes the
-    model."""
-    axes.axhline(MAX_MOTION_ERROR, color="k", lw=1, ls="--")
-    if limit_of_plan is not None:
-        axes.axvline(limit_of_plan, color="k", lw=1, ls="--", label="limits")
+def _draw_limits(axes: Axes, *limits_of_plan: float):
+    """Draw the largest motion error, and the limits of the models in the plan."""
+    axes.axhline(MAX_MOTION_ERROR, color="k", lw=1, ls="--", label="limits")
+    for limit in limits_of_plan:
+        axes.axvline(limit, color="k", lw=1, ls="--")
 
 
 def _draw_lines(axes: Axes, records: list[Record], y):
@@ -94,7 +94,7 @@ def _draw_short_waves(axes, records):
     for model, style in STYLES.items():
         errors = [_drawn_motion_error(records, model, case.name) for case in found]
         axes.plot(force, errors, **style)
-    _draw_limits(axes, LIFT_OFF_FORCE_RMS)
+    _draw_limits(axes, LIFT_OFF_FORCE_RMS, MAX_FORCE_RMS_FOR_ONE_CONTACT)
     axes.set(
         xlabel="rms of the varying force by the filter, divided by the weight",
         ylabel="motion error",

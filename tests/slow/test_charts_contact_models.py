@@ -28,6 +28,7 @@ from dynamics.compliant.law.unevenness import curvature_number
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.model_selection import (
     LIFT_OFF_FORCE_RMS,
+    MAX_FORCE_RMS_FOR_ONE_CONTACT,
     MAX_RELATIVE_CURVATURE_FOR_ROLLING,
 )
 from dynamics.rattling.rattling_motion import edge_depth
@@ -84,8 +85,13 @@ def test_the_plan_has_the_limits_of_the_shown_chart():
     for model in ("filter", "full"):
         last, _ = last_holding(records, model, LONG_WAVES)
         assert last.curvature_number == MAX_RELATIVE_CURVATURE_FOR_ROLLING
-    last, first = last_holding(records, "filter", SHORT_WAVES)
-    assert predicted_force_rms(last) < LIFT_OFF_FORCE_RMS < predicted_force_rms(first)
+    for model, limit in (
+        ("filter", LIFT_OFF_FORCE_RMS),
+        ("full", MAX_FORCE_RMS_FOR_ONE_CONTACT),
+    ):
+        last, first = last_holding(records, model, SHORT_WAVES)
+        assert predicted_force_rms(last) == pytest.approx(limit, rel=0.05)
+        assert predicted_force_rms(last) < limit < predicted_force_rms(first)
 
 
 def test_the_page_and_the_records_belong_together():
