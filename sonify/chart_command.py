@@ -15,6 +15,7 @@ CHART_NAMES = (
     "modes",
     "sound",
     "contact",
+    "contact-models",
     "table",
     "campbell",
     "end-to-end",

@@ -24,6 +24,7 @@ CHARTS = {
         "Sound: accuracy against speed", "rms error of the pressure over its rms"
     ),
     "contact": Chart("Elastic contact: accuracy against speed"),
+    "contact_models": Chart("Contact models: where each one holds"),
     "table": Chart(
         "Table mode under the disk: accuracy against speed",
         "relative distance from the closed form",

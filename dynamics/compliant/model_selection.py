@@ -26,10 +26,18 @@ if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
 LIFT_OFF_FORCE_RMS = 0.3
-"""Rms of N'/weight above which a Gaussian vibration causes a loss of contact."""
+"""Rms of N'/weight above which a Gaussian vibration causes a loss of contact.
+
+The filter holds up to it on short waves (chart `contact-models`)."""
+MAX_FORCE_RMS_FOR_ONE_CONTACT = 0.5
+"""Rms of N'/weight up to which one contact gives the motion on short waves within 2 %
+(chart `contact-models`)."""
 MAX_RELATIVE_CURVATURE_FOR_ROLLING = 0.25
 """Rms curvature of the unevenness, divided by that of the tilted rim, above which
-rolling is impossible. Contact is first lost at values from 0.25 to 0.5."""
+rolling is impossible.
+
+Contact is first lost at values from 0.25 to 0.5. Up to it, one contact gives the motion on
+long waves within 2 % (chart `contact-models`)."""
 
 
 def choose_contact_model(
@@ -89,6 +97,8 @@ def choose_contact_model(
         reason += f"; WARNING: {bumpy}" + f" (contact anywhere: {obstacle})" * bool(
             obstacle
         )
+    elif kind == "full" and predicted > MAX_FORCE_RMS_FOR_ONE_CONTACT:
+        reason += f"; WARNING: one contact is inaccurate above {MAX_FORCE_RMS_FOR_ONE_CONTACT:g}"
     return kind, reason
 
 

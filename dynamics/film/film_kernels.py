@@ -46,3 +46,16 @@ def open_film(eps):
         across += now * PLANE_SERIES[n, 3]
         before, now = now, 2 * x * now - before
     return heave, about, fall, across
+
+
+@kernel
+def compressed_air_impulse(impulse, speed, mobility, stored_energy):
+    """Return the impulse [N s] of compressed air on a point of the face, and its work [J].
+
+    The work is at most the stored energy, which limits the `impulse`. `speed` [m/s] is
+    the velocity of the point away from the film, and `mobility` [1/kg] its change per
+    impulse.
+    """
+    fastest = np.sqrt(speed * speed + 2 * mobility * stored_energy)
+    impulse = min(impulse, (fastest - speed) / mobility)
+    return impulse, impulse * (speed + impulse * mobility / 2)

@@ -10,7 +10,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.film.film_kernels import film_loads, open_film
+from dynamics.film.film_kernels import (
+    compressed_air_impulse,
+    film_loads,
+    open_film,
+)
 from dynamics.numba_kernels import kernel
 from dynamics.rattling.body import add_force
 from dynamics.rattling.layout import FILM, RECORD
@@ -81,9 +85,9 @@ def film_load(disk, axis, up_slope, velocity, clearance, stored_energy, step):
         place = radius * tip / lift * eps * eps - radius
         speed = normal_speed(disk, axis, up_slope, velocity, place)
         mobility = normal_mobility(disk, place)
-        fastest = np.sqrt(speed**2 + 2 * mobility * stored_energy)
-        impulse = min(step * lift / radius, (fastest - speed) / mobility)
-        work = impulse * (speed + impulse * mobility / 2)
+        impulse, work = compressed_air_impulse(
+            step * lift / radius, speed, mobility, stored_energy
+        )
         pressure += impulse / step
         moment += impulse / step * place
     place = moment / pressure if pressure != 0 else 0.0

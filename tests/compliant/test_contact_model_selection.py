@@ -89,6 +89,15 @@ def test_rough_scenes_are_solved_in_full_from_where_contact_is_lost(elastic):
         assert "0.3 " in chosen.reason
 
 
+def test_a_force_too_large_for_one_contact_is_a_warning(elastic):
+    gentle = elastic.replace(*GENTLE)
+    rms = 1e-8 / vibration_of(gentle.replace("roughness.rms=1e-8"))[1].max()
+    for force, is_warned in ((0.49, False), (0.51, True)):
+        chosen = plan_motion(gentle.replace(f"roughness.rms={force * rms}")).contact
+        assert chosen.kind == "full"
+        assert ("inaccurate above 0.5" in chosen.reason) == is_warned
+
+
 def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
     """The predicted inclination is that of AIRBORNE; down to it the filter is adequate."""
     fine = elastic.replace(

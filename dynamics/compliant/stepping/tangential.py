@@ -30,7 +30,11 @@ from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import current_law
 from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.compliant.stepping.vectors import dot, vector
-from dynamics.film.film_kernels import film_capacity, film_loads
+from dynamics.film.film_kernels import (
+    compressed_air_impulse,
+    film_capacity,
+    film_loads,
+)
 from dynamics.numba_kernels import kernel
 from dynamics.pivoting import friction_limited_arm
 
@@ -298,10 +302,9 @@ def apply_film_impulses(y, constants, s, d0, d1, reach, h):
     if lift_impulse > 0:
         arm = reach - constants.radius * tip / lift
         v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
-        speed = np.sqrt(v * v + 2 * mobility * y[STATE.squeezed_air_energy])
-        # limited by the stored energy
-        lift_impulse = min(lift_impulse, (speed - v) / mobility)
-        work = lift_impulse * (v + lift_impulse * mobility / 2)
+        lift_impulse, work = compressed_air_impulse(
+            lift_impulse, v, mobility, y[STATE.squeezed_air_energy]
+        )
         y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
         push_face(y, constants, arm, lift_impulse, d0, d1)
     capacity = film_capacity(constants.film, s, rate)
