@@ -20,7 +20,7 @@ from dynamics.compliant.state_conversion import (
     limit_energy,
     preloaded_compliant_state,
 )
-from dynamics.compliant.stepping.model import END_REASONS, CompliantModel, ContactLosses
+from dynamics.compliant.stepping.model import END_REASONS, CompliantModel
 from dynamics.compliant.stepping.rim_modes import (
     MAX_MOVING_MODE_FREQUENCY,
     NO_RIM_MODES,
