@@ -2,6 +2,7 @@
 
 import atexit
 import errno
+import gc
 import os
 import re
 import sys
@@ -593,6 +594,7 @@ def start(name="sonify"):
 
     The exit skips the destruction of all objects, which takes 0.3 s. If the status
     exceeds 1, it does not wait for compiling threads either."""
+    gc.set_threshold(50_000)  # the default collects during every import and picture
     statuses: list[int] = []
     atexit.register(_exit_with_status, statuses)  # registered first, called last
     try:

@@ -17,7 +17,6 @@ from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Finding, Findings
 from sonify.claims.landing import landing_findings
-from sonify.claims.listener import listen_in_worker
 from sonify.claims.literature import literature_findings
 from sonify.claims.rattling import rattling_findings
 from sonify.claims.rigid_motion import motion_and_mode_findings
@@ -39,7 +38,6 @@ from sonify.plan.table import has_table_modes, solve_table
 from sonify.plan.unused import unused_keys_notice
 from sonify.report.display import ReportDisplay
 from sonify.report.pictures import Pictures
-from sonify.report.render_worker import painter
 from sonify.report.replaced import replaced_results
 from sonify.report.write import page_content, run_record, write_record
 from sonify.result import Result, SolvedMotion
@@ -364,7 +362,7 @@ def run(
             stages=stages,
             begin=pictures.begin,
             eigenmodes=DiskModesCache(),
-            listen=listen_in_worker,
+            listen=listen_to_known_disk,
             dynamics=dynamics,
         )
         result = solve_stages(scene, motion_plan, tools)
@@ -387,6 +385,4 @@ class DiskModesCache:
 
 
 def _modes_of(body: BodyScene, below: float) -> Modes:
-    if painter.cache_info().currsize == 0:  # no worker was started
-        return eigenmodes(body, below=below)
-    return painter().call(eigenmodes, body, below=below)
+    return eigenmodes(body, below=below)

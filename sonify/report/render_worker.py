@@ -1,7 +1,6 @@
 """Draw pictures in a worker process while the main process renders a sound.
 
-The worker also imports matplotlib and solves modes while the main process solves a
-motion.
+The worker imports NumPy and matplotlib alone, the latter instead of the main process.
 """
 
 import gc
@@ -11,7 +10,6 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from importlib import import_module
 from io import BytesIO
-from typing import Any
 
 from sonify.runtime.workers import BackgroundWorker, one_per_process, serve_calls
 
@@ -46,16 +44,6 @@ class Painter(BackgroundWorker):
                 draw_png, module, name, gathered.result()
             )
         )
-
-    def call(self, function: Callable, *arguments, **options) -> Any:
-        """Return the result of a module-level `function`.
-
-        The function runs in the worker if the worker has completed a task before, and
-        otherwise in this process.
-        """
-        if not self._loaded:
-            return function(*arguments, **options)
-        return self.submit(function, *arguments, **options).result()
 
 
 @one_per_process

@@ -81,24 +81,15 @@ class BackgroundWorker:
     def __init__(self, module: str, single_threaded: bool = True):
         self._waiting = ThreadPoolExecutor(1, module)
         self._worker = self._waiting.submit(WorkerProcess, module, single_threaded)
-        self._loaded = False
-
-    def submit(self, function: Callable, *arguments: Any, **options: Any) -> Future:
-        """Return the Future of a call of a module-level `function`."""
-        return self._waiting.submit(
-            self.call_worker_or_run_here, function, *arguments, **options
-        )
 
     def call_worker_or_run_here(
         self, function: Callable, *arguments: Any, **options: Any
     ) -> Any:
         """Return the result of a module-level `function`."""
         try:
-            answer = self._worker.result().call(function, *arguments, **options)
+            return self._worker.result().call(function, *arguments, **options)
         except (OSError, WorkerDiedError):  # the worker was not started or has died
             return function(*arguments, **options)
-        self._loaded = True
-        return answer
 
     def close(self) -> None:
         """End the worker process."""

@@ -59,16 +59,6 @@ class Track:
         listener."""
         return self.columns[first:last][:, self.column]
 
-    def without_stems(self) -> "Track":
-        """Return this track without its stems, with copies of the samples."""
-        tracks = (self, *self.others)
-        columns = np.column_stack([track.read() for track in tracks])
-        first, *others = (
-            replace(track, columns=columns, column=i, others=())
-            for i, track in enumerate(tracks)
-        )
-        return replace(first, others=tuple(others))
-
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Return a new iterator over float32 blocks (k, channels), beginning at sample
         `start`."""
