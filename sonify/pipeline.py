@@ -50,7 +50,7 @@ from sonify.sound.pressure import Dynamics, Sound, Track
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import render_sound
-from sonify.sound.wav import write_sound
+from sonify.sound.wav import write_listening_copy, write_other_sounds
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -319,18 +319,31 @@ def write(
         claimed_folder(out or Path("outputs") / result.scene.name) as folder,
         background_threads(executor) as threads,
     ):
-        for stale in ("run.json", "report.html"):  # they describe the other files
-            (folder / stale).unlink(missing_ok=True)
         result = replace(result, out=folder, seconds=stages.seconds)
+        write_first_sound(result.sound, folder, stages)
         pictures = pictures or Pictures.of_result(result, threads)
-        futures = (
-            threads.submit(run_record, result),
-            threads.submit(page_content, result, pictures),
-        )
-        with stages.stage("sound files") as watch:
-            write_sound(result.sound, folder, watch)
-        write_record(result, stages, pictures, *futures)
+        write_other_files(result, stages, pictures, threads)
     return result
+
+
+def write_first_sound(sound: Sound, folder: Path, stages: Stages) -> None:
+    """Write sound.wav, and remove the files that describe the results it replaces."""
+    for stale in ("run.json", "report.html"):
+        (folder / stale).unlink(missing_ok=True)
+    stages.sound_written(write_listening_copy(sound, folder))
+
+
+def write_other_files(
+    result: Result, stages: Stages, pictures: Pictures, executor: Executor
+) -> None:
+    """Write all files of a result except sound.wav into its folder."""
+    futures = (
+        executor.submit(run_record, result),
+        executor.submit(page_content, result, pictures),
+    )
+    with stages.stage("sound files") as watch:
+        write_other_sounds(result.sound, result.out, watch)
+    write_record(result, stages, pictures, *futures)
 
 
 @one_blas_thread
@@ -357,17 +370,24 @@ def run(
         if notice := unused_keys_notice(scene, motion_plan):
             stages.notice(notice)
         pictures = Pictures(threads)
+
+        def begin(solved: SolvedMotion) -> None:
+            if solved.sound is not None:
+                write_first_sound(solved.sound, folder, stages)
+            pictures.begin(solved)
+
         tools = Tools(
             executor=threads,
             stages=stages,
-            begin=pictures.begin,
+            begin=begin,
             eigenmodes=DiskModesCache(),
             listen=listen_to_known_disk,
             dynamics=dynamics,
         )
         result = solve_stages(scene, motion_plan, tools)
-        stages.answer(result)
-        return write(result, folder, stages, pictures, threads)
+        result = replace(result, out=folder)
+        write_other_files(result, stages, pictures, threads)
+        return result
 
 
 class DiskModesCache:

@@ -11,6 +11,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from importlib import import_module
 from io import BytesIO
 
+from sonify.runtime.library_messages import hide_library_messages
 from sonify.runtime.workers import BackgroundWorker, one_per_process, serve_calls
 
 
@@ -56,6 +57,7 @@ def serve():
     """Worker loop: serve drawing requests until the parent process exits."""
     if sys.platform != "win32":
         os.nice(5)  # solvers have priority
+    hide_library_messages()  # matplotlib reports that it builds its font cache
     gc.disable()  # it would scan all of matplotlib about ten times per picture
     for module in ("motion", "sound", "mode_shapes"):
         import_module(f"sonify.report.{module}")

@@ -14,6 +14,8 @@ from functools import lru_cache, wraps
 from queue import Empty, SimpleQueue
 from typing import Any, TypeVar
 
+from sonify.runtime.library_messages import hide_library_messages
+
 
 def core_count() -> int:
     """Return the number of CPU cores available to this process."""
@@ -124,6 +126,7 @@ def serve_calls(
     after_call: Callable[[], Any] = lambda: None, idle_timeout: float | None = None
 ):
     """Serve calls until the parent exits or no call arrives for `idle_timeout` [s]."""
+    hide_library_messages()
     # Windows sends Ctrl-C to all processes of a terminal.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     output = os.fdopen(os.dup(1), "wb")
