@@ -341,6 +341,7 @@ def write_other_files(
         executor.submit(run_record, result),
         executor.submit(page_content, result, pictures),
     )
+    assert result.out is not None
     with stages.stage("sound files") as watch:
         write_other_sounds(result.sound, result.out, watch)
     write_record(result, stages, pictures, *futures)

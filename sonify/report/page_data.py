@@ -97,11 +97,7 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
             "full_scale": sound.audible_uncompressed.full_scale,
             "sections": a_weighting(sound.sample_rate).tolist(),
         },
-        "inaudible": [
-            name
-            for name, heard in sound.stem_audibility.items()
-            if heard.above_threshold.max() <= 0
-        ],
+        "inaudible": list(sound.inaudible_stems),
     }
     return {"start": sound.duration - seconds, "content": content}
 

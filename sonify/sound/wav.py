@@ -12,7 +12,7 @@ import soundfile
 from sonify import __version__
 from sonify.runtime.files import atomic_write, path_for_libsndfile
 from sonify.runtime.progress import Watch, ignore_progress
-from sonify.sound.pressure import Sound, Track
+from sonify.sound.pressure import Sound, SummedTrack, Track
 
 if TYPE_CHECKING:
     from sonify.sound.mastering import MasteredTrack
@@ -38,7 +38,7 @@ class WavFile(NamedTuple):
     """A file of a sound: its path, samples, subtype of libsndfile, and comment."""
 
     path: Path
-    source: "Track | ScaledTrack | MasteredTrack"
+    source: "Track | SummedTrack | ScaledTrack | MasteredTrack"
     subtype: str
     comment: str
 
@@ -69,15 +69,20 @@ def write_listening_copy(sound: Sound, folder: str | Path) -> Path:
 def write_other_sounds(
     sound: Sound, folder: str | Path, watch: Watch = ignore_progress
 ) -> None:
-    """Write all files of `write_sound` except sound.wav."""
+    """Write all files of `write_sound` except sound.wav.
+
+    Stems of an earlier run that would no longer add up to the pressure are removed.
+    """
     folder = Path(folder)
+    for name in {*sound.names, "rest"} - sound.stem_files.keys():
+        (folder / "stems" / f"{name}.wav").unlink(missing_ok=True)
     pascal = "1.0 = 1 pascal at the listener"
     amplified = AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT
     files = [
         WavFile(folder / "pressure.wav", sound.pressure, "FLOAT", pascal),
         *(
             WavFile(folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal)
-            for name, stem in sound.stems.items()
+            for name, stem in sound.stem_files.items()
         ),
         WavFile(
             folder / "audible.wav",
