@@ -76,7 +76,7 @@ def begin_run(
 ) -> tuple[Scene, MotionPlan]:
     """Return the scene with the given accuracy and the decisions of its motion, and start
     to compile its flows."""
-    scene, motion_plan = planned_scene(scene, accuracy)
     import_heyoka_without_sympy()
+    scene, motion_plan = planned_scene(scene, accuracy)
     compile_in_background(motion_plan)
     return scene, motion_plan

@@ -8,8 +8,9 @@ import sys
 
 SCRIPT = """
 import sys
-from sonify.runtime.imports import import_heyoka_without_sympy, import_signal_without_stats
-import_heyoka_without_sympy()
+from sonify.entry_points import begin_run
+from sonify.runtime.imports import import_signal_without_stats
+begin_run("published", None)
 import_signal_without_stats()
 import sonify.pipeline
 print([name for name in ("scipy.stats", "sympy", "matplotlib") if name in sys.modules])
