@@ -9,7 +9,7 @@ import click
 from rich.console import Console as RichConsole
 from rich.progress import BarColumn, Progress, TaskID, TextColumn
 
-from sonify.runtime.progress import StageProgress, Stages
+from sonify.runtime.progress import StageProgress, Stages, duration_in_words
 
 
 class Console(Stages, AbstractContextManager):
@@ -83,6 +83,13 @@ class Console(Stages, AbstractContextManager):
     def notice(self, line: str):
         """Print a line on standard error."""
         self._console.print(line, markup=False, soft_wrap=True)
+
+    def expect(self, seconds: float):
+        """Print the predicted duration of a run."""
+        duration = duration_in_words(
+            float(f"{seconds:.1g}") if seconds < 10 else seconds
+        )
+        self.notice(f"takes about {duration} on two idle cores")
 
     def sound_written(self, path: Path):
         """Print the path of a sound on standard output."""

@@ -27,6 +27,7 @@ from sonify.claims.two_way import two_way_part
 from sonify.hearing.recording import Heard, listen_to_known_disk
 from sonify.plan.air import limits_of_film_law
 from sonify.plan.body_scene import BodyScene, body_scene
+from sonify.plan.duration import predicted_run_seconds
 from sonify.plan.plan import Plan, with_motion_end
 from sonify.plan.preflight import (
     check_solvable_disk,
@@ -370,6 +371,7 @@ def run(
             stages.notice(notice)
         if notice := unused_keys_notice(scene, motion_plan):
             stages.notice(notice)
+        stages.expect(predicted_run_seconds(scene, motion_plan))
         pictures = Pictures(threads)
 
         def begin(solved: SolvedMotion) -> None:

@@ -45,6 +45,9 @@ class Stages:
     def notice(self, line: str):
         """Receive a message for the user before the work starts."""
 
+    def expect(self, seconds: float):
+        """Receive the predicted duration [s] of a run on two idle cores."""
+
     def pressure(self, block, sample_rate: int, samples: int):
         """Receive a block (k,) of the pressure at the first listener [Pa] while it is
         rendered.

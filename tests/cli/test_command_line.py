@@ -28,7 +28,7 @@ from sonify.runtime.files import atomic_write
 from sonify.scene import load_scene
 from sonify.scene_keys import SceneKey, keys, schema
 
-PROGRESS_LINE = re.compile(r"\w+ for \d+ s; |[\w ]{20} [ \d]{4}\.\d\d s$")
+PROGRESS_LINE = re.compile(r"takes about |\w+ for \d+ s; |[\w ]{20} [ \d]{4}\.\d\d s$")
 HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
 
 
