@@ -1,6 +1,6 @@
 """Predicted duration of a run."""
 
-from math import isfinite, radians
+from math import inf, isfinite, radians
 from typing import NamedTuple
 
 from dynamics import MotionPlan
@@ -66,7 +66,7 @@ def _predicted_motion_seconds(motion: MotionPlan) -> float:
 
 def _quasi_steady_seconds(motion: MotionPlan) -> float:
     """Return the duration of quasi-steady motion [s] from the release, or from a smaller
-    inclination if the disk is released too steeply for it."""
+    inclination if the disk is released too steeply for it; infinite without losses."""
     released = radians(motion.scene.release.inclination_deg)
     max_steady_inclination = 0.3  # rad
     for inclination in (released, min(released, max_steady_inclination)):
@@ -76,4 +76,4 @@ def _quasi_steady_seconds(motion: MotionPlan) -> float:
             continue
         if isfinite(seconds):
             return seconds
-    return motion.scene.numerics.time_limit
+    return inf
