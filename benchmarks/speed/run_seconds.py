@@ -26,6 +26,7 @@ from time import perf_counter, process_time
 from typing import NamedTuple
 
 import numpy as np
+import psutil
 import soundfile
 
 ROOT = Path(__file__).parents[2]
@@ -209,7 +210,7 @@ def main() -> int:
     sources = before | {"now": ROOT}
     calibration = median(calibration_seconds() for _ in range(options.runs))
     rows = measured(sources, tuple(options.scenes), options.runs)
-    load = f"{os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else "unknown"
+    load = f"{psutil.getloadavg()[0]:.1f}"
     write_record(
         {
             "versions": list(sources),

@@ -19,7 +19,7 @@ class RunCosts(NamedTuple):
     """Per second of the sound of an elastic contact, in addition."""
     table_sound: float = 0.3
     """Per second of the sound of a table, in addition."""
-    mesh: float = 15.0
+    mesh: float = 25.0
     """Modes of a meshed table."""
     step: float = 3e-6
     """Per time step of a contact."""
