@@ -304,7 +304,7 @@ def test_an_interrupted_rerun_leaves_no_record_of_sounds_it_replaced(
         raise KeyboardInterrupt
 
     (tmp_path / "run.json").write_text("{}")
-    monkeypatch.setattr("sonify.pipeline.write_sound", interrupted)
+    monkeypatch.setattr("sonify.pipeline.write_listening_copy", interrupted)
     short = ("--accuracy", "draft", "--set", "numerics.time_limit=0.1")
     assert ask("run", "--out", str(tmp_path), *short).exit_code == 130
     assert list(tmp_path.iterdir()) == []
