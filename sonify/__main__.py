@@ -294,6 +294,9 @@ def listen(recordings, out, scene, begin, end):
     from sonify.console import Console
 
     with Console(interval=30.0, times=False) as stages:
+        from sonify.runtime.imports import import_signal_without_stats
+
+        import_signal_without_stats()
         from sonify.report.recording import write_recording_reports
 
         span = (begin, end)
