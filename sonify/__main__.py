@@ -2,6 +2,7 @@
 
 import atexit
 import errno
+import gc
 import os
 import re
 import sys
@@ -15,6 +16,7 @@ import click
 
 from sonify import __version__
 from sonify.chart_command import CHART_NAMES, load_chart_files
+from sonify.runtime.library_messages import hide_library_messages
 from sonify.runtime.signals import AbortedError, orderly_exit
 
 os.environ.setdefault(
@@ -219,12 +221,17 @@ def main():
     help="Dynamics of audible.wav: compressed at -18 LUFS, or natural at -23 LUFS.",
 )
 @click.option(
+    "--findings",
+    is_flag=True,
+    help="Print all checks and findings, and not only the answers.",
+)
+@click.option(
     "--ensemble",
     type=click.IntRange(2, 10_000),
     metavar="N",
     help="Also repeat the chaotic final part of the motion N times from perturbed states.",
 )
-def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
+def run(scene, out, accuracy, assignments, animation, dynamics, findings, ensemble):
     """Simulate SCENE and write its sound, pictures and report.
 
     SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run;
@@ -255,13 +262,13 @@ def run(scene, out, accuracy, assignments, animation, dynamics, ensemble):
 
             with stages.stage("ensemble") as watch:
                 repeated = write_ensemble(result, ensemble, watch)
-    from sonify.claims.surface_summary import complete_answers
+    from sonify.report.closing_lines import closing_lines, finding_lines
 
-    for name in ("sound.wav", "spectrogram.png", "report.html"):
-        click.echo(result.out / name)
-    for question, answer in complete_answers(result.findings).items():
-        click.echo(f"{question}: {answer}")
     for line in repeated.lines() if ensemble else []:
+        click.echo(line)
+    for line in finding_lines(result) if findings else []:
+        click.echo(line)
+    for line in closing_lines(result):
         click.echo(line)
     sys.exit(0 if result.passed else 1)
 
@@ -287,6 +294,9 @@ def listen(recordings, out, scene, begin, end):
     from sonify.console import Console
 
     with Console(interval=30.0, times=False) as stages:
+        from sonify.runtime.imports import import_signal_without_stats
+
+        import_signal_without_stats()
         from sonify.report.recording import write_recording_reports
 
         span = (begin, end)
@@ -616,6 +626,8 @@ def start(name="sonify"):
 
     The exit skips the destruction of all objects, which takes 0.3 s. If the status
     exceeds 1, it does not wait for compiling threads either."""
+    hide_library_messages()
+    gc.set_threshold(50_000)  # the default collects during every import and picture
     statuses: list[int] = []
     atexit.register(_exit_with_status, statuses)  # registered first, called last
     try:

@@ -1,18 +1,15 @@
 """Print progress on standard error and results on standard output."""
 
 from contextlib import AbstractContextManager, contextmanager
+from pathlib import Path
 from threading import Event, Lock, Thread
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console as RichConsole
 from rich.progress import BarColumn, Progress, TaskID, TextColumn
 
-from sonify.runtime.progress import StageProgress, Stages
-
-if TYPE_CHECKING:
-    from sonify.result import Result
+from sonify.runtime.progress import StageProgress, Stages, duration_in_words
 
 
 class Console(Stages, AbstractContextManager):
@@ -87,24 +84,17 @@ class Console(Stages, AbstractContextManager):
         """Print a line on standard error."""
         self._console.print(line, markup=False, soft_wrap=True)
 
-    def answer(self, result: "Result"):
-        """Print the checks, findings and notes of a result."""
-        from sonify.claims.details import unit_and_details  # deferred: slow to import
-        from sonify.plan.plan import omissions_after_end  # deferred: slow to import
-        from sonify.report.headline import violated_balance  # deferred: slow to import
+    def expect(self, seconds: float):
+        """Print the predicted duration of a run."""
+        duration = duration_in_words(
+            float(f"{seconds:.1g}") if seconds < 10 else seconds
+        )
+        self.notice(f"takes about {duration} on two idle cores")
 
-        self._bars.stop()
-        if violated := violated_balance(result.findings):
-            click.echo(f"WRONG   {violated}")
-        for c in result.checks:
-            verdict = "ok    " if c.passed else "FAILED"
-            click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
-        for f in result.findings:
-            click.echo(
-                f"{f.answer:9}  {f.claim}: {f.measured} {unit_and_details(f)} ({f.expectation})"
-            )
-        for line in omissions_after_end(result.motion):
-            click.echo(f"note    {line}")
+    def sound_written(self, path: Path):
+        """Print the path of a sound on standard output."""
+        self._bars.stop()  # the next stage restarts them
+        click.echo(path)
 
     def _repeat(self, show, period):
         """Call `show` every `period` [s] until the context ends."""

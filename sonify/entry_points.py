@@ -5,9 +5,12 @@ from typing import TYPE_CHECKING, Literal
 
 from dynamics.motion_plan import MotionPlan
 from dynamics.simulation import compile_in_background
-from sonify.claims.listener import listener
 from sonify.plan.motion import planned_scene
 from sonify.report.render_worker import painter
+from sonify.runtime.imports import (
+    import_heyoka_without_sympy,
+    import_signal_without_stats,
+)
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene
 
@@ -62,7 +65,7 @@ def run(
     """
     scene, motion_plan = begin_run(scene, accuracy)
     painter()
-    listener()
+    import_signal_without_stats()
     from sonify import pipeline  # slow to import
 
     return pipeline.run(scene, motion_plan, out, stages or Stages(), dynamics)
@@ -73,6 +76,7 @@ def begin_run(
 ) -> tuple[Scene, MotionPlan]:
     """Return the scene with the given accuracy and the decisions of its motion, and start
     to compile its flows."""
+    import_heyoka_without_sympy()
     scene, motion_plan = planned_scene(scene, accuracy)
     compile_in_background(motion_plan)
     return scene, motion_plan

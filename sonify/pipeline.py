@@ -17,7 +17,6 @@ from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Finding, Findings
 from sonify.claims.landing import landing_findings
-from sonify.claims.listener import listen_in_worker
 from sonify.claims.literature import literature_findings
 from sonify.claims.rattling import rattling_findings
 from sonify.claims.rigid_motion import motion_and_mode_findings
@@ -28,6 +27,7 @@ from sonify.claims.two_way import two_way_part
 from sonify.hearing.recording import Heard, listen_to_known_disk
 from sonify.plan.air import limits_of_film_law
 from sonify.plan.body_scene import BodyScene, body_scene
+from sonify.plan.duration import predicted_run_seconds
 from sonify.plan.plan import Plan, with_motion_end
 from sonify.plan.preflight import (
     check_solvable_disk,
@@ -39,7 +39,6 @@ from sonify.plan.table import has_table_modes, solve_table
 from sonify.plan.unused import unused_keys_notice
 from sonify.report.display import ReportDisplay
 from sonify.report.pictures import Pictures
-from sonify.report.render_worker import painter
 from sonify.report.replaced import replaced_results
 from sonify.report.write import page_content, run_record, write_record
 from sonify.result import Result, SolvedMotion
@@ -52,7 +51,7 @@ from sonify.sound.pressure import Dynamics, Sound, Track
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import render_sound
-from sonify.sound.wav import write_sound
+from sonify.sound.wav import write_listening_copy, write_other_sounds
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -321,18 +320,32 @@ def write(
         claimed_folder(out or Path("outputs") / result.scene.name) as folder,
         background_threads(executor) as threads,
     ):
-        for stale in ("run.json", "report.html"):  # they describe the other files
-            (folder / stale).unlink(missing_ok=True)
         result = replace(result, out=folder, seconds=stages.seconds)
+        write_first_sound(result.sound, folder, stages)
         pictures = pictures or Pictures.of_result(result, threads)
-        futures = (
-            threads.submit(run_record, result),
-            threads.submit(page_content, result, pictures),
-        )
-        with stages.stage("sound files") as watch:
-            write_sound(result.sound, folder, watch)
-        write_record(result, stages, pictures, *futures)
+        write_other_files(result, stages, pictures, threads)
     return result
+
+
+def write_first_sound(sound: Sound, folder: Path, stages: Stages) -> None:
+    """Write sound.wav, and remove the files that describe the results it replaces."""
+    for stale in ("run.json", "report.html"):
+        (folder / stale).unlink(missing_ok=True)
+    stages.sound_written(write_listening_copy(sound, folder))
+
+
+def write_other_files(
+    result: Result, stages: Stages, pictures: Pictures, executor: Executor
+) -> None:
+    """Write all files of a result except sound.wav into its folder."""
+    futures = (
+        executor.submit(run_record, result),
+        executor.submit(page_content, result, pictures),
+    )
+    assert result.out is not None
+    with stages.stage("sound files") as watch:
+        write_other_sounds(result.sound, result.out, watch)
+    write_record(result, stages, pictures, *futures)
 
 
 @one_blas_thread
@@ -358,18 +371,26 @@ def run(
             stages.notice(notice)
         if notice := unused_keys_notice(scene, motion_plan):
             stages.notice(notice)
+        stages.expect(predicted_run_seconds(scene, motion_plan))
         pictures = Pictures(threads)
+
+        def begin(solved: SolvedMotion) -> None:
+            if solved.sound is not None:
+                write_first_sound(solved.sound, folder, stages)
+            pictures.begin(solved)
+
         tools = Tools(
             executor=threads,
             stages=stages,
-            begin=pictures.begin,
+            begin=begin,
             eigenmodes=DiskModesCache(),
-            listen=listen_in_worker,
+            listen=listen_to_known_disk,
             dynamics=dynamics,
         )
         result = solve_stages(scene, motion_plan, tools)
-        stages.answer(result)
-        return write(result, folder, stages, pictures, threads)
+        result = replace(result, out=folder)
+        write_other_files(result, stages, pictures, threads)
+        return result
 
 
 class DiskModesCache:
@@ -387,6 +408,4 @@ class DiskModesCache:
 
 
 def _modes_of(body: BodyScene, below: float) -> Modes:
-    if painter.cache_info().currsize == 0:  # no worker was started
-        return eigenmodes(body, below=below)
-    return painter().call(eigenmodes, body, below=below)
+    return eigenmodes(body, below=below)

@@ -21,6 +21,7 @@ from dynamics.observables import precession_rate
 from dynamics.quasi_steady import steady_power
 from dynamics.scene_constants import scene_constants
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.limits import FINAL_ENERGY_SHARE
 from sonify.claims.reference_scenes import may_lie_on_granite
@@ -29,16 +30,6 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-CAUSE_IN_WORDS = {
-    "contact": "impacts and compression of the contact",
-    "creep": "creep of the contact",
-    "slip": "sliding",
-    "moments": "friction of rolling and pivoting",
-    "table": "the table",
-    "film": "the film of air",
-    "body": "the modes of the disk",
-}
-"""Descriptions of the causes of energy loss."""
 OUTCOMES_WITHOUT_END = {
     Outcome.ROLLING_ON,
     Outcome.LIFTED_OFF,

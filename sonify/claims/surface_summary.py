@@ -5,7 +5,7 @@ the end."""
 
 from collections.abc import Iterable, Mapping
 
-from sonify.claims.air import CAUSE_IN_WORDS
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
 from sonify.claims.finding_texts import (
     END_QUESTION,

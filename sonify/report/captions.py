@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dynamics.observables import nutation_frequency, precession_rate
-from sonify.claims.air import CAUSE_IN_WORDS
 from sonify.claims.details import unit_and_details
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.claims.finding_texts import texts_with
 from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import level_db

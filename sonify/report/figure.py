@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormatter
+from numpy.lib.stride_tricks import sliding_window_view
 from PIL import Image
-from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
 from sonify.runtime.files import readable_text
 
@@ -100,10 +100,17 @@ def running_range(y, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """
     column_count = 1000
     size = max(round(share * len(y)), 1)
-    mean = uniform_filter1d(y, size, mode="nearest")
-    below = mean + minimum_filter1d(y - mean, size, mode="nearest")
-    above = mean + maximum_filter1d(y - mean, size, mode="nearest")
-    lower = np.maximum(below, minimum_filter1d(y, size, mode="nearest"))
-    upper = np.minimum(above, maximum_filter1d(y, size, mode="nearest"))
     every = slice(None, None, max(len(y) // column_count, 1))
-    return mean[every], lower[every], upper[every]
+    mean = _windows(y, size).mean(axis=1)
+    around = _windows(y, size)[every]
+    deviation = _windows(y - mean, size)[every]
+    lower = np.maximum(mean[every] + deviation.min(axis=1), around.min(axis=1))
+    upper = np.minimum(mean[every] + deviation.max(axis=1), around.max(axis=1))
+    return mean[every], lower, upper
+
+
+def _windows(y, size):
+    """Return the window (k, size) around each sample of y (k,); the end samples are
+    repeated."""
+    before = size // 2
+    return sliding_window_view(np.pad(y, (before, size - 1 - before), "edge"), size)

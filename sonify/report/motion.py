@@ -6,7 +6,7 @@ Energies are drawn for motions with two-way coupling to the table.
 
 import numpy as np
 
-from sonify.claims.air import CAUSE_IN_WORDS
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.report.figure import (
     label_plain_decades,
     place_legend_above,

@@ -101,11 +101,7 @@ def encoded_sounds(sound: Sound, longest: float | None = None) -> dict[str, Any]
         "full_scale": sound.full_scale,
         "tracks": tracks,
         "audible": encoded_gain(sound.a_weighted, sound.audible, start),
-        "inaudible": [
-            name
-            for name, heard in sound.stem_audibility.items()
-            if heard.above_threshold.max() <= 0
-        ],
+        "inaudible": list(sound.inaudible_stems),
     }
     return {"start": start, "content": content}
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from math import pi
 
 from dynamics import Motion, Outcome
-from sonify.claims.air import CAUSE_IN_WORDS
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding
 from sonify.claims.finding_texts import PITCH_QUESTION, texts_with
 from sonify.claims.surface_summary import ANSWERS

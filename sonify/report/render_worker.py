@@ -1,7 +1,6 @@
 """Draw pictures in a worker process while the main process renders a sound.
 
-The worker also imports matplotlib and solves modes while the main process solves a
-motion.
+The worker imports NumPy and matplotlib alone, the latter instead of the main process.
 """
 
 import gc
@@ -11,8 +10,8 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from importlib import import_module
 from io import BytesIO
-from typing import Any
 
+from sonify.runtime.library_messages import hide_library_messages
 from sonify.runtime.workers import BackgroundWorker, one_per_process, serve_calls
 
 
@@ -47,16 +46,6 @@ class Painter(BackgroundWorker):
             )
         )
 
-    def call(self, function: Callable, *arguments, **options) -> Any:
-        """Return the result of a module-level `function`.
-
-        The function runs in the worker if the worker has completed a task before, and
-        otherwise in this process.
-        """
-        if not self._loaded:
-            return function(*arguments, **options)
-        return self.submit(function, *arguments, **options).result()
-
 
 @one_per_process
 def painter() -> Painter:
@@ -68,6 +57,7 @@ def serve():
     """Worker loop: serve drawing requests until the parent process exits."""
     if sys.platform != "win32":
         os.nice(5)  # solvers have priority
+    hide_library_messages()  # matplotlib reports that it builds its font cache
     gc.disable()  # it would scan all of matplotlib about ten times per picture
     for module in ("motion", "sound", "mode_shapes"):
         import_module(f"sonify.report.{module}")

@@ -7,7 +7,6 @@ from itertools import cycle, pairwise
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
-from scipy.ndimage import uniform_filter
 
 from sonify.hearing.spectrogram import (
     CONTACT_RATE_BAND_HZ,
@@ -146,6 +145,8 @@ def levels_by_turn(source, begin, run):
 
     The source starts at the time `begin` [s].
     """
+    from scipy.ndimage import uniform_filter  # slow to import
+
     burst_window = 0.004  # s, separates the bursts
     span = (run.start - begin - 1.0, run.heard_until - begin + 0.1)
     seen = spectrogram(source, burst_window, 1 << 20, (max(span[0], 0.0), span[1]))

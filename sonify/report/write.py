@@ -180,6 +180,7 @@ def run_record(result: "Result") -> dict:
             if result.plan.accuracy == "draft"
             else roughness_record(sound),
             "stem_peak_pascal": sound.stem_peaks,
+            "stems_in_rest": list(sound.inaudible_stems),
             "energy_below_100_hz_300_hz": sound.low_frequency_shares,
             "ring_down": ring_down_record(sound.ringing),
             "audible_full_scale_pascal": sound.audible.full_scale,

@@ -5,12 +5,10 @@ from collections.abc import Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager
 from math import floor
+from pathlib import Path
 from statistics import median_low
 from time import perf_counter
-from typing import TYPE_CHECKING, NamedTuple, Protocol
-
-if TYPE_CHECKING:
-    from sonify.result import Result
+from typing import NamedTuple, Protocol
 
 MAX_SIMULTANEOUS_STAGES = 8
 """Number of threads of a run; a task may wait for the result of one that began earlier."""
@@ -47,6 +45,9 @@ class Stages:
     def notice(self, line: str):
         """Receive a message for the user before the work starts."""
 
+    def expect(self, seconds: float):
+        """Receive the predicted duration [s] of a run on two idle cores."""
+
     def pressure(self, block, sample_rate: int, samples: int):
         """Receive a block (k,) of the pressure at the first listener [Pa] while it is
         rendered.
@@ -54,8 +55,8 @@ class Stages:
         `samples` is the length of the whole sound.
         """
 
-    def answer(self, result: "Result"):
-        """Receive the result before it is drawn and written."""
+    def sound_written(self, path: Path):
+        """Receive the path of sound.wav, which is written before all other files."""
 
 
 class Interval(NamedTuple):

@@ -14,6 +14,8 @@ from functools import lru_cache, wraps
 from queue import Empty, SimpleQueue
 from typing import Any, TypeVar
 
+from sonify.runtime.library_messages import hide_library_messages
+
 
 def core_count() -> int:
     """Return the number of CPU cores available to this process."""
@@ -81,24 +83,15 @@ class BackgroundWorker:
     def __init__(self, module: str, single_threaded: bool = True):
         self._waiting = ThreadPoolExecutor(1, module)
         self._worker = self._waiting.submit(WorkerProcess, module, single_threaded)
-        self._loaded = False
-
-    def submit(self, function: Callable, *arguments: Any, **options: Any) -> Future:
-        """Return the Future of a call of a module-level `function`."""
-        return self._waiting.submit(
-            self.call_worker_or_run_here, function, *arguments, **options
-        )
 
     def call_worker_or_run_here(
         self, function: Callable, *arguments: Any, **options: Any
     ) -> Any:
         """Return the result of a module-level `function`."""
         try:
-            answer = self._worker.result().call(function, *arguments, **options)
+            return self._worker.result().call(function, *arguments, **options)
         except (OSError, WorkerDiedError):  # the worker was not started or has died
             return function(*arguments, **options)
-        self._loaded = True
-        return answer
 
     def close(self) -> None:
         """End the worker process."""
@@ -133,6 +126,7 @@ def serve_calls(
     after_call: Callable[[], Any] = lambda: None, idle_timeout: float | None = None
 ):
     """Serve calls until the parent exits or no call arrives for `idle_timeout` [s]."""
+    hide_library_messages()
     # Windows sends Ctrl-C to all processes of a terminal.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     output = os.fdopen(os.dup(1), "wb")

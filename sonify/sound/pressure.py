@@ -65,16 +65,6 @@ class Track:
         listener."""
         return self.columns[first:last][:, self.column]
 
-    def without_stems(self) -> "Track":
-        """Return this track without its stems, with copies of the samples."""
-        tracks = (self, *self.others)
-        columns = np.column_stack([track.read() for track in tracks])
-        first, *others = (
-            replace(track, columns=columns, column=i, others=())
-            for i, track in enumerate(tracks)
-        )
-        return replace(first, others=tuple(others))
-
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Return a new iterator over float32 blocks (k, channels), beginning at sample
         `start`."""
@@ -82,6 +72,34 @@ class Track:
             last = first + BLOCK_SIZE
             tracks = (self, *self.others)
             yield np.column_stack([track.read(first, last) for track in tracks])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SummedTrack:
+    """The sum of several tracks [Pa], rounded to float32; an audio source like them."""
+
+    tracks: tuple[Track, ...]
+
+    @property
+    def sample_rate(self) -> int:
+        """Sample rate [Hz]."""
+        return self.tracks[0].sample_rate
+
+    @property
+    def frames(self) -> int:
+        """Number of samples."""
+        return self.tracks[0].frames
+
+    @property
+    def channels(self) -> int:
+        """Number of listeners."""
+        return self.tracks[0].channels
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Return a new iterator over float32 blocks (k, channels), beginning at sample
+        `start`."""
+        for parts in zip(*(track.blocks(start) for track in self.tracks), strict=True):
+            yield np.sum(parts, axis=0, dtype=float).astype(np.float32)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -231,6 +249,26 @@ class Sound:
     def stem_audibility(self) -> dict[str, Audibility]:
         """Audibility of each stem over time, by name."""
         return {name: audibility(stem) for name, stem in self.stems.items()}
+
+    @cached_property
+    def inaudible_stems(self) -> tuple[str, ...]:
+        """Names of the stems that stay below the threshold of hearing at all
+        listeners."""
+        return tuple(
+            name
+            for name, heard in self.stem_audibility.items()
+            if heard.above_threshold.max() <= 0
+            and all(name in other.inaudible_stems for other in self.others)
+        )
+
+    @property
+    def stem_files(self) -> dict[str, Track | SummedTrack]:
+        """Content of stems/*.wav by name: each audible stem, and the sum of all others
+        as "rest"; together they add up to the pressure."""
+        stems = self.stems
+        inaudible = tuple(stems.pop(name) for name in self.inaudible_stems)
+        rest = {"rest": SummedTrack(tracks=inaudible)} if inaudible else {}
+        return {**stems, **rest}
 
     @cached_property
     def audible_uncompressed(self) -> ScaledTrack:

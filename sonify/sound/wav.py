@@ -5,13 +5,18 @@ import errno
 from contextlib import ExitStack, contextmanager
 from io import SEEK_END
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 import soundfile
 
 from sonify import __version__
 from sonify.runtime.files import atomic_write, path_for_libsndfile
 from sonify.runtime.progress import Watch, ignore_progress
-from sonify.sound.pressure import Sound
+from sonify.sound.pressure import Sound, SummedTrack, Track
+
+if TYPE_CHECKING:
+    from sonify.sound.mastering import MasteredTrack
+    from sonify.sound.playback import ScaledTrack
 
 MISSING_END_TEXT = "; the motion did not come to rest, and its end is missing: {}"
 AUDIBLE_SCALE_TEXT = (
@@ -29,42 +34,71 @@ MAX_RIFF_BYTES = 2**32 - 2**12
 BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3}
 
 
+class WavFile(NamedTuple):
+    """A file of a sound: its path, samples, subtype of libsndfile, and comment."""
+
+    path: Path
+    source: "Track | SummedTrack | ScaledTrack | MasteredTrack"
+    subtype: str
+    comment: str
+
+
 def write_sound(
     sound: Sound,
     folder: str | Path,
     watch: Watch = ignore_progress,
 ) -> None:
-    """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`.
+    """Write sound.wav, pressure.wav, stems/*.wav [Pa] and audible.wav into `folder`.
 
     The comment of each file states the pressure represented by 1.0 and, if the motion
     did not come to rest, that the end is missing. The memory required does not depend
     on the duration. `watch(fraction)` is called with the completed fraction. Raises
     OSError if the disk is full."""
+    write_listening_copy(sound, folder)
+    write_other_sounds(sound, folder, watch)
+
+
+def write_listening_copy(sound: Sound, folder: str | Path) -> Path:
+    """Write sound.wav into `folder` and return its path; see `write_sound`."""
+    path = Path(folder) / "sound.wav"
+    comment = f"1.0 = {sound.full_scale:.6g} pascal, {sound.gain_db:.2f} dB"
+    _write_files(sound, [WavFile(path, sound.playback_copy, "PCM_24", comment)])
+    return path
+
+
+def write_other_sounds(
+    sound: Sound, folder: str | Path, watch: Watch = ignore_progress
+) -> None:
+    """Write all files of `write_sound` except sound.wav.
+
+    Stems of an earlier run that would no longer add up to the pressure are removed.
+    """
     folder = Path(folder)
+    for name in {*sound.names, "rest"} - sound.stem_files.keys():
+        (folder / "stems" / f"{name}.wav").unlink(missing_ok=True)
     pascal = "1.0 = 1 pascal at the listener"
-    unfinished = (
-        "" if sound.outcome.is_rest else MISSING_END_TEXT.format(sound.outcome.sentence)
-    )
     amplified = AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT
     files = [
-        (folder / "pressure.wav", sound.pressure, "FLOAT", pascal),
+        WavFile(folder / "pressure.wav", sound.pressure, "FLOAT", pascal),
         *(
-            (folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal)
-            for name, stem in sound.stems.items()
+            WavFile(folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal)
+            for name, stem in sound.stem_files.items()
         ),
-        (
-            folder / "sound.wav",
-            sound.playback_copy,
-            "PCM_24",
-            f"1.0 = {sound.full_scale:.6g} pascal, {sound.gain_db:.2f} dB",
-        ),
-        (
+        WavFile(
             folder / "audible.wav",
             sound.audible,
             "PCM_24",
             amplified.format(sound.audible.full_scale),
         ),
     ]
+    _write_files(sound, files, watch)
+
+
+def _write_files(sound, files, watch=ignore_progress):
+    """Write WavFiles; all of them appear once the last one is complete."""
+    unfinished = (
+        "" if sound.outcome.is_rest else MISSING_END_TEXT.format(sound.outcome.sentence)
+    )
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
             size = source.frames * source.channels * BYTES_PER_SAMPLE[subtype]

@@ -21,7 +21,6 @@ from dynamics.quasi_steady import steady_power
 from dynamics.steady_motion import steady_precession
 from sonify import load_scene
 from sonify.claims.air import (
-    CAUSE_IN_WORDS,
     air_negligible,
     carried_by_air,
     film_lift,
@@ -31,6 +30,7 @@ from sonify.claims.air import (
     what_ends,
 )
 from sonify.claims.details import details_in_words
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.plan.air import limits_of_film_law, published_law_notes, with_air
 from sonify.plan.plan import plan_of
 

@@ -234,7 +234,8 @@ def test_every_stage_of_a_run_says_what_it_takes_and_gives():
         "plan_of_run",
         "render_sound",
         "analyse_sound",
-        "write_sound",
+        "write_listening_copy",
+        "write_other_sounds",
     } <= set(stages)
     assert bare(stages) == []
 

@@ -111,6 +111,25 @@ def test_the_given_executor_runs_every_simultaneous_stage():
     assert alone.sound.peak == solve(BRIEF).sound.peak
 
 
+def test_the_sound_exists_before_it_is_analysed(tmp_path, monkeypatch):
+    """An error in the findings leaves the sound, and no page on an earlier one."""
+    (tmp_path / "report.html").write_text("earlier")
+    written = []
+
+    class Told(Stages):
+        def sound_written(self, path):
+            written.append((path, path.stat().st_size))
+
+    monkeypatch.setattr(pipeline, "findings_stage", fail)
+    scene, motion_plan = pipeline.solvable_scene(BRIEF, None)
+    with pytest.raises(FailingStageError):
+        pipeline.run(scene, motion_plan, tmp_path, Told(), "compressed")
+    ((path, size),) = written
+    assert path == tmp_path / "sound.wav"
+    assert path.stat().st_size == size > 1000
+    assert not (tmp_path / "report.html").exists()
+
+
 def test_every_stage_is_timed_once():
     class Counted(Stages):
         def __init__(self):

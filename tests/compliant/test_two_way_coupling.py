@@ -42,7 +42,8 @@ from dynamics.observables import precession_rate
 from modal import surface_modes
 from sonify import SceneError, load_scene
 from sonify.claims import two_way
-from sonify.claims.air import CAUSE_IN_WORDS, what_ends
+from sonify.claims.air import what_ends
+from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.claims.literature import motion_findings as literature_findings
 from sonify.claims.table import radiated_power, waves_become_heat
 from sonify.plan.preflight import check_solvable_scene, solve_motion

@@ -4,7 +4,6 @@ worker dies; scripts need no main guard, and no process is left running.
 Oracle: the bytes from the same function called in this process.
 """
 
-import os
 import subprocess
 import sys
 import time
@@ -13,8 +12,6 @@ import numpy as np
 import psutil
 import pytest
 
-from modal import eigenmodes
-from sonify import load_scene
 from sonify.report.render_worker import Painter, draw_png
 
 ROWS = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
@@ -63,22 +60,6 @@ def test_where_no_process_can_be_had_this_one_draws(monkeypatch):
 def test_what_goes_wrong_there_is_raised_here(painter):
     with pytest.raises(TypeError, match="time"):
         painter.draw("motion", "draw_motion", lambda: {"motion": {}}).result()
-
-
-@pytest.mark.slow
-def test_modes_are_solved_beside_once_that_process_is_ready_and_are_the_same(painter):
-    scene = load_scene("published").replace("numerics.accuracy=draft")
-    here = eigenmodes(scene)
-    assert painter.call(os.getpid) == os.getpid()
-    painter.draw("motion", "draw_motion", lambda: CURVES).result()
-    assert painter.call(os.getpid) == painter._worker.result().process.pid
-    there = painter.call(eigenmodes, scene)
-    for name in ("frequency", "face_shape", "rim_shape", "participation", "error"):
-        assert np.array_equal(getattr(there, name), getattr(here, name))
-    with pytest.raises(ValueError, match="must be a frequency above 0 Hz"):
-        painter.call(eigenmodes, scene, below=0.0)
-    painter.close()
-    assert painter.call(os.getpid) == os.getpid()
 
 
 SCRIPT = """

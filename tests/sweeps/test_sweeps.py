@@ -25,7 +25,6 @@ import sonify
 from dynamics import simulate
 from sonify import load_scene, pipeline, solve, summary
 from sonify.__main__ import main
-from sonify.report.render_worker import painter
 from sonify.runtime.files import OutputError
 from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import AbortedError
@@ -331,7 +330,6 @@ def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
         lambda scene, **asked: solved.append(1) or alone(scene, **asked),
     )
     monkeypatch.setattr(run_row, "DISK_MODES", pipeline.DiskModesCache())
-    painter.cache_clear()
     whole = summary(solve(FALLING))
     for arm in (3e-3, 2.9e-3):
         scene = FALLING.replace(f"friction.arm_rolling={arm}")

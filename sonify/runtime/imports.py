@@ -1,0 +1,58 @@
+"""Import libraries without packages that a run does not need."""
+
+import sys
+from importlib import import_module
+from importlib.util import find_spec
+from types import ModuleType
+
+
+def import_signal_without_stats() -> None:
+    """Import scipy.signal without scipy.stats, which takes longer than all the rest.
+
+    scipy.signal uses a single function of scipy.stats, a percentile for one method of
+    peak detection. During the import, a placeholder replaces scipy.stats; the function is
+    loaded on its first call, and any other name at once. A later `import scipy.stats`
+    imports the real package.
+    """
+    if "scipy.stats" in sys.modules:
+        return
+    placeholder = _StatsPlaceholder("scipy.stats")
+    sys.modules["scipy.stats"] = placeholder
+    try:
+        import scipy.signal  # noqa: F401
+    finally:
+        if sys.modules.get("scipy.stats") is placeholder:
+            del sys.modules["scipy.stats"]
+
+
+class _StatsPlaceholder(ModuleType):
+    """Stand-in for scipy.stats during the import of scipy.signal."""
+
+    @staticmethod
+    def scoreatpercentile(*arguments, **options):
+        """Return scipy.stats.scoreatpercentile of the arguments."""
+        from scipy.stats import scoreatpercentile
+
+        return scoreatpercentile(*arguments, **options)
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if sys.modules.get("scipy.stats") is self:
+            del sys.modules["scipy.stats"]
+        return getattr(import_module("scipy.stats"), name)
+
+
+def import_heyoka_without_sympy() -> None:
+    """Import heyoka, if it is installed, as if its optional dependency SymPy were not.
+
+    SymPy takes longer to import than heyoka itself; only conversions between the two
+    need it.
+    """
+    if {"sympy", "heyoka"} & sys.modules.keys() or not find_spec("heyoka"):
+        return
+    sys.modules["sympy"] = None  # type: ignore[assignment]
+    try:
+        import_module("heyoka")
+    finally:
+        del sys.modules["sympy"]
