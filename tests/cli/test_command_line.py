@@ -206,6 +206,16 @@ def test_wrong_usage_ends_with_2(arguments):
     assert one_line(ask(*arguments.split()), 2).startswith("sonify: ")
 
 
+REMOVED = [(["run", "--animation"], "`sonify export motion --as gltf`")]
+
+
+@pytest.mark.parametrize(("arguments", "replacement"), REMOVED)
+def test_a_removed_option_names_its_replacement(arguments, replacement):
+    message = one_line(ask(*arguments), 2)
+    assert f"{' '.join(arguments[:2])}: removed in 0.3" in message
+    assert replacement in message
+
+
 def test_a_chart_without_records_is_not_drawn_again_and_leaves_no_folder(tmp_path):
     refused = one_line(
         ask("chart", "sound", "--redraw", "--out", str(tmp_path / "a")), 2
