@@ -45,6 +45,7 @@ EXPORT_OPTIONS = {
 }
 """Options that are valid for each kind of export."""
 REMOVED_OPTIONS = {
+    "fit --like": "`sonify listen` determines the exponent with its interval",
     "run --animation": "report.html shows the motion; `sonify export motion --as gltf` exports it",
 }
 """Replacement of each option that version 0.3 removed."""
@@ -306,14 +307,9 @@ def listen(recordings, out, scene, begin, end):
     "of a given scene is simulated and compared with the recordings.",
 )
 @out_option("Output folder; default outputs/fit/<name of the first file>.")
-@click.option(
-    "--like",
-    type=click.Choice(["fu-berlin"]),
-    help="Also compute the exponents by the method of a published analysis.",
-)
 @FROM_OPTION
 @TO_OPTION
-def fit(recordings, scene, out, like, begin, end):
+def fit(recordings, scene, out, begin, end):
     """Estimate the causes that slowed the disk in RECORDINGS.
 
     RECORDINGS are sound files, phyphox exports, or folders of recordings.
@@ -327,7 +323,7 @@ def fit(recordings, scene, out, like, begin, end):
 
         with stages.stage("recordings") as watch:
             span = (begin, end)
-            fits = fit(recordings, scene or "toy", like, watch, span, stages.notice)
+            fits = fit(recordings, scene or "toy", watch, span, stages.notice)
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")

@@ -5,5 +5,4 @@ shares of dissipation (decay_model); measure the rate of a tone from its phase, 
 time coordinate of a decay (phase_demodulation); fit shares with intervals
 (least_squares); select signal and spectral line and give a verdict (line_selection);
 judge a rattling disk by the law of its bursts (impacts); compare a recording with a
-simulation (comparison); write the results (result, report). `fu_berlin` reproduces a
-published analysis, and `parallel` runs tasks in parallel."""
+simulation (comparison); write the results (result, report). `parallel` runs tasks in parallel."""

@@ -198,7 +198,7 @@ def analyse_recording(
             heard = lines[:-1]  # without the last line, the folder
         try:
             with stages.stage("fit") as watch:
-                fits = fit(path, from_document(document), None, watch, span)
+                fits = fit(path, from_document(document), watch, span)
             measured = fits.files[0].measured
             with stages.stage("simulation"):
                 simulated = simulated_numbers(fits.scene, measured["seconds"])

@@ -206,7 +206,10 @@ def test_wrong_usage_ends_with_2(arguments):
     assert one_line(ask(*arguments.split()), 2).startswith("sonify: ")
 
 
-REMOVED = [(["run", "--animation"], "`sonify export motion --as gltf`")]
+REMOVED = [
+    (["run", "--animation"], "`sonify export motion --as gltf`"),
+    (["fit", "--like", "fu-berlin", "disk.wav"], "`sonify listen`"),
+]
 
 
 @pytest.mark.parametrize(("arguments", "replacement"), REMOVED)
