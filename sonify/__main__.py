@@ -527,7 +527,7 @@ def studio(folder, port):
     "--scheduler",
     type=TEXT,
     metavar="ADDRESS",
-    help="Dask scheduler, e.g. tcp://10.0.0.1:8786, or local (extra `cluster`).",
+    help="Dask scheduler, e.g. tcp://10.0.0.1:8786 (extra `cluster`).",
 )
 @click.option(
     "--processes",

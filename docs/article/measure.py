@@ -72,7 +72,7 @@ def executor(scheduler: str | None, processes: int):
 @click.option(
     "--recordings", type=click.Path(exists=True), help="Folder of recorded coins."
 )
-@click.option("--scheduler", help="Address of a Dask scheduler, or 'local'.")
+@click.option("--scheduler", help="Address of a Dask scheduler.")
 @click.option(
     "--processes", type=int, default=core_count(), help="Processes on this machine."
 )

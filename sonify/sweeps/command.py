@@ -71,8 +71,7 @@ def sweep(
     source : str, Path or dict
         Name of a shipped sweep, TOML file, or parsed sweep document.
     scheduler : str, optional
-        Address of a Dask scheduler, or "local"; without it, processes of this machine
-        are used.
+        Address of a Dask scheduler; without it, processes of this machine are used.
     out : str or Path, optional
         Folder for the table (default: outputs/sweeps/<name>).
     processes : int, optional
