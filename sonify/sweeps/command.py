@@ -18,7 +18,6 @@ from sonify.runtime.signals import AbortedError
 from sonify.runtime.workers import core_count
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
-from sonify.sweeps.axes import Samples
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.executors import (
     Submit,
@@ -203,34 +202,13 @@ def plan(
     later = duration_in_words(time.later_run)
     total = duration_in_words(time.total(points.count, processes))
     start = f"the first one of each process {first}, including imports and compilation"
-    lines = [
+    return [
         f"runs     {points.count}, {drawn} "
         f"{', '.join(f'{a.n} of {a.keys[0]}' for a in points.axes)}",
         f"stages   {', '.join(sweep_spec.stages)}",
         f"a run    {later}; {start} ({time.measured} measured)",
         f"time     {total} with {processes} process{'es' * (processes > 1)}",
     ]
-    if "verdict" in sweep_spec.stages and points.samples:
-        lines.append(
-            total_indices_line(points.samples, len(points.axes), time, processes)
-        )
-    return lines
-
-
-def total_indices_line(
-    samples: Samples, axes: int, time: RunTime, processes: int
-) -> str:
-    """Return the line of a plan on the runs that total sensitivity indices need."""
-    time_limit = 7200.0  # s
-    base = samples.total or 256  # the smallest number with a useful confidence interval
-    more = base * (axes + 2)
-    seconds = time.total(samples.count + more, processes)
-    fits = "is within" if seconds <= time_limit else "exceeds"
-    state = "included" if samples.total else f"not included; samples.total = {base}"
-    return (
-        f"total    indices with interactions require {more} more runs; all runs take "
-        f"{duration_in_words(seconds)}, which {fits} 2 h ({state})"
-    )
 
 
 def run_time(sweep_spec: Sweep, processes: int, stages: Stages) -> RunTime:
