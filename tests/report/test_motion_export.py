@@ -170,18 +170,26 @@ def test_the_disk_has_its_size(exported):
         assert (np.einsum("ni,ni->n", facing, normals[triangles[:, 0]]) > 0).all()
         volume += np.einsum("ni,ni->", a, facing) / 3
         area += np.linalg.norm(facing, axis=1).sum()
-    disk = scene.disk
     fillet = motion.rolling_fillet
+    if scene.disk.volume:
+        removed = removed_volume(scene.disk.radius, fillet)
+        assert volume == pytest.approx(scene.disk.volume - removed, rel=1e-3)
+    assert area == pytest.approx(rounded_area(scene.disk, fillet), rel=2e-3)
+
+
+def removed_volume(radius, fillet):
+    """Return the volume [m^3] that two rounded edges lack."""
+    corner = fillet**2 * (1 - np.pi / 4)
+    return 4 * np.pi * corner * (radius - fillet + 2 * fillet / (3 * (4 - np.pi)))
+
+
+def rounded_area(disk, fillet):
+    """Return the area [m^2] of a disk with two rounded edges."""
     core = disk.radius - fillet
-    if disk.volume:
-        removed = fillet**2 * (1 - np.pi / 4)
-        removed *= 4 * np.pi * (core + 2 * fillet / (3 * (4 - np.pi)))
-        assert volume == pytest.approx(disk.volume - removed, rel=1e-3)
     faces = 2 * np.pi * (core**2 - disk.inner_radius**2)
     lateral = disk.radius * (disk.thickness - 2 * fillet)
     lateral += np.pi * fillet * (core + 2 * fillet / np.pi)
-    sides = 2 * np.pi * (lateral + disk.inner_radius * disk.thickness)
-    assert area == pytest.approx(faces + sides, rel=2e-3)
+    return faces + 2 * np.pi * (lateral + disk.inner_radius * disk.thickness)
 
 
 def test_the_table_is_below_all_frames(exported):
