@@ -8,10 +8,10 @@ from scipy.ndimage import uniform_filter1d
 from scipy.signal import find_peaks, firwin, oaconvolve, welch
 from scipy.stats import t as student
 
+from dynamics.a_weighting import a_weighting_db
 from dynamics.observables import precession_frequency
 from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import AudioSource, loudest_channel, read_samples
-from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.spectrogram import spectrogram
 from sonify.pipeline import solve

@@ -20,13 +20,14 @@ from sonify.report.figure import (
     png_figure,
 )
 from sonify.report.recording import spectral_line_record
-from sonify.report.write import json_safe, write_json
+from sonify.report.write import write_json
 from sonify.runtime.files import (
     atomic_write,
     claimed_folder,
     first_matching_folder,
     readable_text,
 )
+from sonify.runtime.json_values import json_safe
 
 MAX_PANELS = 6
 """Largest number of recordings that are drawn."""

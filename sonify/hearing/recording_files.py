@@ -25,7 +25,7 @@ def recording_files(
     one line for all others. Raises RecordingError if a path does not exist or a folder
     contains no recordings.
     """
-    found = []
+    found: list[Path] = []
     for path in map(Path, paths):
         found += _recordings_in_folder(path, notice) if path.is_dir() else [path]
     for path in found:

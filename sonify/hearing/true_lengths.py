@@ -108,7 +108,7 @@ def patched_sizes(file: BinaryIO) -> dict[int, bytes]:
     return {}
 
 
-def _chunks(file, first, form) -> Iterator[tuple[bytes, int, int]]:
+def _chunks(file: BinaryIO, first: int, form: str) -> Iterator[tuple[bytes, int, int]]:
     """Yield name, size and position of the content of each chunk of a file.
 
     `form` is the binary form of the head of a chunk, its name and its size."""
@@ -124,7 +124,7 @@ def _chunks(file, first, form) -> Iterator[tuple[bytes, int, int]]:
         at += head_size + size + (size & 1 if form.startswith("<") else 0)
 
 
-def _patched_caf_sizes(file):
+def _patched_caf_sizes(file: BinaryIO) -> dict[int, bytes]:
     for name, size, content in _chunks(file, 8, ">4sQ"):
         if name == b"data":
             length = file.seek(0, SEEK_END)
@@ -136,7 +136,7 @@ def _patched_caf_sizes(file):
     return {}
 
 
-def _patched_wav_size(file, stated_length):
+def _patched_wav_size(file: BinaryIO, stated_length: int) -> dict[int, bytes]:
     """Return the size of the sound in a file whose header was never completed; the
     stated length of the file then ends before the sound."""
     max_size = 2**32 - 1  # bytes
@@ -148,7 +148,7 @@ def _patched_wav_size(file, stated_length):
     return {}
 
 
-def _patched_rf64_sizes(file):
+def _patched_rf64_sizes(file: BinaryIO) -> dict[int, bytes]:
     max_size = 2**32 - 1  # bytes; the size of a chunk is then in the chunk ds64
     sizes = None
     bytes_per_frame = 1

@@ -240,7 +240,7 @@ def run_time(sweep_spec: Sweep, processes: int, stages: Stages) -> RunTime:
     )
 
 
-def _measure_two_runs(sweep_spec, start, stride):
+def _measure_two_runs(sweep_spec: Sweep, start: int, stride: int) -> list[float]:
     """Return the times [s] of two runs in a new process; the first includes the process
     start."""
     seconds = []
@@ -259,7 +259,7 @@ def _measure_two_runs(sweep_spec, start, stride):
     return seconds
 
 
-def _valid_runs(sweep_spec, start, stride):
+def _valid_runs(sweep_spec: Sweep, start: int, stride: int) -> Iterator[int]:
     """Yield the runs with valid scenes among every `stride`-th run, first from `start`
     on, then before it."""
     max_tried_runs = 1000
@@ -275,7 +275,7 @@ def _valid_runs(sweep_spec, start, stride):
         yield run
 
 
-def task_of_run(sweep_spec, run, folder):
+def task_of_run(sweep_spec: Sweep, run: int, folder: Path) -> dict[str, Any]:
     """Return the arguments of `row_of` for a run."""
     own = str(folder / "runs" / str(run)) if sweep_spec.keep else ""
     return {
@@ -288,7 +288,7 @@ def task_of_run(sweep_spec, run, folder):
 
 def solved_rows(
     sweep_spec: Sweep, store: RunStore, submit: Submit, capacity: Callable[[], int]
-) -> Iterator[list[dict]]:
+) -> Iterator[list[dict[str, Any]]]:
     """Solve the runs that are not in the table, and yield lists of finished rows.
 
     The rows include the values of the axes."""
