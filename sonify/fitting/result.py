@@ -18,10 +18,15 @@ from sonify.fitting.line_selection import (
     with_film_error,
 )
 from sonify.fitting.parallel import in_worker_processes
-from sonify.fitting.recordings_io import is_recording, recording_files, source_of_file
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Truncation, excerpt, truncation_of
+from sonify.hearing.audio_source import (
+    Truncation,
+    excerpt,
+    source_of_file,
+    truncation_of,
+)
 from sonify.hearing.recording_errors import RecordingError
+from sonify.hearing.recording_files import is_recording, recording_files
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.runtime.progress import Watch, ignore_progress
 from sonify.runtime.workers import core_count

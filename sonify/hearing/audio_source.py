@@ -263,15 +263,9 @@ def _move(file, start):
         start -= count
 
 
-def ends_with_its_stream(path: str | Path) -> bool:
-    """Return True if the last page of an Ogg file is complete and marked as the end
-    (RFC 3533)."""
-    with open(path, "rb") as file:
-        return ends_with_last_page(file)
-
-
 def ends_with_last_page(file: BinaryIO) -> bool:
-    """Return True if an open Ogg file ends with its last page, which is complete."""
+    """Return True if the last page of an open Ogg file is complete and marked as the end
+    (RFC 3533)."""
     max_page_length = 65_307  # bytes
     size = file.seek(0, SEEK_END)
     file.seek(max(size - 2 * max_page_length, 0))

@@ -31,14 +31,15 @@ from sonify.fitting.line_selection import (
     with_model_error,
 )
 from sonify.fitting.phase_demodulation import rates
-from sonify.fitting.recordings_io import Recording, recording_files, source_of_file
 from sonify.fitting.report import sentences
 from sonify.fitting.result import fit, fit_one, is_radius_determined
+from sonify.hearing.audio_source import Recording, source_of_file
 from sonify.hearing.recording import (
     ANALYSED_LENGTH_AFTER_END_S,
     MAX_ANALYSED_LENGTH_S,
     read,
 )
+from sonify.hearing.recording_files import recording_files
 from sonify.hearing.settling.detector import settling_runs
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")

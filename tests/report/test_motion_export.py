@@ -10,6 +10,7 @@ import pandas as pd
 import pytest
 from click.testing import CliRunner
 from pygltflib import GLTF2
+from refused_commands import assert_refused
 from scipy.spatial.transform import Rotation
 
 from dynamics import simulate
@@ -295,10 +296,7 @@ def test_the_command_writes_whole_files_and_names_them(tmp_path):
 )
 def test_wrong_arguments_are_one_line(arguments, message, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    told = CliRunner().invoke(main, ["export", *arguments.split()])
-    assert told.exit_code == 2
-    assert told.stderr.startswith(f"sonify: {message}")
-    assert told.stderr.count("\n") == 1
+    assert_refused(["export", *arguments.split()], message)
     assert list(tmp_path.iterdir()) == []
 
 
