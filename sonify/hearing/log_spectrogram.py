@@ -7,7 +7,8 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.mains_hum import local_maxima, without_hum
+from sonify.hearing.mains_hum import without_hum
+from sonify.hearing.time_frequency import local_maxima
 
 FRAME_SPACING_S = 0.005
 """Spacing of the frames."""
