@@ -65,7 +65,8 @@ html_sidebars = {
             "theory",
             "gallery",
         ),
-        *("detector", "parameter_studies", "verdict", "comparison", "references"),
+        *("detector", "detector_files", "parameter_studies", "verdict"),
+        *("comparison", "references"),
         *("file_formats", "contributing", "changes"),
     )
 }

@@ -4,8 +4,8 @@ from .entry_points import run as run
 from .fitting.result import Fits as Fits
 from .fitting.result import fit as fit
 from .hearing.recording import Heard as Heard
-from .hearing.recording import RecordingError as RecordingError
 from .hearing.recording import listen as listen
+from .hearing.recording_errors import RecordingError as RecordingError
 from .pipeline import solve as solve
 from .pipeline import write as write
 from .report.write import summary as summary

@@ -46,6 +46,11 @@ EXPORT_OPTIONS = {
     "sound": ("--rate", "--takes", "--seed", "--last", "--audible"),
 }
 """Options that are valid for each kind of export."""
+REMOVED_OPTIONS = {
+    "fit --like": "`sonify listen` determines the exponent with its interval",
+    "run --animation": "report.html shows the motion; `sonify export motion --as gltf` exports it",
+}
+"""Replacement of each option that version 0.3 removed."""
 ACCURACY_LEVELS = ("draft", "standard", "reference")
 
 
@@ -90,7 +95,7 @@ class OneLineErrorGroup(click.Group):
         except (InputError, OutputError) as error:
             _exit_with_message(error, 2)
         except click.UsageError as error:
-            _exit_with_message(error.format_message(), error.exit_code)
+            _exit_with_message(_usage_message(error), error.exit_code)
         except AbortedError as error:
             _exit_with_message(error, 1)
         except KeyboardInterrupt as signal:
@@ -185,6 +190,15 @@ def _exit_with_message(message, status):
     sys.exit(status)
 
 
+def _usage_message(error):
+    """Return the message of a usage error, with the replacement of a removed option."""
+    if isinstance(error, click.NoSuchOption) and error.ctx:
+        option = f"{error.ctx.info_name} {error.option_name}"
+        if option in REMOVED_OPTIONS:
+            return f"{option}: removed in 0.3; {REMOVED_OPTIONS[option]}"
+    return error.format_message()
+
+
 @click.group(
     cls=OneLineErrorGroup, context_settings={"help_option_names": ["-h", "--help"]}
 )
@@ -209,11 +223,6 @@ def main():
     help="Override values of the scene, e.g. friction.mu_static=0.3 audio.distance=1.0.",
 )
 @click.option(
-    "--animation",
-    is_flag=True,
-    help="Also render a video of the last seconds (needs the extra `animation`).",
-)
-@click.option(
     "--dynamics",
     type=click.Choice(["compressed", "natural"]),
     default="compressed",
@@ -231,7 +240,7 @@ def main():
     metavar="N",
     help="Also repeat the chaotic final part of the motion N times from perturbed states.",
 )
-def run(scene, out, accuracy, assignments, animation, dynamics, findings, ensemble):
+def run(scene, out, accuracy, assignments, dynamics, findings, ensemble):
     """Simulate SCENE and write its sound, pictures and report.
 
     SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run;
@@ -244,19 +253,12 @@ def run(scene, out, accuracy, assignments, animation, dynamics, findings, ensemb
             f"scene = {scene!r}: not a scene; did you mean --set {scene}?"
         )
     scene = load_scene(scene).replace(*assignments)
-    if animation:
-        from sonify.report.animation import animate, require_encoder
-
-        require_encoder()
     from sonify.console import Console
 
     with Console() as stages:
         from sonify.entry_points import run as solve_and_write
 
         result = solve_and_write(scene, out, accuracy, stages, dynamics)
-        if animation:
-            with stages.stage("animation") as watch:
-                animate(result, watch)
         if ensemble:
             from sonify.report.write import write_ensemble
 
@@ -315,14 +317,9 @@ def listen(recordings, out, scene, begin, end):
     "of a given scene is simulated and compared with the recordings.",
 )
 @out_option("Output folder; default outputs/fit/<name of the first file>.")
-@click.option(
-    "--like",
-    type=click.Choice(["fu-berlin"]),
-    help="Also compute the exponents by the method of a published analysis.",
-)
 @FROM_OPTION
 @TO_OPTION
-def fit(recordings, scene, out, like, begin, end):
+def fit(recordings, scene, out, begin, end):
     """Estimate the causes that slowed the disk in RECORDINGS.
 
     RECORDINGS are sound files, phyphox exports, or folders of recordings.
@@ -336,7 +333,7 @@ def fit(recordings, scene, out, like, begin, end):
 
         with stages.stage("recordings") as watch:
             span = (begin, end)
-            fits = fit(recordings, scene or "toy", like, watch, span, stages.notice)
+            fits = fit(recordings, scene or "toy", watch, span, stages.notice)
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")
@@ -563,7 +560,7 @@ def studio(folder, port):
     "--scheduler",
     type=TEXT,
     metavar="ADDRESS",
-    help="Dask scheduler, e.g. tcp://10.0.0.1:8786, or local (extra `cluster`).",
+    help="Dask scheduler, e.g. tcp://10.0.0.1:8786 (extra `cluster`).",
 )
 @click.option(
     "--processes",

@@ -127,8 +127,8 @@ class Result:
         """
         return self.display.picture(self, name)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return self.display.text(self)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         return self.display.html(self)

@@ -36,29 +36,6 @@ KEYS_ALLOWED_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
 """Keys that may be infinite: with infinite friction the contact never slips."""
 SIZE_KEYS = {"thickness", "mass", "density"}
 """Keys of the disk, two of which determine the third."""
-NO_CONTOUR_FRICTION = "dissipation.contour_moment=0"
-FORMER_SCENES: dict[str, tuple[str, ...]] = {
-    "boundary_layer": (
-        NO_CONTOUR_FRICTION,
-        "dissipation.boundary_layer_viscosity=1.5e-5",
-        "dissipation.air_density=1.2",
-    ),
-    "contour": (),
-    "moffatt": (NO_CONTOUR_FRICTION, "dissipation.air_viscosity=1.8e-5"),
-    "power": (
-        NO_CONTOUR_FRICTION,
-        "dissipation.power_coefficient=4e-9",
-        "dissipation.power_exponent=2.5",
-    ),
-    "viscous": (
-        NO_CONTOUR_FRICTION,
-        "dissipation.viscous_moment=1e-6",
-        "dissipation.viscous_force=1e-3",
-        "numerics.time_limit=120",
-    ),
-}
-"""Names of former scenes, which still load, and the assignments that turn the scene
-`dissipation` into each of them."""
 
 Distance = Annotated[float, Gt(0), Le(1000)]
 Elevation = Annotated[float, Ge(0), Le(90)]
@@ -380,9 +357,6 @@ def load_scene(source: str | Path = "published") -> Scene:
     >>> load_scene("published").disk.mass  # kg
     0.4387
     """
-    if str(source) in FORMER_SCENES and not Path(source).is_file():
-        changes = FORMER_SCENES[str(source)]
-        return load_scene("dissipation").replace(f"name={source}", *changes)
     file = find_file(source, SHIPPED_SCENES_FOLDER, "scene", SceneError)
     document = read_toml(file, SceneError)
     if file.suffix == ".json":

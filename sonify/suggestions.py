@@ -21,5 +21,5 @@ def did_you_mean_question(names: list[str]) -> str:
     return f"; did you mean {' or '.join(names)}?" if names else ""
 
 
-def _plain(name):
+def _plain(name: str) -> str:
     return name.lower().replace("-", "").replace("_", "")

@@ -80,12 +80,7 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
         model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0])
     )
     waves = model.supporting_modes(y)
-    kick = NUTATION_KICK * omega * beta
-    d = y[STATE.axis : STATE.axis + 2] / np.sin(beta)
-    y[STATE.velocity : STATE.velocity + 3] = 0, 0, kick * disk.radius
-    y[STATE.angular_momentum : STATE.angular_momentum + 2] += (
-        inertias(disk)[0] * kick * np.array([d[1], -d[0]])
-    )
+    _kick_nutation(y, disk, NUTATION_KICK * omega * beta, beta)
     pieces = list(model.run(y, 4, REVOLUTIONS * 2 * np.pi / omega, modes=waves))
     t = np.concatenate([piece.t for piece in pieces])
     state = np.concatenate([piece.state for piece in pieces])
@@ -94,6 +89,15 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     early, early_amplitude = _amplitude(t, nutation, frequency, *EARLY_WINDOW)
     late, late_amplitude = _amplitude(t, nutation, frequency, *LATE_WINDOW)
     return np.log(late_amplitude / early_amplitude) / (late - early) + 1j * frequency
+
+
+def _kick_nutation(y, disk, kick, beta):
+    """Add a nutation rate `kick` [rad/s] to a state at inclination beta [rad]."""
+    d = y[STATE.axis : STATE.axis + 2] / np.sin(beta)
+    y[STATE.velocity : STATE.velocity + 3] = 0, 0, kick * disk.radius
+    y[STATE.angular_momentum : STATE.angular_momentum + 2] += (
+        inertias(disk)[0] * kick * np.array([d[1], -d[0]])
+    )
 
 
 def _amplitude(t, x, omega, begin, end):

@@ -44,6 +44,61 @@ def moreau(case: Case, step: float) -> Answer:
     return answer_of(state, case.law, count)
 
 
+@njit
+def clip(x):
+    return min(1.0, max(-1.0, x))
+
+
+@njit
+def projected_friction(c, s, u1, u2, step, law, rolls):
+    """Return the friction after a projection; `step` is Phi h."""
+    if not law.mu_dynamic > 0:
+        return c, s
+    push = 0.25 / (law.mu_dynamic * step)
+    c = c + push * u1
+    s = s + push * u2
+    size = math.hypot(c, s)
+    limit = law.mu_static / law.mu_dynamic if rolls else 1.0
+    if size > limit:
+        c /= size
+        s /= size
+    return c, s
+
+
+@njit
+def projected_moment(moment, inertia, arm, step, rate):
+    return clip(moment + 0.25 * inertia / (arm * step) * rate) if arm else 0.0
+
+
+@njit
+def projected(forces, new, step, law, rolls):
+    """Return friction and moments after a projection with the velocities at the end
+    of the step; `step` is Phi h."""
+    beta, w1, w2, w3, u1, u2 = new
+    c, s = projected_friction(forces[0], forces[1], u1, u2, step, law, rolls)
+    inertia = law.K / 4 + law.h**2 / 3
+    turn2 = w2 * math.sin(beta) - w3 * math.cos(beta)
+    turn3 = w2 * math.cos(beta) + w3 * math.sin(beta)
+    return (
+        c,
+        s,
+        projected_moment(forces[2], inertia, law.k1, step, w1),
+        projected_moment(forces[3], inertia, law.k2, step, turn2),
+        projected_moment(forces[4], inertia, law.k3, step, turn3),
+    )
+
+
+@njit
+def largest_change(before, after):
+    return max(
+        abs(after[0] - before[0]),
+        abs(after[1] - before[1]),
+        abs(after[2] - before[2]),
+        abs(after[3] - before[3]),
+        abs(after[4] - before[4]),
+    )
+
+
 @functools.cache
 def stepper():
     """Return the time-stepping function, compiled once per process."""
@@ -63,14 +118,11 @@ def stepper():
     solve = njit(equations_of_motion(math.sin, math.cos))
 
     @njit
-    def clip(x):
-        return min(1.0, max(-1.0, x))
-
-    @njit
-    def end(state, middle, h, c, s, s1, s2, s3, law):
+    def end(state, middle, h, forces, law):
         """Return the velocities at the end of a step and the normal force from
         accelerations at mid-step."""
         beta, w1, w2, w3, u1, u2 = middle
+        c, s, s1, s2, s3 = forces
         contact = ContactState(True, (c, s), (False, False, False), (s1, s2, s3))
         a = solve(beta, (w1, w2, w3), (u1, u2), contact, law)
         return (
@@ -84,14 +136,9 @@ def stepper():
 
     @njit
     def run(state, law, h, count):
-        c = 0.0
-        s = 0.0
-        s1 = 0.0
-        s2 = 0.0
-        s3 = 0.0
+        forces = (0.0, 0.0, 0.0, 0.0, 0.0)
         rolls = True
         unconverged = 0
-        inertia = law.K / 4 + law.h**2 / 3
         for _ in range(count):
             new = state
             for _projection in range(MAX_PROJECTIONS):
@@ -103,47 +150,11 @@ def stepper():
                     (state[4] + new[4]) / 2,
                     (state[5] + new[5]) / 2,
                 )
-                w1, w2, w3, u1, u2, Phi = end(state, middle, h, c, s, s1, s2, s3, law)
-                beta = state[0] - h / 2 * (state[1] + w1)
-                new = (beta, w1, w2, w3, u1, u2)
-                if law.mu_dynamic > 0:
-                    push = 0.25 / (law.mu_dynamic * Phi * h)
-                    C = c + push * u1
-                    S = s + push * u2
-                    size = math.hypot(C, S)
-                    limit = law.mu_static / law.mu_dynamic if rolls else 1.0
-                    if size > limit:
-                        C /= size
-                        S /= size
-                else:
-                    C = c
-                    S = s
-                turn2 = w2 * math.sin(beta) - w3 * math.cos(beta)
-                turn3 = w2 * math.cos(beta) + w3 * math.sin(beta)
-                S1 = (
-                    clip(s1 + 0.25 * inertia / (law.k1 * Phi * h) * w1)
-                    if law.k1
-                    else 0.0
-                )
-                S2 = (
-                    clip(s2 + 0.25 * inertia / (law.k2 * Phi * h) * turn2)
-                    if law.k2
-                    else 0.0
-                )
-                S3 = (
-                    clip(s3 + 0.25 * inertia / (law.k3 * Phi * h) * turn3)
-                    if law.k3
-                    else 0.0
-                )
-                change = max(
-                    abs(C - c), abs(S - s), abs(S1 - s1), abs(S2 - s2), abs(S3 - s3)
-                )
-                c = C
-                s = S
-                s1 = S1
-                s2 = S2
-                s3 = S3
-                if change < PROJECTION_TOLERANCE:
+                w1, w2, w3, u1, u2, Phi = end(state, middle, h, forces, law)
+                new = (state[0] - h / 2 * (state[1] + w1), w1, w2, w3, u1, u2)
+                before = forces
+                forces = projected(forces, new, Phi * h, law, rolls)
+                if largest_change(before, forces) < PROJECTION_TOLERANCE:
                     break
             else:
                 unconverged += 1

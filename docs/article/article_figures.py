@@ -77,8 +77,10 @@ class Plot:
         origins: dict[tuple[str, str], list[str]] = {}
         for source in self.sources:
             record = numbers[source]
-            verb, _, last = record.command.rpartition(" ")
-            origins.setdefault((verb, record.version), []).append(last)
+            command, *options = record.command.split(" --set ")
+            verb, _, last = command.rpartition(" ")
+            name = " ".join([last, *(f"--set {option}" for option in options)])
+            origins.setdefault((verb, record.version), []).append(name)
         shown = [
             f"`{verb}` with {', '.join(names)} ({version})"
             for (verb, version), names in origins.items()

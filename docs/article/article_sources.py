@@ -60,7 +60,19 @@ CHAOTIC = {
 CHAOTIC_SCATTER = 0.1
 """Relative difference of their numbers on another processor."""
 MOTION_VARIANTS = {
-    **{name: (name, ()) for name in ("contour", "boundary_layer", "moffatt")},
+    "contour": ("dissipation", ()),
+    "boundary_layer": (
+        "dissipation",
+        (
+            "dissipation.contour_moment=0",
+            "dissipation.boundary_layer_viscosity=1.5e-5",
+            "dissipation.air_density=1.2",
+        ),
+    ),
+    "moffatt": (
+        "dissipation",
+        ("dissipation.contour_moment=0", "dissipation.air_viscosity=1.8e-5"),
+    ),
     "published-in-air": ("published", ("air.film=acts",)),
     "granite-rough": (
         "granite",

@@ -72,7 +72,7 @@ def executor(scheduler: str | None, processes: int):
 @click.option(
     "--recordings", type=click.Path(exists=True), help="Folder of recorded coins."
 )
-@click.option("--scheduler", help="Address of a Dask scheduler, or 'local'.")
+@click.option("--scheduler", help="Address of a Dask scheduler.")
 @click.option(
     "--processes", type=int, default=core_count(), help="Processes on this machine."
 )
@@ -81,33 +81,15 @@ def executor(scheduler: str | None, processes: int):
 )
 @click.option("--dry-run", is_flag=True, help="Print the expected time and exit.")
 def main(
-    only, below, again, everything, recordings, scheduler, processes, verify, dry_run
-):
+    everything, recordings, scheduler, processes, verify, dry_run, **selection
+) -> None:
     known = load_numbers()
     if verify:
         sys.exit(verified(known, verify))
     if everything:
-        tables, seconds = (
-            missing_tables(),
-            expected_seconds(known, article_sources.sources()),
-        )
-        click.echo(
-            f"{len(tables)} charts and sweeps, then all sources: about "
-            f"{duration_in_words((sum(tables.values()) + seconds) / processes)} with {processes} "
-            "processes; what is finished is kept"
-        )
-        for name in () if dry_run else tables:
-            complete_table(name, scheduler, processes)
+        complete_tables(known, scheduler, processes, dry_run)
     found = article_sources.sources()
-    due = [
-        name for name, source in found.items() if is_due(source, known.get(name), again)
-    ]
-    if only:
-        due = list(only)
-    if below is not None:
-        due = [
-            name for name in due if name not in known or known[name].seconds <= below
-        ]
+    due = due_sources(known, **selection)
     total = expected_seconds(known, due)
     click.echo(
         f"{len(due)} of {len(found)} sources, about {duration_in_words(total / processes)} "
@@ -120,6 +102,42 @@ def main(
     if recordings:
         known["recordings"] = article_sources.recordings_record(Path(recordings))
     save_numbers(known)
+    if faults := measure(known, due, scheduler, processes):
+        sys.exit(f"{len(faults)} of {len(due)} sources failed")
+
+
+def due_sources(
+    known: Numbers, only: tuple[str, ...], below: float | None, again: bool
+) -> list[str]:
+    """Return the names of the sources to measure, by the options of the command line."""
+    found = article_sources.sources()
+    due = list(only) or [
+        name for name, source in found.items() if is_due(source, known.get(name), again)
+    ]
+    if below is None:
+        return due
+    return [name for name in due if name not in known or known[name].seconds <= below]
+
+
+def complete_tables(
+    known: Numbers, scheduler: str | None, processes: int, dry_run: bool
+) -> None:
+    """Complete the tables of all charts and sweeps, or only print the expected time."""
+    tables = missing_tables()
+    seconds = expected_seconds(known, article_sources.sources())
+    click.echo(
+        f"{len(tables)} charts and sweeps, then all sources: about "
+        f"{duration_in_words((sum(tables.values()) + seconds) / processes)} with {processes} "
+        "processes; what is finished is kept"
+    )
+    for name in () if dry_run else tables:
+        complete_table(name, scheduler, processes)
+
+
+def measure(
+    known: Numbers, due: list[str], scheduler: str | None, processes: int
+) -> list[str]:
+    """Measure the sources that are due, save each in `known`, and return the faults."""
     faults: list[str] = []
     with executor(scheduler, processes) as submit:
         futures = {submit(measure_source, name): name for name in due}
@@ -136,8 +154,7 @@ def main(
             known |= article_sources.derived_records(known)
             save_numbers(known)
             click.echo(f"{done} of {len(due)}: {name}, {known[name].seconds:.1f} s")
-    if faults:
-        sys.exit(f"{len(faults)} of {len(due)} sources failed")
+    return faults
 
 
 def expected_seconds(known: Numbers, names: Iterable[str]) -> float:

@@ -398,8 +398,7 @@ def integrate_slow_slide(flow, y, p, indices, mu, span, max_steps):
     times = np.empty(max_steps)
     coefficients = np.empty((max_steps, ORDER + 1, STATE_SIZE))
     slope = np.empty(STATE_SIZE)
-    states = np.empty((ORDER, STATE_SIZE))
-    rates = np.empty((ORDER, STATE_SIZE))
+    stages = np.empty((2, ORDER, STATE_SIZE))  # states and rates
     before = np.empty(MAX_GUARDS)
     guards = np.empty((ORDER + 1, MAX_GUARDS))
     turns = np.empty(max_steps, np.int64)
@@ -418,7 +417,7 @@ def integrate_slow_slide(flow, y, p, indices, mu, span, max_steps):
         n < max_steps and t < span and fired < 0 and slow and length >= MIN_STEP_LENGTH
     ):
         dt = min(length * y[R], span - t)
-        c, error = collocation_step(flow, p, y, slope, dt, states, rates, guards)
+        c, error = collocation_step(flow, p, y, slope, dt, stages[0], stages[1], guards)
         if not error < 1 or (
             rests
             and not step_enters_slide(before, guards, indices.guard_count, indices.grip)
@@ -431,7 +430,7 @@ def integrate_slow_slide(flow, y, p, indices, mu, span, max_steps):
         if rests and not np.max(guards[:, indices.grip]) > STOP_SLIP_SPEED:
             fired = indices.grip
             break
-        write_cartesian_powers(c, states, rates, dt, place, coefficients[n])
+        write_cartesian_powers(c, stages[0], stages[1], dt, place, coefficients[n])
         t = span if fired < 0 and dt == span - t else t + place * dt
         times[n] = t
         n += 1

@@ -158,7 +158,7 @@ def advance(
     regime_changes = []
     lost = [[0.0] * len(STATE_SYMBOLS)]
     for _ in range(MAX_STEPS_PER_ARC):
-        outcome, _ = integrator.step(span - t, True)
+        outcome = integrator.step(span - t, True)[0]
         since = t
         t = integrator.time
         times.append(t)

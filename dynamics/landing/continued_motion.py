@@ -1,8 +1,9 @@
 """Motions that lose their rolling contact: what follows, to rest or to rolling again."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -103,7 +104,7 @@ class LandedMotion(ContinuedMotion):
         return self.then
 
     @property
-    def contact_losses(self):
+    def contact_losses(self) -> Sequence[Any]:
         """Losses of contact of the rolling motion."""
         return self.first.contact_losses
 

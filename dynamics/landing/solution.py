@@ -155,7 +155,9 @@ def solve_landing(
     return Landing(model, _spline(model, times, states), end)
 
 
-def _spline(model: LandingModel, times: list, states: list) -> CubicHermiteSpline:
+def _spline(
+    model: LandingModel, times: list[np.ndarray], states: list[np.ndarray]
+) -> CubicHermiteSpline:
     """Return the spline through the states (k, 20) of all spans."""
     t, y = np.concatenate(times), np.concatenate(states)
     rates = [model.rates(*row) for row in zip(t.tolist(), y.tolist(), strict=True)]

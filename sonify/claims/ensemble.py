@@ -39,7 +39,7 @@ class Quantity(NamedTuple):
             "count": len(known),
         }
 
-    def __str__(self):
+    def __str__(self) -> str:
         found = self.summary
         if not found["count"]:
             return f"{self.name}: in no run"

@@ -57,7 +57,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
     return own + [shown[key] for key in PAPER_FIGURE_FINDINGS if key in shown]
 
 
-def _rates_are_alike(motion):
+def _rates_are_alike(motion: Motion) -> list[Finding]:
     """Return the finding on the ratio of nutation to precession; empty without
     nutation."""
     ratio = nutations_per_turn(motion)

@@ -51,7 +51,7 @@ def nearest_resonance(
     return min(near, key=lambda match: abs(match.cents), default=None)
 
 
-def _contact_resonances(scene):
+def _contact_resonances(scene: Scene) -> np.ndarray:
     min_inclination = 0.003  # rad
     inclination_count = 40
     disk = scene.disk

@@ -20,7 +20,7 @@ class Share(NamedTuple):
         the share."""
         return f"{self.holds} of {self.draws} ({self.low:.0%} to {self.high:.0%})"
 
-    def __str__(self):
+    def __str__(self) -> str:
         if self.holds in (0, self.draws):
             bound = (
                 f"at most {self.high:.1%}"

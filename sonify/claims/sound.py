@@ -17,7 +17,8 @@ from sonify.hearing.loudness import (
     level_db,
     omitted_analyses,
 )
-from sonify.hearing.recording import Heard, RecordingError, listen_to_known_disk
+from sonify.hearing.recording import Heard, listen_to_known_disk
+from sonify.hearing.recording_errors import RecordingError
 from sonify.hearing.spectrogram import spectrogram
 from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track

@@ -5,10 +5,12 @@ A loop over scenes
 Duration and peak pressure of the disk for three arms of rolling friction.
 """
 
+from typing import Any
+
 from sonify import load_scene, solve, summary
 
 
-def main() -> list[dict]:
+def main() -> list[dict[str, Any]]:
     """Solve each arm at accuracy "draft", print one line for each, and return the
     rows."""
     scene = load_scene("published").replace(

@@ -15,7 +15,7 @@ from dynamics import Disk, Motion
 from dynamics.contact_geometry import centre_height, edge_profile
 from dynamics.surface import PlateSurface
 from sonify import __version__
-from sonify.report.perspective import contact_points, patch_frame
+from sonify.export.disk_frame import contact_points, patch_frame
 from sonify.scene import Scene
 
 COLOURS = {

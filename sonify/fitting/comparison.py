@@ -5,15 +5,16 @@ from itertools import pairwise
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
-from scipy.signal import find_peaks, firwin, oaconvolve, welch
+from scipy.signal import find_peaks, welch
 from scipy.stats import t as student
 
+from dynamics.a_weighting import a_weighting_db
 from dynamics.observables import precession_frequency
 from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import AudioSource, loudest_channel, read_samples
-from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.spectrogram import spectrogram
+from sonify.hearing.time_frequency import baseband
 from sonify.pipeline import solve
 from sonify.scene import Scene
 
@@ -170,10 +171,7 @@ def _decay_between_bursts(samples, rate, middle):
     min_fall = 0.5  # of the logarithm of the amplitude
     min_fall_count = 5
     down = max(int(rate / 2000), 1)
-    shifted = samples * np.exp(-2j * np.pi * middle / rate * np.arange(len(samples)))
-    low = oaconvolve(
-        shifted, firwin(8 * down + 1, 1.5 * FIT.line_half_width, fs=rate), mode="same"
-    )[::down]
+    low = baseband(samples, rate, middle, FIT.line_half_width, down, 8 * down + 1)
     power = uniform_filter1d(
         np.square(np.abs(low)),
         max(round(averaging_time * rate / down), 1),

@@ -19,7 +19,7 @@ from sonify.fitting.line_selection import (
     with_model_error,
 )
 from sonify.fitting.settings import FIT
-from sonify.hearing.recording import RecordingError
+from sonify.hearing.recording_errors import RecordingError
 from sonify.hearing.settling.settings import SETTLING
 
 

@@ -25,10 +25,10 @@ from sonify.fitting.settings import FIT
 from sonify.hearing.audio_source import AudioSource
 from sonify.hearing.recording import (
     MIN_ENVELOPE_FREQUENCY_HZ,
-    RecordingError,
     envelope,
     read,
 )
+from sonify.hearing.recording_errors import RecordingError
 from sonify.hearing.settling.detector import (
     SettlingRun,
     non_overlapping_runs,

@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
 from typing import Any
 
-from sonify.hearing.recording import RecordingError
+from sonify.hearing.recording_errors import RecordingError
 from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 
 

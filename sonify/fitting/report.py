@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from sonify.fitting.decay_model import has_film, neglected_parts
-from sonify.fitting.fu_berlin import PUBLISHED_EXPONENTS
 from sonify.fitting.least_squares import Fit, values_in_words
 from sonify.fitting.line_selection import shares_of_power
 from sonify.fitting.result import Fits, Fitted
@@ -21,13 +20,14 @@ from sonify.report.figure import (
     png_figure,
 )
 from sonify.report.recording import spectral_line_record
-from sonify.report.write import json_safe, write_json
+from sonify.report.write import write_json
 from sonify.runtime.files import (
     atomic_write,
     claimed_folder,
     first_matching_folder,
     readable_text,
 )
+from sonify.runtime.json_values import json_safe
 
 MAX_PANELS = 6
 """Largest number of recordings that are drawn."""
@@ -109,10 +109,6 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
         "carriers": [
             spectral_line_record(carrier, known) for carrier in fitted.carriers
         ],
-        "published_way": {
-            name: e._asdict() | _published_record(name)
-            for name, e in fitted.published_way.items()
-        },
         "residual": {
             "time": rates.time[measured].tolist(),
             "heard_hz": rates.frequency[measured].tolist(),
@@ -120,12 +116,6 @@ def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
             "error_hz": rates.error[measured].tolist(),
         },
     }
-
-
-def _published_record(name):
-    """Return the published exponent of an interval with its scatter, if there is one."""
-    published = PUBLISHED_EXPONENTS.get(name)
-    return {"theirs": published} if published else {}
 
 
 def _fitted_rates(one: Fit) -> np.ndarray:
@@ -205,16 +195,6 @@ def _sentences_of_recording(fitted):
         if not fitted.radius_shows:
             detected = "not be detected; the shares would compensate for it"
         yield f"  an error of 10 % in the radius would {detected}"
-    for name, e in fitted.published_way.items():
-        theirs = ""
-        if name in PUBLISHED_EXPONENTS:
-            theirs = "; published for granite: {:.3f}, one run ± {:.3f}".format(
-                *PUBLISHED_EXPONENTS[name]
-            )
-        yield (
-            f"  by the published method, {name}: exponent {e.value:.3f} ± {e.error:.3f}, "
-            f"{e.columns} columns{theirs}"
-        )
 
 
 def _sentences_on_bursts(judged):

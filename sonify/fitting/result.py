@@ -9,7 +9,6 @@ from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
 from sonify.fitting.comparison import numbers_of_run
 from sonify.fitting.decay_model import DecayModel
-from sonify.fitting.fu_berlin import Exponent, rate_exponents
 from sonify.fitting.impacts import judge_sound
 from sonify.fitting.least_squares import Fit, Value, pool_fits, values_in_words
 from sonify.fitting.line_selection import (
@@ -19,10 +18,15 @@ from sonify.fitting.line_selection import (
     with_film_error,
 )
 from sonify.fitting.parallel import in_worker_processes
-from sonify.fitting.recordings_io import is_recording, recording_files, source_of_file
 from sonify.fitting.settings import FIT
-from sonify.hearing.audio_source import Truncation, excerpt, truncation_of
-from sonify.hearing.recording import RecordingError
+from sonify.hearing.audio_source import (
+    Truncation,
+    excerpt,
+    source_of_file,
+    truncation_of,
+)
+from sonify.hearing.recording_errors import RecordingError
+from sonify.hearing.recording_files import is_recording, recording_files
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.runtime.progress import Watch, ignore_progress
 from sonify.runtime.workers import core_count
@@ -42,7 +46,6 @@ class Fitted:
     judged: Judged
     radius_shows: bool
     carriers: list[SpectralLine]
-    published_way: dict[str, Exponent]
     truncation: Truncation | None
     measured: dict
 
@@ -118,7 +121,6 @@ class Fits:
 def fit(
     files: str | Path | Iterable[str | Path],
     scene: Scene | str | Path = "toy",
-    like: str | None = None,
     watch: Watch = ignore_progress,
     span: tuple[float, float] = (0.0, inf),
     notice: Callable[[str], None] = lambda line: None,
@@ -134,8 +136,6 @@ def fit(
     scene : Scene, str or Path
         Scene with the radius, the thickness and the air of the disk; a name or a path
         as in `load_scene`.
-    like : str, optional
-        "fu-berlin" adds exponents by the method of a published analysis.
     watch : callable
         Called as watch(share, file) after each recording, with the share of the
         recordings that are finished.
@@ -174,7 +174,7 @@ def fit(
     known = known_resonances(scene)
     fitted = []
     errors = {}
-    tasks = [(path, scene.document, like, span) for path in paths]
+    tasks = [(path, scene.document, span) for path in paths]
     for path, one in zip(paths, _attempts(tasks), strict=True):
         if isinstance(one, Fitted):
             fitted.append(one)
@@ -265,7 +265,7 @@ def _verdict_together(judged, decay, pool):
 
 @one_blas_thread
 def fit_one(
-    path: Path, document: dict, like: str | None, span: tuple[float, float] = (0.0, inf)
+    path: Path, document: dict, span: tuple[float, float] = (0.0, inf)
 ) -> Fitted:
     """Return the fit of one recording within a span [s], for a scene given as its
     document.
@@ -278,19 +278,11 @@ def fit_one(
     sound = detect_run(part, str(path), recorded=is_recording(recording), begin=span[0])
     decay = DecayModel(scene)
     judged = judge_sound(decay, sound)
-    published = {}
-    if like == "fu-berlin":
-        end = float(judged.fit.ends[0]) - sound.start
-        try:
-            published = rate_exponents(sound.samples, sound.rate, end)
-        except ValueError as error:
-            raise RecordingError(f"{path}: {error}") from None
     return Fitted(
         file=str(path),
         judged=judged.without_samples(),
         radius_shows=is_radius_determined(judged),
         carriers=find_spectral_lines(sound.samples, sound.rate, sound.start),
-        published_way=published,
         truncation=truncation_of(recording),
         measured=numbers_of_run(part, sound.run.later(-span[0])),
     )

@@ -21,9 +21,10 @@ from sonify.hearing.recording_errors import (
     unreadable,
 )
 from sonify.hearing.true_lengths import (
-    FlacStream,
+    FlacHeader,
     PatchedFile,
-    flac_stream,
+    flac_header,
+    largest_flac_length,
     patched_sizes,
 )
 from sonify.scene_errors import InputError
@@ -137,9 +138,9 @@ class SoundFile:
             return file.read(4096)
 
     @cached_property
-    def _flac(self) -> FlacStream | None:
+    def _flac(self) -> FlacHeader | None:
         with self.stream() as file:
-            return flac_stream(file)
+            return flac_header(file)
 
     @cached_property
     def _replaced(self) -> dict[int, bytes]:
@@ -148,21 +149,20 @@ class SoundFile:
         if flac is None:
             with self.stream() as file:
                 return patched_sizes(file)
-        if flac.last is None:
-            return {}
-        first, samples = flac.last
-        for total in (first + samples, first):  # the last frame may be incomplete
-            replaced = flac.patch(total) if total != flac.announced else {}
-            if self._is_decodable(replaced, total):
-                return replaced
-        return {}
 
-    def _is_decodable(self, replaced, count):
-        """Return True if sample number `count` can be decoded."""
-        with suppress(soundfile.LibsndfileError), self._open_patched(replaced) as sound:
-            sound.seek(max(count - 1, 0))
-            return len(sound.read(1)) == 1
-        return False
+        def is_decodable(count):
+            """Return True if sample number `count`, from 1, can be decoded."""
+            with (
+                suppress(soundfile.LibsndfileError),
+                self._open_patched(flac.patch(count)) as sound,
+            ):
+                sound.seek(max(count - 1, 0))
+                return len(sound.read(1)) == 1
+            return False
+
+        if is_decodable(flac.announced) and not is_decodable(flac.announced + 1):
+            return {}
+        return flac.patch(largest_flac_length(is_decodable))
 
     @contextmanager
     def _open_patched(self, replaced):
@@ -222,11 +222,8 @@ class SoundFile:
         if kind == "OGG":
             with self.stream() as file:
                 return None if ends_with_last_page(file) else Truncation(held, None)
-        if self._flac is not None and self._flac.last is not None:
-            announced = max(self._flac.announced, sum(self._flac.last))
-            if self.frames >= announced:
-                return None
-            return Truncation(held, self._flac.announced / rate or None)
+        if self._flac is not None:
+            announced = self._flac.announced
         if self.frames < announced:
             return Truncation(held, announced / rate)
         noted = LENGTH_MISMATCH_NOTE.search(notes)
@@ -266,15 +263,9 @@ def _move(file, start):
         start -= count
 
 
-def ends_with_its_stream(path: str | Path) -> bool:
-    """Return True if the last page of an Ogg file is complete and marked as the end
-    (RFC 3533)."""
-    with open(path, "rb") as file:
-        return ends_with_last_page(file)
-
-
 def ends_with_last_page(file: BinaryIO) -> bool:
-    """Return True if an open Ogg file ends with its last page, which is complete."""
+    """Return True if the last page of an open Ogg file is complete and marked as the end
+    (RFC 3533)."""
     max_page_length = 65_307  # bytes
     size = file.seek(0, SEEK_END)
     file.seek(max(size - 2 * max_page_length, 0))

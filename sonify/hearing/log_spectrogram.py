@@ -7,7 +7,8 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.mains_hum import local_maxima, without_hum
+from sonify.hearing.mains_hum import without_hum
+from sonify.hearing.time_frequency import local_maxima
 
 FRAME_SPACING_S = 0.005
 """Spacing of the frames."""
@@ -75,7 +76,7 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
     )
 
 
-def _contrast(level):
+def _contrast(level: np.ndarray) -> np.ndarray:
     """Replace levels (t, f) [dB] by their contrast [dB] and return it."""
     dynamic_range = 60.0  # dB below the maximum at the same frequency
     min_contrast = -6.0  # dB
@@ -91,7 +92,13 @@ def _contrast(level):
     return np.maximum(level, min_contrast, out=level)
 
 
-def _levels(samples, rate, time, frequency, window):
+def _levels(
+    samples: np.ndarray,
+    rate: float,
+    time: np.ndarray,
+    frequency: np.ndarray,
+    window: float,
+) -> np.ndarray:
     """Return levels (t, f) [dB] at frequencies (f,) in Hann windows around times
     (t,)."""
     frames_per_block = 1024

@@ -6,9 +6,10 @@ from math import gcd
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.signal import resample_poly
 
-from dynamics.a_weighting import a_weighting_db
+from dynamics.a_weighting import a_weighting_db as a_weighting_db
 from sonify.hearing.audio_source import AudioSource, read_samples, source_of
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA, Spectrogram, spectrogram
 
@@ -80,7 +81,7 @@ def band_levels(spectrum: Spectrogram) -> np.ndarray:
     return level_db(power / HANN_NOISE_BANDWIDTH_BINS)
 
 
-def level_db(mean_square) -> np.ndarray:
+def level_db(mean_square: ArrayLike) -> np.ndarray:
     """Return the level [dB re 20 uPa] of mean-square pressures [Pa^2], at least
     -200."""
     return 10 * np.log10(

@@ -6,6 +6,8 @@ from scipy.fft import rfft
 from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
+from sonify.hearing.time_frequency import vertex
+
 MIN_PROMINENCE_DB = 15.0
 """Minimum level of a spectral peak above its neighbours."""
 
@@ -33,26 +35,6 @@ def without_hum(samples: np.ndarray, rate: float) -> np.ndarray:
             samples - 2 * (np.interp(time, starts + size / 2, amplitude) * phasor).real
         )
     return samples
-
-
-def vertex(below, top, above):
-    """Return the position of the vertex of the parabola through a peak and its
-    neighbours.
-
-    It is relative to the peak, from -0.5 to 0.5 bins.
-    """
-    return (below - above) / (2 * (below - 2 * top + above))
-
-
-def local_maxima(level, min_level: float = -np.inf):
-    """Return the row, the column and the offset of the vertex from the column, each
-    (n,), of the local maxima above `min_level` in the rows of levels (t, f) [dB].
-
-    Of equal neighbours, the first one is the maximum.
-    """
-    below, top, above = level[:, :-2], level[:, 1:-1], level[:, 2:]
-    here = np.nonzero((top > below) & (top >= above) & (top > min_level))
-    return here[0], here[1] + 1, vertex(below[here], top[here], above[here])
 
 
 def _steady_tones(frames, bin_count):

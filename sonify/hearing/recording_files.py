@@ -5,7 +5,7 @@ from pathlib import Path
 
 import soundfile
 
-from sonify.hearing.audio_source import UNRECOGNISED_FORMAT, SoundFile
+from sonify.hearing.audio_source import UNRECOGNISED_FORMAT, AudioSource, SoundFile
 from sonify.hearing.phyphox import advice_on_table, may_contain_table
 from sonify.hearing.recording_errors import (
     conversion_advice,
@@ -25,7 +25,7 @@ def recording_files(
     one line for all others. Raises RecordingError if a path does not exist or a folder
     contains no recordings.
     """
-    found = []
+    found: list[Path] = []
     for path in map(Path, paths):
         found += _recordings_in_folder(path, notice) if path.is_dir() else [path]
     for path in found:
@@ -80,3 +80,13 @@ def advice_on_file(path: Path) -> str | None:
     if is_container(sound.head) or (is_recognised and sound.head):
         return conversion_advice(path)
     return ""
+
+
+def is_recording(source: AudioSource) -> bool:
+    """Return False for files written by this program, whose sounds have no high-pass
+    filter."""
+    if not isinstance(source, SoundFile):
+        return True
+    own_note = "eulers-disk-sonify"  # start of the software note of sonify.sound.wav
+    with source.open() as file:
+        return not file.software.startswith(own_note)

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import hankel, svd
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
-from scipy.signal import firwin, oaconvolve
 
 from sonify.hearing.spectral_lines import MIN_LINE_FREQUENCY_HZ
+from sonify.hearing.time_frequency import baseband
 
 LINE_BAND_HALF_WIDTH = 120.0  # Hz; closer lines are resolved in a common band
 
@@ -96,10 +96,7 @@ def _lines_of_band(samples, rate, middle):
     min_explained_power = 0.9  # of the power of the band, by its lines
     down = max(int(rate / (4 * LINE_BAND_HALF_WIDTH)), 1)
     taps = 6 * down + 1
-    time = np.arange(len(samples)) / rate
-    shifted = samples * np.exp(-2j * np.pi * middle * time)
-    low_pass = firwin(taps, 1.5 * LINE_BAND_HALF_WIDTH, fs=rate)
-    low = oaconvolve(shifted, low_pass, mode="valid")[::down]
+    low = baseband(samples, rate, middle, LINE_BAND_HALF_WIDTH, down, taps, "valid")
     interval = down / rate
     poles = _poles(low)
     decay = -np.log(np.abs(poles)) / interval

@@ -7,9 +7,9 @@ from statistics import median
 import numpy as np
 from scipy.interpolate import make_interp_spline
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
-from scipy.signal import ShortTimeFFT
 
-from sonify.hearing.mains_hum import MIN_PROMINENCE_DB, local_maxima
+from sonify.hearing.mains_hum import MIN_PROMINENCE_DB
+from sonify.hearing.time_frequency import hann_power, local_maxima
 
 MIN_LINE_FREQUENCY_HZ = 300.0
 """Lowest frequency of a spectral line or noise band."""
@@ -82,12 +82,9 @@ def find_spectral_lines(samples, rate: float, start: float = 0.0) -> list[Spectr
     size = int(window_length * rate)
     if len(samples) < 4 * size:
         return []
-    windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
-    last = 2 + (len(samples) - size) // (size // 2)  # no window exceeds the samples
-    power = np.abs(windows.stft(samples, 1, last)) ** 2
     hop = size // 2 / rate
     bin_width = rate / size
-    level = 10 * np.log10(power.T + 1e-300)
+    level = 10 * np.log10(hann_power(samples, size, size // 2) + 1e-300)
     peaks = _spectral_peaks(level, bin_width)
     is_sideband, centres = _find_sidebands(peaks, bin_width)
     tracks = _track_peaks(peaks[:, ~is_sideband], len(level), max_step=30.0)

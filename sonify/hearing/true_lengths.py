@@ -3,16 +3,20 @@
 A program that writes to a pipe cannot return to the header. FLAC then states 0 samples,
 CAF a length of -1 and RF64 a length of 0 or -1; a recorder that stops without power
 leaves a length of 0 in WAV. libsndfile does not decode the last samples of the first and
-refuses the others. Source: RFC 9639 (FLAC); Apple Core Audio
+refuses the others. The length of a FLAC file is found by decoding: the largest stated
+number whose last sample libsndfile decodes. Source: RFC 9639 (FLAC); Apple Core Audio
 Format Specification 1.0; EBU Tech 3306 (RF64)."""
 
-from collections.abc import Iterator, Mapping
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Mapping
 from io import SEEK_CUR, SEEK_END, SEEK_SET
 from struct import calcsize, pack, unpack
 from typing import BinaryIO, NamedTuple
 
 UNKNOWN_SIZE = 2**64 - 1
 """Size in a header of 64 bits that states none."""
+FLAC_LENGTH_BITS = 36
+"""Number of bits for the number of samples in the header of a FLAC file."""
 
 
 class PatchedFile:
@@ -56,29 +60,22 @@ class PatchedFile:
         return self._file.tell()
 
 
-class FlacFrame(NamedTuple):
-    """First sample and number of samples of a frame."""
-
-    first: int
-    samples: int
-
-
-class FlacStream(NamedTuple):
-    """Number of samples in the header (0 if it states none), and its last frame.
+class FlacHeader(NamedTuple):
+    """Number of samples in the header of a FLAC file (0 if it states none).
 
     `place` is the position [bytes] of eight bytes `fields` of the header, which contain the
-    number. `last` is None if no frame is found."""
+    number."""
 
     announced: int
-    last: FlacFrame | None
     place: int
     fields: int
 
     def patch(self, samples: int) -> dict[int, bytes]:
         """Return the bytes of a header that states a number of samples, by position."""
-        number_bits = 36
         return {
-            self.place: pack(">Q", self.fields >> number_bits << number_bits | samples)
+            self.place: pack(
+                ">Q", self.fields >> FLAC_LENGTH_BITS << FLAC_LENGTH_BITS | samples
+            )
         }
 
 
@@ -111,7 +108,7 @@ def patched_sizes(file: BinaryIO) -> dict[int, bytes]:
     return {}
 
 
-def _chunks(file, first, form) -> Iterator[tuple[bytes, int, int]]:
+def _chunks(file: BinaryIO, first: int, form: str) -> Iterator[tuple[bytes, int, int]]:
     """Yield name, size and position of the content of each chunk of a file.
 
     `form` is the binary form of the head of a chunk, its name and its size."""
@@ -127,7 +124,7 @@ def _chunks(file, first, form) -> Iterator[tuple[bytes, int, int]]:
         at += head_size + size + (size & 1 if form.startswith("<") else 0)
 
 
-def _patched_caf_sizes(file):
+def _patched_caf_sizes(file: BinaryIO) -> dict[int, bytes]:
     for name, size, content in _chunks(file, 8, ">4sQ"):
         if name == b"data":
             length = file.seek(0, SEEK_END)
@@ -139,7 +136,7 @@ def _patched_caf_sizes(file):
     return {}
 
 
-def _patched_wav_size(file, stated_length):
+def _patched_wav_size(file: BinaryIO, stated_length: int) -> dict[int, bytes]:
     """Return the size of the sound in a file whose header was never completed; the
     stated length of the file then ends before the sound."""
     max_size = 2**32 - 1  # bytes
@@ -151,7 +148,7 @@ def _patched_wav_size(file, stated_length):
     return {}
 
 
-def _patched_rf64_sizes(file):
+def _patched_rf64_sizes(file: BinaryIO) -> dict[int, bytes]:
     max_size = 2**32 - 1  # bytes; the size of a chunk is then in the chunk ds64
     sizes = None
     bytes_per_frame = 1
@@ -171,91 +168,20 @@ def _patched_rf64_sizes(file):
     return {}
 
 
-def flac_stream(file: BinaryIO) -> FlacStream | None:
-    """Return what the header and the last frame of a FLAC file state about its length.
-
-    The result is None for other files."""
-    tail_size = 1 << 22  # bytes, more than the last two frames
-    number_bits = 36
-    place = audio_start(file) + 18
-    file.seek(place - 18)
+def flac_header(file: BinaryIO) -> FlacHeader | None:
+    """Return the number of samples that a FLAC file states; None for other files."""
+    start = audio_start(file)
+    file.seek(start)
     head = file.read(26)
     if len(head) < 26 or not head.startswith(b"fLaC"):
         return None
-    block_size = unpack(">H", head[10:12])[0]
     fields = unpack(">Q", head[18:])[0]
-    length = file.seek(0, SEEK_END)
-    file.seek(max(length - tail_size, place))
-    last = _last_frame(file.read(), block_size)
-    return FlacStream(fields & (1 << number_bits) - 1, last, place, fields)
+    return FlacHeader(fields & (1 << FLAC_LENGTH_BITS) - 1, start + 18, fields)
 
 
-def _last_frame(tail, block_size):
-    """Return the last frame that begins in the last bytes of a file, or None.
-
-    The frame before it ends where it begins; only a first frame has none before it."""
-    later: list[FlacFrame] = []
-    at = len(tail)
-    while (at := tail.rfind(b"\xff", 0, at)) >= 0:
-        frame = _flac_frame(tail, at, block_size)
-        if frame is None:
-            continue
-        for last in later:
-            if frame.first + frame.samples == last.first:
-                return last
-        later.append(frame)
-    return next((frame for frame in later if not frame.first), None)
-
-
-def _flac_frame(data, at, block_size):
-    """Return the frame whose header begins at a position, or None if there is none.
-
-    The header ends with a checksum. With a fixed block size [samples] it contains the
-    number of the frame, otherwise that of its first sample."""
-    head = data[at : at + 16]
-    if len(head) < 6 or head[1] not in (0xF8, 0xF9) or head[3] & 1:
-        return None
-    has_variable_size = bool(head[1] & 1)
-    size_code = head[2] >> 4
-    rate_code = head[2] & 15
-    number, end = _coded_number(head, 4)
-    size_end = end + {6: 1, 7: 2}.get(size_code, 0)
-    check = size_end + {12: 1, 13: 2, 14: 2}.get(rate_code, 0)
-    if not size_code or rate_code == 15 or not 4 < check < len(head):
-        return None
-    if _checksum(head[:check]) != head[check]:
-        return None
-    if size_code in (6, 7):
-        samples = int.from_bytes(head[end:size_end], "big") + 1
-    elif size_code == 1:
-        samples = 192
-    else:
-        samples = 576 << size_code - 2 if size_code < 6 else 256 << size_code - 8
-    return FlacFrame(number if has_variable_size else number * block_size, samples)
-
-
-def _coded_number(head, at):
-    """Return the number at a position, which is coded as in UTF-8, and its end.
-
-    The end is 0 if the code is invalid."""
-    first = head[at]
-    if first < 0x80:
-        return first, at + 1
-    length = 8 - (first ^ 0xFF).bit_length()
-    rest = head[at + 1 : at + length]
-    if not 2 <= length <= 7 or any(byte >> 6 != 2 for byte in rest):
-        return 0, 0
-    number = first & (0x7F >> length)
-    for byte in rest:
-        number = number << 6 | byte & 0x3F
-    return number, at + length
-
-
-def _checksum(data):
-    """Return the checksum of bytes, with the polynomial x^8 + x^2 + x + 1."""
-    remainder = 0
-    for byte in data:
-        remainder ^= byte
-        for _ in range(8):
-            remainder = remainder << 1 ^ (0x107 if remainder & 0x80 else 0)
-    return remainder
+def largest_flac_length(holds: Callable[[int], bool]) -> int:
+    """Return the largest number for which `holds` is true, as for all smaller ones."""
+    upper = 1
+    while upper < 1 << FLAC_LENGTH_BITS and holds(upper):
+        upper *= 2
+    return bisect_left(range(1, upper), True, key=lambda count: not holds(count))

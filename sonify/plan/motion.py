@@ -8,7 +8,8 @@ from pathlib import Path
 
 from dynamics.motion_plan import MotionPlan, plan_motion
 from dynamics.simulation import chosen_integrator
-from sonify.scene import Scene, SceneError, scene_with_accuracy
+from sonify.scene import Scene, scene_with_accuracy
+from sonify.scene_errors import SceneError
 
 
 def planned_scene(

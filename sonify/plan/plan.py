@@ -80,7 +80,7 @@ class Plan:
     left_out: tuple[str, ...]
     motion: MotionPlan
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """Return a one-line summary without the sentences."""
         count = "" if self.sounding is None else f", {len(self.sounding)} modes sound"
         motion = f"motion to {self.final_inclination:.2g} rad at tolerance {self.tolerance:g}"
@@ -186,7 +186,11 @@ def plan_of(scene: Scene, motion: MotionPlan | None = None) -> Plan:
 
 
 def with_sounding_modes(
-    plan: Plan, scene: Scene, modes: Modes, loudness, energy
+    plan: Plan,
+    scene: Scene,
+    modes: Modes,
+    loudness: np.ndarray,
+    energy: np.ndarray,
 ) -> Plan:
     """Return the plan with the selection of the rendered modes.
 
@@ -219,7 +223,9 @@ def with_sounding_modes(
     return replace(plan, predictions=plan.predictions + further)
 
 
-def audible_mode_indices(loudness, energy, range_db: float) -> np.ndarray:
+def audible_mode_indices(
+    loudness: np.ndarray, energy: np.ndarray, range_db: float
+) -> np.ndarray:
     """Return the indices (k,) of the modes to render.
 
     These modes are within `range_db` [dB] of the loudest mode or have at least

@@ -59,7 +59,9 @@ def predicted_frequency_error(scene: Scene, modes: Modes) -> Prediction:
     )
 
 
-def predicted_sound_error(scene: Scene, modes: Modes, loudness) -> Prediction:
+def predicted_sound_error(
+    scene: Scene, modes: Modes, loudness: np.ndarray
+) -> Prediction:
     """Return the predicted relative error of the samples.
 
     It combines the errors due to slightly detuned modes, weighted by their `loudness`

@@ -20,7 +20,8 @@ from sonify.plan.plan import Plan, highest_mode_of, plan_of, with_sounding_modes
 from sonify.plan.supports import support_comparison
 from sonify.plan.table import solve_table, table_exit_time, with_table
 from sonify.runtime.progress import Watch, ignore_progress
-from sonify.scene import Scene, SceneError
+from sonify.scene import Scene
+from sonify.scene_errors import SceneError
 from sonify.sound.audible_modes import response_to_unit_jump
 
 
@@ -141,7 +142,7 @@ def solve_motion(motion: MotionPlan, watch: Watch = ignore_progress) -> Motion:
     """
     progress = MotionProgress(motion)
 
-    def show(t, inclination, doing):
+    def show(t: float, inclination: float, doing: str) -> None:
         note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
         watch(progress.solved_fraction(t, inclination), note)
 

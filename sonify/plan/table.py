@@ -16,7 +16,8 @@ from sonify.plan.plan import (
     audible_mode_indices,
     highest_mode_of,
 )
-from sonify.scene import Scene, SceneError
+from sonify.scene import Scene
+from sonify.scene_errors import SceneError
 from sonify.sound.sources.tabletop import response_to_unit_jump
 
 MAX_DEFLECTION_RATIO = 0.5
@@ -221,7 +222,7 @@ def table_exit_time(motion: Motion) -> float | None:
     return float(t[off.argmax()]) if off.any() else None
 
 
-def points_off_mesh(file: str, place) -> np.ndarray:
+def points_off_mesh(file: str, place: np.ndarray) -> np.ndarray:
     """Return a mask (k,) of the points (k, 2) [m] outside the top face of the mesh in a
     file."""
     from modal.mesh.read import MAX_TABLE_SIZE, read_checked

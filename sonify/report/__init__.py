@@ -1,1 +1,1 @@
-"""Write the numbers, pictures, page and animation of a run."""
+"""Write the numbers, pictures and page of a run."""

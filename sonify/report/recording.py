@@ -141,7 +141,8 @@ def _write_report(recording, out, known, stages, span):
     samples, rate, _, _ = read(part)
     ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = create_folder(out or default_report_folder(recording))
-    from sonify.report.write import json_safe, write_json
+    from sonify.report.write import write_json
+    from sonify.runtime.json_values import json_safe
 
     _write_pictures(folder, whole_sound, span, part, runs)
     content = {

@@ -81,7 +81,7 @@ def claimed_folder(folder: str | Path) -> Iterator[Path]:
 
 
 @contextmanager
-def atomic_write(path: str | Path):
+def atomic_write(path: str | Path) -> Iterator[Path]:
     """Yield a temporary path in the folder of `path`, for an atomic write.
 
     The temporary file is renamed to `path` if the block succeeds, and removed if it
@@ -107,7 +107,7 @@ def atomic_write(path: str | Path):
 
 
 @contextmanager
-def _locked_temporary_name(folder):
+def _locked_temporary_name(folder: Path) -> Iterator[str]:
     """Yield a unique hidden file name in `folder`, locked until the block or the
     process ends."""
     lock = folder / f"{TEMPORARY_PREFIX}{token_hex(6)}.lock"
@@ -122,7 +122,7 @@ def _locked_temporary_name(folder):
         _unlink(lock)
 
 
-def _remove_orphans(folder):
+def _remove_orphans(folder: Path) -> None:
     """Remove the unfinished files in `folder` that are no longer locked by a living
     process."""
     for lock in folder.glob(f"{TEMPORARY_PREFIX}*.lock"):
@@ -133,6 +133,6 @@ def _remove_orphans(folder):
             _unlink(lock)  # Windows cannot remove a held lock
 
 
-def _unlink(path):
+def _unlink(path: Path) -> None:
     with suppress(PermissionError):  # Windows: the holder of the lock removes it later
         path.unlink(missing_ok=True)

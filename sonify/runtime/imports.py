@@ -4,6 +4,7 @@ import sys
 from importlib import import_module
 from importlib.util import find_spec
 from types import ModuleType
+from typing import Any
 
 
 def import_signal_without_stats() -> None:
@@ -29,13 +30,13 @@ class _StatsPlaceholder(ModuleType):
     """Stand-in for scipy.stats during the import of scipy.signal."""
 
     @staticmethod
-    def scoreatpercentile(*arguments, **options):
+    def scoreatpercentile(*arguments: Any, **options: Any) -> Any:
         """Return scipy.stats.scoreatpercentile of the arguments."""
         from scipy.stats import scoreatpercentile
 
         return scoreatpercentile(*arguments, **options)
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         if sys.modules.get("scipy.stats") is self:

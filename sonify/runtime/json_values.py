@@ -1,11 +1,12 @@
 """Plain values for JSON, which knows neither NumPy scalars nor non-finite numbers."""
 
 from math import isfinite
+from typing import Any
 
 import numpy as np
 
 
-def json_safe(value):
+def json_safe(value: Any) -> Any:
     """Return nested values as values that JSON can represent.
 
     NumPy scalars and arrays become plain values (`plain_value`), and non-finite floats
@@ -19,7 +20,7 @@ def json_safe(value):
     return str(value) if isinstance(value, float) and not isfinite(value) else value
 
 
-def plain_value(value):
+def plain_value(value: Any) -> Any:
     """Return a NumPy scalar as a plain Python value, and an array as a list of scalars.
 
     A complex number becomes a list [real, imaginary]; dates, durations and bytes become

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dynamics.a_weighting import a_weighting_db
 from modal import Modes, SurfaceModes
-from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
 from sonify.sound.modal_forcing import forcing_per_newton
 from sonify.sound.radiation import listener_of, tabulated_directivity
@@ -44,7 +44,9 @@ class RingDown:
             return 3 * np.log(10) / self.decay_rate
 
 
-def modes_below_nyquist(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
+def modes_below_nyquist(
+    modes: Modes, sample_rate: float, wanted: np.ndarray | None = None
+) -> np.ndarray:
     """Return the indices (k,) of the wanted modes below the Nyquist frequency.
 
     Higher modes would alias. By default all modes are wanted."""

@@ -5,7 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 
-def overlapping_blocks(count: int, first=None) -> Callable[[np.ndarray], np.ndarray]:
+def overlapping_blocks(
+    count: int, first: np.ndarray | float | None = None
+) -> Callable[[np.ndarray], np.ndarray]:
     """Return a function that prepends to each block (k, ...) the `count` rows before
     it.
 
@@ -13,7 +15,7 @@ def overlapping_blocks(count: int, first=None) -> Callable[[np.ndarray], np.ndar
     block."""
     past = None
 
-    def extend(rows):
+    def extend(rows: np.ndarray) -> np.ndarray:
         nonlocal past
         if past is None:
             earlier = rows[0] if first is None else first

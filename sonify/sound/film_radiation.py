@@ -1,8 +1,8 @@
 """Compute the radiation of a rigid disk that vibrates above its air film.
 
 The pressure in the wedge is constant across the gap, and losses by viscosity and heat
-conduction are included (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units
-of exterior_field.py. At the rim the flow of the film drives the exterior field. The
+conduction are included (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in units of
+the radius R, and of density times R times acceleration. At the rim the flow of the film drives the exterior field. The
 pressure near a line source in the corner varies as -2/pi times the logarithm of the
 distance; this determines the coupling at the local gap. The resonances of the coupled
 film and exterior field depend only weakly on the gap. See
@@ -11,11 +11,13 @@ tests/sound/test_open_film_sound.py."""
 from dataclasses import dataclass
 from functools import lru_cache
 from math import log, pi, sqrt
+from pathlib import Path
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
 from dynamics.air import HEAT_CAPACITY_RATIO, PRANDTL_NUMBER
+from sonify.sound.multipoles import listener_pressure
 
 MAX_RIM_ORDER = 4
 """Highest azimuthal harmonic of the flow out of the rim."""
@@ -39,15 +41,18 @@ of a wave of order 1 is that of tilt."""
 EXTERIOR_WAVENUMBERS = np.linspace(
     TABULATED_WAVENUMBERS[0], TABULATED_WAVENUMBERS[-1], 16
 )
-"""Values of k R at which the exterior field is solved; they may be sparse because it
+"""Values of k R at which the exterior field is tabulated; they may be sparse because it
 has no resonances."""
+EXTERIOR_TABLE_FILE = Path(__file__).with_name("exterior_field.npz")
+"""Exterior field by finite elements, over thickness, gap and wavenumber; written by
+benchmarks/references/exterior_field.py."""
 TABULATED_MEAN_GAPS = np.append(
     np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6]
 )
 """Ratios of mean gap to radius at which the radiation is tabulated, densest above 0.1,
 where the resonance frequencies vary; outside the range the nearest value applies."""
 EXTERIOR_MEAN_GAPS = (0.02, 0.2)
-"""Ratios of mean gap to radius at which the exterior field is solved. It is linear in
+"""Ratios of mean gap to radius at which the exterior field is tabulated. It is linear in
 the gap up to the larger ratio and constant above."""
 
 
@@ -77,10 +82,6 @@ class RadiatedMultipoles:
 
         The distance is in units of the radius, and theta is the listener's azimuth. The
         propagation phase from the centre of the disk is removed."""
-        from sonify.sound.exterior_field import (
-            listener_pressure,
-        )  # scikit-fem loads slowly
-
         orders = [
             listener_pressure(n, TABULATED_WAVENUMBERS, self.far, distance, elevation)
             for n in range(MAX_RIM_ORDER + 1)
@@ -120,8 +121,8 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
     thickness = disk.thickness / disk.radius
     mesh = film_mesh()
     low_gap, high_gap = EXTERIOR_MEAN_GAPS
-    far = 1.5 * np.hypot(1.0, thickness + high_gap)
-    low, high = (_exterior_at_gap(thickness, gap, far) for gap in EXTERIOR_MEAN_GAPS)
+    far = hemisphere_radius(thickness)
+    low, high = exterior_field(thickness)
     multipoles = []
     flows = []
     for gap in TABULATED_MEAN_GAPS:
@@ -240,19 +241,31 @@ WEDGE_COUPLING = _wedge_coupling_integrals()
 the rim."""
 
 
-def _exterior_at_gap(thickness, gap, far):
-    """Return the exterior field for one gap at TABULATED_WAVENUMBERS (k,).
+def hemisphere_radius(thickness: float) -> float:
+    """Return the radius of the hemisphere around a disk; both are divided by that of the
+    disk."""
+    return 1.5 * float(np.hypot(1.0, thickness + EXTERIOR_MEAN_GAPS[1]))
 
-    The result contains pressures at the rim (k, MAX_RIM_ORDER + 1, 3) and multipoles
-    (k, MAX_RIM_ORDER + 1, m, 3).
+
+def exterior_field(thickness: float) -> list[list[np.ndarray]]:
+    """Return the exterior field for both EXTERIOR_MEAN_GAPS at TABULATED_WAVENUMBERS (k,).
+
+    `thickness` is divided by the radius; outside the range of the table the nearest value
+    applies. The field consists of the pressures at the rim (k, MAX_RIM_ORDER + 1, 3) and
+    of the multipoles (k, MAX_RIM_ORDER + 1, m, 3) of heave, tilt and flow.
     """
-    from sonify.sound.exterior_field import ExteriorField
-
-    field = ExteriorField(thickness, gap, far)
-    solutions = [field.solve(n, EXTERIOR_WAVENUMBERS) for n in range(MAX_RIM_ORDER + 1)]
-    rim, exterior = (np.stack(part, axis=1) for part in zip(*solutions, strict=True))
-    rim[..., 2] += 2 / pi * log(gap)
+    with np.load(EXTERIOR_TABLE_FILE) as table:
+        ratios = table["thickness"]
+        inside = np.log(np.clip(thickness, ratios[0], ratios[-1]))
+        rims, multipoles = (
+            CubicSpline(np.log(ratios), table[name])(inside)
+            for name in ("rim", "multipoles")
+        )
+    rims[..., 2] += 2 / pi * np.log(EXTERIOR_MEAN_GAPS)[:, None, None]
     return [
-        CubicSpline(EXTERIOR_WAVENUMBERS, part)(TABULATED_WAVENUMBERS)
-        for part in (rim, exterior)
+        [
+            CubicSpline(EXTERIOR_WAVENUMBERS, part)(TABULATED_WAVENUMBERS)
+            for part in (rim, amplitudes)
+        ]
+        for rim, amplitudes in zip(rims, multipoles, strict=True)
     ]

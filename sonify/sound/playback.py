@@ -9,8 +9,9 @@ from math import inf
 import numpy as np
 from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
 
+from dynamics.a_weighting import a_weighting_db
 from sonify.hearing.audio_source import BLOCK_SIZE, overlapping_pieces
-from sonify.hearing.loudness import a_weighting_db, loudness_lufs
+from sonify.hearing.loudness import loudness_lufs
 from sonify.hearing.spectrogram import spectrogram
 
 AUDIBLE_COPY_LOUDNESS_LUFS = -23.0

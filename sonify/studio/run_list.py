@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Iterable, Mapping
 from datetime import datetime
 from math import log10
 from pathlib import Path
@@ -15,7 +16,7 @@ from sonify.runtime.files import readable_text
 from sonify.studio.run_names import run_name
 
 
-def finished_runs(root: Path) -> list[dict]:
+def finished_runs(root: Path) -> list[dict[str, Any]]:
     """Return the list entry of every finished run in `root`, newest first."""
     records = [
         path for depth in range(4) for path in root.glob("*/" * depth + "run.json")
@@ -67,7 +68,7 @@ def level_at_listener(sound: dict[str, Any]) -> float | None:
     return loudness + 20 * log10(sound["full_scale_pascal"] / REFERENCE_PRESSURE_PA)
 
 
-def _failed_check_lines(checks):
+def _failed_check_lines(checks: Iterable[Mapping[str, Any]]) -> list[str]:
     """Return one line for each failed self-check of a run."""
     failed = []
     for record in checks:

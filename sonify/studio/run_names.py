@@ -156,7 +156,9 @@ def table_words(surface: Mapping[str, Any]) -> str:
     return "another table"
 
 
-def _replaced_sections(record, shipped) -> list[str]:
+def _replaced_sections(
+    record: Mapping[str, Any], shipped: Mapping[str, Any]
+) -> list[str]:
     """Return words for another material, table or air film."""
     words = []
     if _has_other_material(record, shipped):
@@ -170,15 +172,17 @@ def _replaced_sections(record, shipped) -> list[str]:
     return words
 
 
-def _has_other_material(record, shipped) -> bool:
+def _has_other_material(record: Mapping[str, Any], shipped: Mapping[str, Any]) -> bool:
     material = record.get("material") or {}
     return material.get("name") != shipped["material"]["name"]
 
 
-def _changed_values(record, shipped) -> dict[str, tuple[Any, Any]]:
+def _changed_values(
+    record: Mapping[str, Any], shipped: Mapping[str, Any]
+) -> dict[str, tuple[Any, Any]]:
     """Return the values before and after a change by key, without those of the replaced
     sections and those that follow from other values."""
-    changed = differing_values(shipped, dict(record))
+    changed = differing_values(dict(shipped), dict(record))
     replaced = ("name", "numerics", "surface", "material", "air.film")
     dependent = ["disk.mass", "disk.density"] * _has_other_material(record, shipped)
     dependent += ["friction.mu_dynamic"] * ("friction.mu_static" in changed)
@@ -195,17 +199,17 @@ def _changed_values(record, shipped) -> dict[str, tuple[Any, Any]]:
     return found
 
 
-def _agrees(one, other) -> bool:
+def _agrees(one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
     """Return True if all values that both sections contain are equal."""
     return all(one[key] == other[key] for key in one.keys() & other.keys())
 
 
-def _magnitude(value):
+def _magnitude(value: Any) -> Any:
     """Return the spin of an angular velocity as a positive number; other values are
     returned unchanged."""
     return abs(value[2]) if isinstance(value, list) else value
 
 
 @cache
-def _shipped_record(name: str) -> dict:
+def _shipped_record(name: str) -> dict[str, Any]:
     return scene_record(load_scene(name))

@@ -61,7 +61,7 @@ def address(host: str, listening: socket.socket) -> str:
     )
 
 
-def run_application(app: Starlette, listening: socket.socket):
+def run_application(app: Starlette, listening: socket.socket) -> None:
     """Serve an application until interrupted."""
     config = uvicorn.Config(
         app,

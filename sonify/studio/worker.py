@@ -290,7 +290,7 @@ def _analysis(path, document, folder, span, stages) -> dict[str, Any]:
         return found
     try:
         with stages.stage("fit") as watch:
-            fits = fit(path, from_document(document), None, watch, span)
+            fits = fit(path, from_document(document), watch, span)
         found["summary"] = summary_of_fit(fits.files[0].judged)
         write_recording(
             path, folder / RECORDING_FILE, fits.files[0].judged.fit.value(0).value, span

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
-from math import isfinite, log2, nan, prod
+from math import isfinite, log2, prod
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -15,15 +15,6 @@ from sonify.scene_errors import InputError
 MODE_SECTIONS = ("disk", "material", "support", "surface", "numerics", "audio")
 """Sections on which the modes depend; their axes come first, so that successive runs
 share modes."""
-
-
-def salib_problem(names: list[str]) -> dict[str, Any]:
-    """Return the SALib problem for axes with shares between 0 and 1."""
-    return {
-        "num_vars": len(names),
-        "names": names,
-        "bounds": [[0.0, 1.0]] * len(names),
-    }
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,13 +31,8 @@ class Samples:
     widths: tuple[Annotated[float, Gt(0), Le(10)], ...] = ()
     """Factors by which the widths of all ranges are multiplied; the first quarter of the
     points is repeated for each factor."""
-    total: Annotated[int, Ge(0), Le(2**20)] = 0
-    """Number N of base points of a second design of N (axes + 2) points for total
-    sensitivity indices; a power of two, or 0 for none."""
 
     def __post_init__(self):
-        if self.total and not log2(self.total).is_integer():
-            raise ValueError(f"total = {self.total}: must be 0 or a power of two")
         if self.method == "sobol" and not log2(self.n).is_integer():
             below = 2 ** int(log2(self.n))
             raise ValueError(
@@ -60,20 +46,9 @@ class Samples:
         draw = qmc.Sobol if self.method == "sobol" else qmc.LatinHypercube
         return draw(dimensions, seed=np.random.default_rng(self.seed)).random(self.n)
 
-    def total_shares(self, dimensions: int) -> np.ndarray:
-        """Return the points (total (dimensions + 2), dimensions) for total indices."""
-        from SALib.sample import sobol
-
-        names = [str(axis) for axis in range(dimensions)]
-        drawn = sobol.sample(
-            salib_problem(names), self.total, calc_second_order=False, seed=self.seed
-        )
-        return np.asarray(drawn)
-
     @property
     def count(self) -> int:
-        """Number of points, including those for other widths but not for total
-        indices."""
+        """Number of points, including those for other widths."""
         return self.n + len(self.widths) * self.points_per_width
 
     @property
@@ -82,12 +57,9 @@ class Samples:
         return max(self.n // 4, 1)
 
     def width(self, run: int) -> float:
-        """Return the factor by which the widths of the ranges are multiplied in a run;
-        NaN for total indices."""
+        """Return the factor by which the widths of the ranges are multiplied in a run."""
         if run < self.n:
             return 1.0
-        if run >= self.count:
-            return nan
         return self.widths[(run - self.n) // self.points_per_width]
 
 
@@ -164,17 +136,14 @@ class Points:
         assert self.samples
         drawn = self.samples.unit_cube_points(len(self.axes))
         repeated = drawn[: self.samples.points_per_width]
-        parts = [drawn, *(repeated for _ in self.samples.widths)]
-        if self.samples.total:
-            parts.append(self.samples.total_shares(len(self.axes)))
-        return np.concatenate(parts)
+        return np.concatenate([drawn, *(repeated for _ in self.samples.widths)])
 
     @property
     def count(self) -> int:
         """Number of runs."""
         if self.samples is None:
             return prod(axis.n for axis in self.axes)
-        return self.samples.count + self.samples.total * (len(self.axes) + 2)
+        return self.samples.count
 
     def __getitem__(self, run: int) -> dict[str, Any]:
         if self.samples is None:
@@ -182,7 +151,7 @@ class Points:
             return self.point(
                 axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)
             )
-        width = self.samples.width(run) if run < self.samples.count else 1.0
+        width = self.samples.width(run)
         return self.point(
             axis.at(share, width)
             for axis, share in zip(self.axes, self._shares[run], strict=True)

@@ -18,7 +18,6 @@ from sonify.runtime.signals import AbortedError
 from sonify.runtime.workers import core_count
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
-from sonify.sweeps.axes import Samples
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.executors import (
     Submit,
@@ -71,8 +70,7 @@ def sweep(
     source : str, Path or dict
         Name of a shipped sweep, TOML file, or parsed sweep document.
     scheduler : str, optional
-        Address of a Dask scheduler, or "local"; without it, processes of this machine
-        are used.
+        Address of a Dask scheduler; without it, processes of this machine are used.
     out : str or Path, optional
         Folder for the table (default: outputs/sweeps/<name>).
     processes : int, optional
@@ -204,34 +202,13 @@ def plan(
     later = duration_in_words(time.later_run)
     total = duration_in_words(time.total(points.count, processes))
     start = f"the first one of each process {first}, including imports and compilation"
-    lines = [
+    return [
         f"runs     {points.count}, {drawn} "
         f"{', '.join(f'{a.n} of {a.keys[0]}' for a in points.axes)}",
         f"stages   {', '.join(sweep_spec.stages)}",
         f"a run    {later}; {start} ({time.measured} measured)",
         f"time     {total} with {processes} process{'es' * (processes > 1)}",
     ]
-    if "verdict" in sweep_spec.stages and points.samples:
-        lines.append(
-            total_indices_line(points.samples, len(points.axes), time, processes)
-        )
-    return lines
-
-
-def total_indices_line(
-    samples: Samples, axes: int, time: RunTime, processes: int
-) -> str:
-    """Return the line of a plan on the runs that total sensitivity indices need."""
-    time_limit = 7200.0  # s
-    base = samples.total or 256  # the smallest number with a useful confidence interval
-    more = base * (axes + 2)
-    seconds = time.total(samples.count + more, processes)
-    fits = "is within" if seconds <= time_limit else "exceeds"
-    state = "included" if samples.total else f"not included; samples.total = {base}"
-    return (
-        f"total    indices with interactions require {more} more runs; all runs take "
-        f"{duration_in_words(seconds)}, which {fits} 2 h ({state})"
-    )
 
 
 def run_time(sweep_spec: Sweep, processes: int, stages: Stages) -> RunTime:
@@ -263,7 +240,7 @@ def run_time(sweep_spec: Sweep, processes: int, stages: Stages) -> RunTime:
     )
 
 
-def _measure_two_runs(sweep_spec, start, stride):
+def _measure_two_runs(sweep_spec: Sweep, start: int, stride: int) -> list[float]:
     """Return the times [s] of two runs in a new process; the first includes the process
     start."""
     seconds = []
@@ -282,7 +259,7 @@ def _measure_two_runs(sweep_spec, start, stride):
     return seconds
 
 
-def _valid_runs(sweep_spec, start, stride):
+def _valid_runs(sweep_spec: Sweep, start: int, stride: int) -> Iterator[int]:
     """Yield the runs with valid scenes among every `stride`-th run, first from `start`
     on, then before it."""
     max_tried_runs = 1000
@@ -298,7 +275,7 @@ def _valid_runs(sweep_spec, start, stride):
         yield run
 
 
-def task_of_run(sweep_spec, run, folder):
+def task_of_run(sweep_spec: Sweep, run: int, folder: Path) -> dict[str, Any]:
     """Return the arguments of `row_of` for a run."""
     own = str(folder / "runs" / str(run)) if sweep_spec.keep else ""
     return {
@@ -311,7 +288,7 @@ def task_of_run(sweep_spec, run, folder):
 
 def solved_rows(
     sweep_spec: Sweep, store: RunStore, submit: Submit, capacity: Callable[[], int]
-) -> Iterator[list[dict]]:
+) -> Iterator[list[dict[str, Any]]]:
     """Solve the runs that are not in the table, and yield lists of finished rows.
 
     The rows include the values of the axes."""

@@ -9,7 +9,7 @@ from concurrent.futures import (
     ThreadPoolExecutor,
     wait,
 )
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from itertools import islice
 from time import monotonic
 from typing import Any
@@ -25,8 +25,6 @@ from sonify.sweeps.row_processes import (
 )
 from sonify.sweeps.version import version
 
-LOCAL_SCHEDULER = "local"
-"""Value used instead of an address to start a local Dask scheduler with one worker."""
 WORKERS_LOST_MESSAGE = "the worker processes are lost; the finished runs are saved"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
@@ -38,18 +36,18 @@ def open_executor(
     """Yield a function that submits a call, and one that returns the number of
     processes.
 
-    If `scheduler` is LOCAL_SCHEDULER, a scheduler is started on this machine. Raises
+    Without the address of a `scheduler`, the processes run on this machine. Raises
     InputError if the scheduler does not answer, has no workers, or has workers with
     another version of this program."""
+    if scheduler == "local":
+        raise InputError(
+            "--scheduler local: removed in 0.3; without --scheduler the runs use the "
+            "cores of this machine"
+        )
     processes = processes or core_count()
-    with ExitStack() as stack:
-        if scheduler == LOCAL_SCHEDULER:
-            cluster = import_dask().LocalCluster(
-                n_workers=1, threads_per_worker=processes, dashboard_address=None
-            )
-            scheduler = stack.enter_context(cluster).scheduler_address
-        executor = dask_executor(scheduler) if scheduler else local_executor(processes)
-        yield stack.enter_context(executor)
+    executor = dask_executor(scheduler) if scheduler else local_executor(processes)
+    with executor as submit_and_count:
+        yield submit_and_count
 
 
 @contextmanager
@@ -66,18 +64,12 @@ def local_executor(processes: int):
         end_all_processes()
 
 
-def import_dask():
-    """Import and return the Dask package. Raises InputError if it is not installed."""
-    require_extra("--scheduler", "distributed", "cluster")
-    import distributed
-
-    return distributed
-
-
 @contextmanager
 def dask_executor(address: str):
     """Yield an executor for the workers of the Dask scheduler at `address`."""
-    distributed = import_dask()
+    require_extra("--scheduler", "distributed", "cluster")
+    import distributed
+
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
         client = distributed.Client(address, timeout=4.0)

@@ -90,7 +90,7 @@ def verdict_text(holds: bool | None, value: float | None) -> str | None:
     return "yes" if holds else "no"
 
 
-def draw_maps(folder: Path, find=()):
+def draw_maps(folder: Path, find: tuple[str, ...] = ()) -> None:
     """Draw the columns named in `find`, or DEFAULT_COLUMNS, of the table in
     `folder`."""
     table, _ = read_table(folder / RUNS_FILE)

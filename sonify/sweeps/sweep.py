@@ -84,13 +84,10 @@ class Sweep:
         scene = deepcopy(self.document)
         if mesh := scene.get("surface", {}).get("file"):
             scene["surface"]["file"] = sha256(Path(mesh).read_bytes()).hexdigest()
-        drawn = asdict(self.samples) if self.samples else None
-        if drawn and not drawn["total"]:
-            del drawn["total"]  # tables of earlier versions lack it
         content = {
             "scene": scene,
             "axes": self.axes,
-            "samples": drawn,
+            "samples": asdict(self.samples) if self.samples else None,
             "stages": self.stages,
             "keep": sorted(self.keep),
         }
@@ -110,7 +107,7 @@ class Sweep:
             key: json.dumps(value) if key in self._json_columns else value
             for key, value in self.points[run].items()
         }
-        if self.samples and (self.samples.widths or self.samples.total):
+        if self.samples and self.samples.widths:
             row["width"] = self.samples.width(run)
         return row
 
@@ -155,10 +152,6 @@ class Sweep:
                 raise InputError(
                     f"axes.{axis.keys[0]}: no effect on the runs of this sweep"
                 )
-        if self.samples and self.samples.total and "verdict" not in self.stages:
-            raise InputError(
-                f"samples.total = {self.samples.total}: requires find = 'verdict'"
-            )
         for key in self.sources.keys() - {*self.axes}:
             raise InputError(f"sources.{key}: no such axis")
 

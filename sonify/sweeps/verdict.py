@@ -10,7 +10,6 @@ import pyarrow as pa
 
 from sonify.claims.finding_texts import VERDICT_TEXTS
 from sonify.claims.shares import share_of
-from sonify.sweeps.axes import salib_problem
 from sonify.sweeps.sweep import Sweep
 
 WIDTH_IN_WORDS = {0.5: "halved", 2.0: "doubled"}
@@ -51,38 +50,21 @@ def first_order_indices(
     index_harmonics = 4
     from SALib.analyze import rbd_fast
 
+    problem = {
+        "num_vars": len(names),
+        "names": names,
+        "bounds": [[0.0, 1.0]] * len(names),  # of the shares
+    }
     with np.errstate(invalid="ignore"):  # the result may be constant in a resample
         found = rbd_fast.analyze(
-            salib_problem(names),
+            problem,
             draws,
             result,
             M=index_harmonics,
             seed=1,
         )
-    return _largest_first(names, found, "S1")
-
-
-def total_indices(names: list[str], result: np.ndarray) -> list[SensitivityIndex]:
-    """Return the total sensitivity index of each axis, the largest first.
-
-    `result` (N, axes + 2) contains the results for the N base points of
-    `Samples.total`.
-    """
-    from SALib.analyze import sobol
-
-    found = sobol.analyze(
-        salib_problem(names),
-        result.ravel(),
-        calc_second_order=False,
-        seed=1,
-    )
-    return _largest_first(names, found, "ST")
-
-
-def _largest_first(names, found, kind) -> list[SensitivityIndex]:
-    """Return the index of each axis from a result of SALib, the largest first."""
-    values = map(float, found[kind])
-    half_widths = map(float, found[f"{kind}_conf"])
+    values = map(float, found["S1"])
+    half_widths = map(float, found["S1_conf"])
     indices = map(SensitivityIndex, names, values, half_widths)
     return sorted(indices, key=lambda index: -index.value)
 
@@ -113,14 +95,6 @@ def verdict_conclusion(rows: pa.Table, sweep: Sweep) -> list[str]:
             words += "; " + dependence_clause(
                 first_order_indices(names, ranks[nominal], yes[nominal].astype(float))
             )
-        if samples.total:
-            extra = runs >= samples.count
-            blocks = yes[extra].reshape(-1, len(names) + 2)
-            blocks = blocks[known[extra].reshape(blocks.shape).all(axis=1)]
-            if blocks.any() and not blocks.all():
-                words += "; with interactions, " + dependence_clause(
-                    total_indices(names, blocks.astype(float))
-                )
         others = [
             f"with all ranges {WIDTH_IN_WORDS.get(factor, f'times {factor:g}')} "
             f"{share_of(yes[known & (width == factor)])}"

@@ -9,7 +9,7 @@ from sonify.runtime.workers import serve_calls
 from sonify.sweeps.version import version
 
 
-def solve_task(task: dict) -> dict[str, Any]:
+def solve_task(task: dict[str, Any]) -> dict[str, Any]:
     """Return the row of a task as plain values, with the run time [s] and the
     version."""
     # slow to import and not needed by the parent

@@ -8,6 +8,7 @@ findings are known; the authors' laws, entered in a scene.
 
 import numpy as np
 import pytest
+from law_scenes import named_scene
 
 from dynamics import Outcome, simulate
 from dynamics.disk import Friction
@@ -229,7 +230,7 @@ def test_the_plan_says_how_far_a_papers_law_is_from_the_film(name, shares):
 
     At 0.1 rad one law is far too small, the other far too large.
     """
-    (told,) = published_law_notes(load_scene(name))
+    (told,) = published_law_notes(named_scene(name))
     shares_told = [float(part.split()[-1]) for part in told.split(" at ")[:3]]
     assert shares[0] < shares_told[1] < shares[1]
     assert shares_told[0] < 0.5 or shares_told[0] > 3

@@ -10,13 +10,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from contact_scenes import granite, steady_speed
+from contact_scenes import granite, steady_block, steady_speed
 from scipy.signal import butter, sosfilt
 
 from dynamics import plan_motion, simulate
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import (
-    MotionBlock,
     linear_contact_force_blocks,
     predicted_power,
 )
@@ -148,20 +147,9 @@ def test_the_power_that_roughness_takes_is_force_times_rise():
     beta = 0.03
     speed = steady_speed(TABULATED_LAW.law, beta)
     t = np.arange(0, seconds, 16 / rate)
-    one = np.ones(len(t))
     profile = table_profile(rough)
     weight = TABULATED_LAW.law.disk.weight
-    course = MotionBlock(
-        t,
-        beta * one,
-        weight * one,
-        one > 0,
-        speed * t,
-        speed * t,
-        np.zeros((len(t), 2)),
-        0 * t,
-        np.zeros(2),
-    )
+    course = steady_block(t, beta, weight, speed * t)
     force = np.concatenate(
         list(
             linear_contact_force_blocks(

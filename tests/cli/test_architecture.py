@@ -145,6 +145,17 @@ def test_modal_is_ours():
     assert Path(modal.__file__).parent == ROOT / "modal"
 
 
+def run_code(code):
+    """Run code in a new process of Python, from the folder of the checkout."""
+    return subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        check=True,
+    )
+
+
 @pytest.mark.parametrize("command", [["--help"], ["run", "--help"]])
 def test_help_loads_nothing_heavy(command):
     code = (
@@ -156,13 +167,7 @@ def test_help_loads_nothing_heavy(command):
         "'soundfile', 'meshio'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        cwd=ROOT,
-        check=True,
-    )
+    done = run_code(code)
     assert done.stderr.strip().splitlines()[-1] == "[]"
     assert done.stdout
 
@@ -175,13 +180,7 @@ def test_flows_are_compiled_before_anything_heavy_is_loaded():
         "set(sys.modules)))\n"
         "import os; sys.stdout.flush(); os._exit(0)"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        cwd=ROOT,
-        check=True,
-    )
+    done = run_code(code)
     assert done.stdout.strip() == "[]"
 
 

@@ -206,6 +206,20 @@ def test_wrong_usage_ends_with_2(arguments):
     assert one_line(ask(*arguments.split()), 2).startswith("sonify: ")
 
 
+REMOVED = [
+    (["run", "--animation"], "`sonify export motion --as gltf`"),
+    (["fit", "--like", "fu-berlin", "disk.wav"], "`sonify listen`"),
+    (["sweep", "--scheduler", "local", "friction"], "the cores of this machine"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "replacement"), REMOVED)
+def test_a_removed_option_names_its_replacement(arguments, replacement):
+    message = one_line(ask(*arguments), 2)
+    assert re.search(rf"{arguments[1]}( local)?: removed in 0.3; ", message)
+    assert replacement in message
+
+
 def test_a_chart_without_records_is_not_drawn_again_and_leaves_no_folder(tmp_path):
     refused = one_line(
         ask("chart", "sound", "--redraw", "--out", str(tmp_path / "a")), 2

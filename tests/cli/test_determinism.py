@@ -16,6 +16,7 @@ import sys
 
 import numpy as np
 import pytest
+from law_scenes import named_scene
 from paths import ROOT
 from scipy.interpolate import BarycentricInterpolator
 
@@ -136,7 +137,7 @@ def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
     pytest.importorskip(
         "heyoka", reason="heyoka is not installed: there is only one integrator"
     )
-    scene = load_scene("moffatt")
+    scene = named_scene("moffatt")
     ways = [[f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
     assert difference_db(scene, modes, *ways).max() < -120
 

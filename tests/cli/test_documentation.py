@@ -48,6 +48,19 @@ def test_every_relative_link_leads_to_a_file(page):
     assert missing == []
 
 
+def test_every_file_that_contributing_names_exists():
+    text = TEXTS[ROOT / "CONTRIBUTING.md"]
+    named = set(re.findall(r"`((?:[\w-]+/)+[\w-]+\.\w+)`(?:: `(\w+)`)?", text))
+    named = {(file, name) for file, name in named if not file.startswith("outputs/")}
+    assert len(named) > 40
+    missing = [
+        (file, name)
+        for file, name in named
+        if not (ROOT / file).is_file() or name not in (ROOT / file).read_text("utf-8")
+    ]
+    assert missing == []
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_every_command_scene_and_extra_exists(page):
     text = TEXTS[page]

@@ -207,7 +207,7 @@ def options_of(words: list[str]) -> list[str]:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_every_option_within_the_text_exists(page):
-    """A fragment such as `run --animation` names a command and its options."""
+    """A fragment such as `run --ensemble` names a command and its options."""
     names = "|".join(main.commands)
     text = page.read_text("utf-8")
     fragments = re.findall(rf"`(?:(?:python -m )?sonify )?((?:{names}) [^`]*)`", text)

@@ -9,7 +9,7 @@ import pytest
 
 HIDE_AND_START = """
 import sys
-for name in ("pyarrow", "SALib", "distributed", "mosqito", "imageio_ffmpeg", "pandas"):
+for name in ("pyarrow", "SALib", "distributed", "mosqito", "pandas"):
     sys.modules[name] = None
 from sonify.__main__ import start
 start("sonify")

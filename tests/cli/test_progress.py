@@ -6,6 +6,7 @@ Source: the README's command line. Oracle: the duration of motions solved to the
 
 import numpy as np
 import pytest
+from law_scenes import named_scene
 
 from dynamics import plan_motion
 from dynamics.progress import MotionProgress
@@ -30,7 +31,7 @@ def shares(scene, motion, times):
 def test_the_share_of_a_motion_is_that_of_its_duration(name):
     """The scenes cover friction alone, an air film and another law; the initial transient is not
     predicted."""
-    scene = load_scene(name).replace("numerics.accuracy=draft")
+    scene = named_scene(name).replace("numerics.accuracy=draft")
     motion = solve_motion(plan_motion(scene))
     true = np.linspace(0, 1, 201)[:-1]
     told = np.array(shares(scene, motion, true * motion.t[-1]))

@@ -13,6 +13,7 @@ from arithmetic import gamma, walk
 from contact_scenes import (
     granite,
     slope_of_contact,
+    steady_block,
     steady_precession_rate,
     steady_speed,
 )
@@ -22,7 +23,6 @@ from scipy.optimize import brentq
 from dynamics import simulate
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import (
-    MotionBlock,
     linear_contact_force_blocks,
 )
 from dynamics.compliant.law.linearised import linear_contact, mobility
@@ -282,21 +282,10 @@ def test_filter_and_full_model_agree_wave_by_wave(beta):
     )
     t = np.arange(0, 0.0497, 16e-5)
     path = steady_speed(LAW, beta) * t
-    one = np.ones(len(t))
     rim = (
         path * LAW.disk.radius / LAW.place(beta).radius
     )  # measured on the radius of the disk
-    motion = MotionBlock(
-        t,
-        beta * one,
-        LAW.disk.weight * one,
-        one > 0,
-        path,
-        rim,
-        np.zeros((len(t), 2)),
-        0 * t,
-        np.zeros(2),
-    )
+    motion = steady_block(t, beta, LAW.disk.weight, path, rim)
     filtered = next(
         linear_contact_force_blocks(model.tabulated_law, [motion], 1e5, profiles)
     )[:, 1]

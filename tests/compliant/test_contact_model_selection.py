@@ -10,6 +10,7 @@ import json
 
 import numpy as np
 import pytest
+from law_scenes import named_scene
 from paths import REFERENCES
 
 from dynamics import plan_motion, simulate
@@ -43,7 +44,7 @@ def elastic():
 @pytest.mark.parametrize("scene", ["published", "hoop", "viscous"])
 def test_first_force_is_that_of_the_rigid_motion(scene):
     """The second case slides at once; its force is read after the first short step of the slide."""
-    read = load_scene(scene)
+    read = named_scene(scene)
     for given, error in (
         (read, 1e-9),
         (read.replace("friction.mu_static=0.1", "friction.mu_dynamic=0.05"), 1e-5),

@@ -8,7 +8,13 @@ rate, and numbers of the prototype.
 
 import numpy as np
 import pytest
-from flat_rattle import FreeModes, flat_disk, rolling_start, simulate_flat
+from flat_rattle import (
+    FlatCase,
+    FreeModes,
+    flat_disk,
+    rolling_start,
+    simulate_flat,
+)
 from rim_unevenness import contact_depth, random_amplitudes, rim_heights
 
 RADIUS = 12.875e-3
@@ -31,7 +37,7 @@ def test_share_of_time_without_contact_grows_with_the_unevenness(
     heights = rim_heights(random_amplitudes(ratio * depth, 0.0, 300, seed=0), 4096)
     start = rolling_start(disk, 0.105)
     start[0] += heights[0]
-    motion = simulate_flat(disk, heights, start, 0.25, 1e-6, 10, last=0.095)
+    motion = simulate_flat(FlatCase(disk, heights), start, 0.25, 1e-6, 10, last=0.095)
     assert motion.open_time[-1] / motion.t[-1] == pytest.approx(
         open_share, abs=tolerance
     )
@@ -43,7 +49,7 @@ def test_hop_of_a_kicked_rim_lasts_as_long_as_a_free_flight():
     start[0] = RADIUS * 0.03
     start[3] = 0.01 * disk.gyration / (1 + disk.gyration)
     start[4] = 0.01 / (1 + disk.gyration)
-    motion = simulate_flat(disk, np.zeros(8192), start, 0.0006, 1e-7, 1)
+    motion = simulate_flat(FlatCase(disk, np.zeros(8192)), start, 0.0006, 1e-7, 1)
     landing = motion.t[np.argmax((motion.force > 0) & (motion.t > 1e-5))]
     assert landing == pytest.approx(0.410e-3, rel=0.01)
 
@@ -59,7 +65,9 @@ def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
         heights = rim_heights(random_amplitudes(3e-6, 0.0, 300, seed), 4096)
         start = rolling_start(disk, 0.2)
         start[0] += heights[0]
-        motion = simulate_flat(disk, heights, start, 3.0, 1e-6, 100, last=0.006)
+        motion = simulate_flat(
+            FlatCase(disk, heights), start, 3.0, 1e-6, 100, last=0.006
+        )
         inclination = motion.inclination(RADIUS)
         late = inclination < 0.18
         fall = -np.polyfit(motion.t[late], inclination[late], 1)[0]
@@ -84,7 +92,7 @@ def test_free_modes_delay_the_end_of_a_rattling_coin():
         start = rolling_start(disk, 0.12)
         start[0] += heights[0]
         motion = simulate_flat(
-            disk, heights, start, 1.2, 1e-6, 100, last=0.01, modes=modes
+            FlatCase(disk, heights, modes), start, 1.2, 1e-6, 100, last=0.01
         )
         ends.append(motion.t[-1])
         hits.append(motion.hits[-1] / motion.t[-1])
@@ -97,7 +105,7 @@ def test_a_lossless_contact_keeps_the_energy():
     heights = rim_heights(random_amplitudes(1e-6, 0.0, 300, 1), 4096)
     start = rolling_start(disk, 0.1)
     start[0] += heights[0]
-    motion = simulate_flat(disk, heights, start, 0.05, 5e-7, 1)
+    motion = simulate_flat(FlatCase(disk, heights), start, 0.05, 5e-7, 1)
     z, _, _, fall, rate_x, rate_y = motion.state.T
     kinetic = 0.5 * disk.mass * (fall**2 + disk.gyration * (rate_x**2 + rate_y**2))
     energy = kinetic + disk.mass * 9.81 * z + motion.stored
@@ -116,7 +124,7 @@ def test_waves_first_break_the_contact_near_the_rigid_bound(order):
         start = rolling_start(disk, inclination)
         start[0] += amplitude
         heights = amplitude * np.cos(order * angle)
-        motion = simulate_flat(disk, heights, start, 0.2, 1e-6, 10)
+        motion = simulate_flat(FlatCase(disk, heights), start, 0.2, 1e-6, 10)
         half = len(motion.t) // 2
         opened.append(motion.open_time[-1] - motion.open_time[half])
     assert opened[0] > 0
@@ -129,7 +137,7 @@ def test_force_on_crest_and_in_valley_of_a_smooth_wave():
     heights = amplitude * np.cos(10 * 2 * np.pi * np.arange(8192) / 8192)
     start = rolling_start(disk, 0.05)
     start[0] += amplitude
-    motion = simulate_flat(disk, heights, start, 0.12, 1e-6, 1)
+    motion = simulate_flat(FlatCase(disk, heights), start, 0.12, 1e-6, 1)
     settled = motion.force[len(motion.t) * 2 // 3 :] / (disk.mass * 9.81)
     assert settled.min() == pytest.approx(0.734, rel=0.01)
     assert settled.max() == pytest.approx(1.798, rel=0.01)
@@ -148,7 +156,9 @@ def test_exponent_of_the_rate_follows_from_the_slope(slope, rms, exponent):
         heights = rim_heights(random_amplitudes(rms, slope, 300, seed), 4096)
         start = rolling_start(disk, 0.2)
         start[0] += heights[0]
-        motion = simulate_flat(disk, heights, start, 3.0, 1e-6, 100, last=0.006)
+        motion = simulate_flat(
+            FlatCase(disk, heights), start, 3.0, 1e-6, 100, last=0.006
+        )
         inclination = motion.inclination(RADIUS)
         late = inclination < 0.18
         t = motion.t[late][::20]

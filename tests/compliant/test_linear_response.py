@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from arithmetic import gamma
-from contact_scenes import REFERENCE, granite, prototype, steady_speed
+from contact_scenes import REFERENCE, granite, prototype, steady_block, steady_speed
 from scipy.integrate import solve_ivp, trapezoid
 from scipy.signal import welch
 
@@ -46,18 +46,7 @@ def steady(beta, rate, seconds, size=2048):
     speed = steady_speed(LAW, beta)
     for first in range(0, last, size):
         t = np.arange(first, min(first + size, last) + 1) * SAMPLES_PER_KNOT / rate
-        one = np.ones(len(t))
-        yield MotionBlock(
-            t,
-            beta * one,
-            WEIGHT * one,
-            one > 0,
-            speed * t,
-            speed * t,
-            np.zeros((len(t), 2)),
-            0 * t,
-            np.zeros(2),
-        )
+        yield steady_block(t, beta, WEIGHT, speed * t)
 
 
 def test_table_interpolates_the_law():

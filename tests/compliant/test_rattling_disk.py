@@ -13,7 +13,7 @@ from math import pi, sin, sqrt
 
 import numpy as np
 import pytest
-from flat_rattle import FreeModes, flat_disk, simulate_flat
+from flat_rattle import FlatCase, FreeModes, flat_disk, simulate_flat
 from rattling_coin import CIRCUMFERENCE, RADIUS, coin, model_of, settle, wave
 from scipy.integrate import solve_ivp
 from scipy.signal import welch
@@ -312,9 +312,8 @@ def test_the_effective_restitution_is_that_of_the_flat_limit(body, restitution):
     start[3] = -0.01 * disk.gyration / (1 + disk.gyration)
     start[4] = -0.01 / (1 + disk.gyration)
     heights = np.zeros(8192)
-    flat = simulate_flat(
-        disk, heights, start, 1e-3, 2e-7, 100, modes=modes, gravity=0.0
-    )
+    case = FlatCase(disk, heights, modes, gravity=0.0)
+    flat = simulate_flat(case, start, 1e-3, 2e-7, 100)
     expected = (flat.state[-1, 3] + flat.state[-1, 4]) / 0.01
     found = effective_restitution(model, 0.05, 0.01)
     assert found == pytest.approx(expected, abs=0.03)

@@ -19,6 +19,19 @@ from benchmarks.methods.rotating_film import (
 from dynamics.film.wedge import ROTATION_POWER_COEFFICIENT
 
 
+def newton_pressure(spread, turned, given):
+    """Return the positive pressures (n,) with spread P^2/2 + turned P + given = 0."""
+    P = np.ones(len(given))
+    step = 1.0
+    while np.abs(step).max() > 1e-9:
+        step = spsolve(
+            (spread @ diags_array(P) + turned).tocsc(),
+            -(spread @ P**2 / 2 + given + turned @ P),
+        )
+        P += np.maximum(step, -0.7 * P)
+    return P
+
+
 def volumes(Lam, n):
     """Return relative power, lift over p pi R^2 and least pressure on n x 2 n volumes.
 
@@ -46,22 +59,21 @@ def volumes(Lam, n):
         entries.clear()
         return csr_array((value, (row, column)), (cell.size, cell.size))
 
-    outwards = (
-        rim[1:-1, None]
-        * (1 + rim[1:-1, None] * np.cos(t)) ** 3
-        * dt
-        / np.diff(r)[:, None]
+    def enter_flow(one, other, flow):
+        enter(one, other, flow)
+        enter(one, one, -flow)
+        enter(other, one, flow)
+        enter(other, other, -flow)
+
+    def gap(radius, angle):
+        return 1 + radius * np.cos(angle)
+
+    edges = rim[1:-1, None]
+    enter_flow(
+        cell[:-1], cell[1:], edges * gap(edges, t) ** 3 * dt / np.diff(r)[:, None]
     )
-    around = (1 + r[:, None] * np.cos(turn[1:])) ** 3 * (dr / r)[:, None] / ahead
-    for one, other, flow in ((cell[:-1], cell[1:], outwards), (cell, after, around)):
-        for row, column, sign in (
-            (one, other, 1),
-            (one, one, -1),
-            (other, one, 1),
-            (other, other, -1),
-        ):
-            enter(row, column, sign * flow)
-    edge = (1 + np.cos(t)) ** 3 * dt / (1 - r[-1])
+    enter_flow(cell, after, gap(r[:, None], turn[1:]) ** 3 * (dr / r)[:, None] / ahead)
+    edge = gap(1.0, t) ** 3 * dt / (1 - r[-1])
     given = np.zeros(cell.size)
     enter(cell[-1], cell[-1], -edge)
     given[cell[-1]] = edge / 2
@@ -75,16 +87,8 @@ def volumes(Lam, n):
     ):  # linear upwind differences
         enter(row, after, sign * carried * (1 + lean))
         enter(row, far, -sign * carried * lean)
-    height = 1 + r[:, None] * np.cos(t)
-    turned = matrix() @ diags_array(height.ravel())
-    P = np.ones(cell.size)
-    step = 1.0
-    while np.abs(step).max() > 1e-9:
-        step = spsolve(
-            (spread @ diags_array(P) + turned).tocsc(),
-            -(spread @ P**2 / 2 + given + turned @ P),
-        )
-        P += np.maximum(step, -0.7 * P)
+    turned = matrix() @ diags_array(gap(r[:, None], t).ravel())
+    P = newton_pressure(spread, turned, given)
     excess = (P.reshape(cell.shape) - 1) * np.diff(rim**2)[:, None] / 2 * dt
     return (
         abs((excess * r[:, None] * np.sin(t)).sum())

@@ -12,7 +12,7 @@ from settling_sounds import clicks, settling_phase, times_of_phase, with_noise
 
 from sonify.fitting import comparison
 from sonify.fitting.comparison import numbers_of_run, simulated_numbers, sound_numbers
-from sonify.fitting.recordings_io import Recording
+from sonify.hearing.audio_source import Recording
 from sonify.hearing.settling.detector import settling_runs
 
 RATE = 48000

@@ -8,16 +8,24 @@ these scenes the table therefore only radiates.
 """
 
 import pytest
+from law_scenes import named_scene
 from prepared_runs import PreparedRun
 
-from sonify import load_scene
 from sonify.fitting.decay_model import has_film
 from sonify.fitting.result import fit
 from sonify.sound.wav import write_sound
 
 pytestmark = pytest.mark.slow
-CONTOUR = ("thorne", "toy", "contour", "granite", "polished", "glass", "mirror-base")
-STEADY = ("thorne", "toy", "contour", "glass", "power", "hoop", "viscous")
+CONTOUR = (
+    "thorne",
+    "toy",
+    "dissipation",
+    "granite",
+    "polished",
+    "glass",
+    "mirror-base",
+)
+STEADY = ("thorne", "toy", "dissipation", "glass", "power", "hoop", "viscous")
 """Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
 KNOWN = ("thorne", "granite", "polished", "glass")
 """Scenes dominated by contact friction on an identifiable motion; the fit is accurate to 5 %."""
@@ -36,7 +44,7 @@ def fitted(name, folder, *changes):
     """Return a scene and the fit to its sound.
 
     The sound is a draft at 16 kHz, because the fit uses tones below 2 kHz and the envelope."""
-    scene = load_scene(name).replace(*changes)
+    scene = named_scene(name).replace(*changes)
     scene = (
         scene
         if scene.surface.kind == "rigid"

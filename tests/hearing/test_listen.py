@@ -21,8 +21,7 @@ from click.testing import CliRunner
 from scipy.signal import fftconvolve
 
 from sonify.__main__ import main
-from sonify.fitting.recordings_io import Recording
-from sonify.hearing.audio_source import SoundFile, excerpt
+from sonify.hearing.audio_source import Recording, SoundFile, excerpt
 from sonify.hearing.log_spectrogram import log_spectrogram
 from sonify.hearing.loudness import HANN_NOISE_BANDWIDTH_BINS
 from sonify.hearing.recording import (

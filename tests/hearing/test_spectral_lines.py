@@ -12,13 +12,13 @@ from scipy.signal import butter, firwin, lfilter, oaconvolve, sosfilt
 
 from sonify import load_scene
 from sonify.claims.resonance_matching import nearest_resonance, resonances
-from sonify.hearing.mains_hum import local_maxima
 from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.spectral_lines import (
     MAX_SIDEBAND_OFFSET_HZ,
     _peak_pairs,
     find_spectral_lines,
 )
+from sonify.hearing.time_frequency import local_maxima
 
 RATE, LENGTH = 16000, 12.0
 TIME = np.arange(int(LENGTH * RATE)) / RATE

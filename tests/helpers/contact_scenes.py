@@ -6,6 +6,7 @@ import numpy as np
 from paths import REFERENCES
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw, ElasticConstants
+from dynamics.compliant.law.linear_response import MotionBlock
 from dynamics.compliant.law.linearised import inertias
 from dynamics.disk import GRAVITY, Disk
 
@@ -81,3 +82,19 @@ def on_springs(shapes, stiffness, squared=0.0, residual=0.0):
         squared, shapes.shape[-1:]
     ) * np.eye(shapes.shape[-1])
     return np.sqrt(np.maximum(np.linalg.eigvalsh(matrix), 0.0)) / (2 * np.pi)
+
+
+def steady_block(t, beta, load, path, edge=None):
+    """Return a rolling MotionBlock of constant inclination and load, with the paths (k,) [m]."""
+    one = np.ones(len(t))
+    return MotionBlock(
+        t,
+        beta * one,
+        load * one,
+        one > 0,
+        path,
+        path if edge is None else edge,
+        np.zeros((len(t), 2)),
+        0 * t,
+        np.zeros(2),
+    )

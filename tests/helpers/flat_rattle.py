@@ -96,17 +96,34 @@ def rolling_start(disk, inclination):
     return np.array([tilt - depth, -tilt, 0.0, 0.0, 0.0, -tilt * rate])
 
 
-def simulate_flat(
-    disk, heights, start, duration, step, every, last=0.0, modes=NO_MODES, gravity=1.0
-):
-    """Return the FlatMotion of a disk on a rim profile.
+class FlatCase(NamedTuple):
+    """A disk on a rim profile.
 
-    Parameters
+    Attributes
     ----------
     disk : FlatDisk
         The disk.
     heights : ndarray, (p,)
         Heights [m] of table minus edge at equidistant angles.
+    modes : FreeModes
+        Modes of the disk that act back on the gap.
+    gravity : float
+        Acceleration of gravity [m/s^2].
+    """
+
+    disk: FlatDisk
+    heights: np.ndarray
+    modes: FreeModes = NO_MODES
+    gravity: float = GRAVITY
+
+
+def simulate_flat(case, start, duration, step, every, last=0.0):
+    """Return the FlatMotion of a disk on a rim profile.
+
+    Parameters
+    ----------
+    case : FlatCase
+        The disk and the profile.
     start : ndarray, (6,)
         Height, tilts and their rates.
     duration, step : float
@@ -115,28 +132,12 @@ def simulate_flat(
         Steps between two samples.
     last : float
         Inclination [rad] at which the motion ends.
-    modes : FreeModes
-        Modes of the disk that act back on the gap.
-    gravity : float
-        Factor of the acceleration of gravity.
     """
     steps = round(duration / step)
     rows = steps // every + 1
     out = np.zeros((rows, 12))
-    ring = np.zeros((rows, len(modes.order), 4))
-    done = run_flat(
-        disk,
-        heights,
-        start,
-        steps,
-        step,
-        every,
-        last,
-        modes,
-        GRAVITY * gravity,
-        out,
-        ring,
-    )
+    ring = np.zeros((rows, len(case.modes.order), 4))
+    done = run_flat(case, start, steps, step, every, last, out, ring)
     out = out[:done]
     return FlatMotion(
         out[:, 0],
@@ -166,11 +167,12 @@ def drift(y, q, turn, g, h):
 
 
 @outermost
-def run_flat(disk, heights, start, steps, step, every, last, modes, g, out, ring):
+def run_flat(case, start, steps, step, every, last, out, ring):
     """Advance the disk, write every so-manyth state to `out` and `ring`, and return their number.
 
     A step is half a flight, the impulse of the contacts, and half a flight.
     """
+    disk, heights, modes, g = case
     count = heights.size
     cell = 2 * pi / count
     top = heights.max()

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import soundfile
 from arithmetic import gamma
+from law_scenes import named_scene
 from prepared_runs import PreparedRun
 
 import modal.accuracy
@@ -187,7 +188,7 @@ def test_a_lower_rate_is_reached_earlier(scene):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["published", "viscous"])
 def test_the_time_that_is_left_is_that_of_the_solved_motion(name):
-    scene = load_scene(name)
+    scene = named_scene(name)
     motion = simulate(scene)
     for beta in (1e-4, 1e-6):
         when = motion.t[np.argmax(motion.state[:, 1] < beta)]

@@ -21,7 +21,6 @@ from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import check_solvable_scene
 from sonify.report.write import json_safe
 from sonify.scene import (
-    FORMER_SCENES,
     Scene,
     from_document,
     scene_adapter,
@@ -220,21 +219,6 @@ def test_no_key_is_suggested_for_one_of_another_kind_or_like_none(
     with pytest.raises(SceneError, match="unknown key") as caught:
         published.replace(assignment)
     assert "did you mean" not in str(caught.value)
-
-
-@pytest.mark.parametrize("name", FORMER_SCENES)
-def test_names_of_former_scenes_still_load(name):
-    """Each is the scene `dissipation` with its own law, and one law alone acts."""
-    scene = load_scene(name)
-    assert scene.name == name
-    changed = set(scene.diff(load_scene("dissipation"))) - {
-        "name",
-        "numerics.time_limit",
-    }
-    assert {key.partition(".")[0] for key in changed} == (
-        {"dissipation"} if changed else set()
-    )
-    assert bool(scene.dissipation.contour_moment) == (name == "contour")
 
 
 def test_at_most_twenty_scenes_are_shipped():

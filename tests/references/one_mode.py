@@ -71,7 +71,20 @@ def nearest(phi, scan, z, n, p, R, H, A):
 
 
 @njit
-def moments(L, n, c, s, arms, impulse, J1, E):
+def arm(n, phi, R, H):
+    """Return the arm (3,) of the contact about the centre."""
+    c = np.cos(phi)
+    s = np.sin(phi)
+    down = np.array([c, s, 0.0]) - (n[0] * c + n[1] * s) * n
+    return R * down / np.sqrt(down @ down) - H * n
+
+
+@njit
+def moments(L, n, phi, arms, impulse, body):
+    _, J1, J2 = body[:3]
+    E = 1 / J2 - 1 / J1
+    c = np.cos(phi)
+    s = np.sin(phi)
     for k in range(3):
         a = (
             np.array([-s, c, 0.0])
@@ -95,11 +108,14 @@ def solved(W, y, b):
 
 
 @njit
-def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
-    """Stop the slip with an impulse, or oppose it with an impulse of size `slips`.
+def friction(v, L, n, r, body, limits, sliding):
+    """Stop the slip with an impulse, or oppose it with one of the second size in `limits`.
 
     Return True if the contact slides.
     """
+    m, J1, J2 = body[:3]
+    E = 1 / J2 - 1 / J1
+    holds, slips = limits
     u = v + cross(L / J1 + E * (n @ L) * n, r)
     W = np.zeros((2, 2))
     for j in range(2):
@@ -127,17 +143,26 @@ def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
 
 
 @njit
-def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
-    """Fill rows (time, inclination, direction of the tilt); return the time of the first loss of
-    contact."""
-    m, J1, J2, R, H, g = body
+def mode_step(p, pv, h):
+    """Advance the mode by a time h without a force."""
     w = 2 * np.pi * FREQUENCY
-    E = 1 / J2 - 1 / J1
-    A = MASS**-0.5
     wd = w * np.sqrt(1 - DAMPING**2)
     decay = np.exp(-DAMPING * w * h)
     C = decay * np.cos(wd * h)
     S = decay * np.sin(wd * h)
+    p[:], pv[:] = (
+        (C + DAMPING * w / wd * S) * p + S / wd * pv,
+        (C - DAMPING * w / wd * S) * pv - w * w / wd * S * p,
+    )
+
+
+@njit
+def run(start, body, mus, arms, h, steps, every, out):
+    """Fill rows (time, inclination, direction of the tilt); return the time of the first loss of
+    contact."""
+    x, n, v, L, p, pv = start
+    m, J1, _, R, H, g = body
+    A = MASS**-0.5
     phi = nearest(0.0, True, x[2], n, p, R, H, A)
     G = gap(phi, x[2], n, p, R, H, A)
     N = STIFFNESS * max(0.0, -G) ** 1.5
@@ -145,20 +170,14 @@ def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
     sliding = False
     for i in range(steps):
         for half in range(2):
-            c = np.cos(phi)
-            s = np.sin(phi)
-            down = np.array([c, s, 0.0]) - (n[0] * c + n[1] * s) * n
-            r = R * down / np.sqrt(down @ down) - H * n
+            r = arm(n, phi, R, H)
             v[2] += h / 2 * (N / m - g)
             L += h / 2 * N * np.array([r[1], -r[0], 0.0])
             pv -= h / 2 * N * A * np.array([np.cos(ORDER * phi), np.sin(ORDER * phi)])
             if half == 0:
                 x += h * v
                 n[:] = rotated(n, L * (h / J1))
-                p[:], pv[:] = (
-                    (C + DAMPING * w / wd * S) * p + S / wd * pv,
-                    (C - DAMPING * w / wd * S) * pv - w * w / wd * S * p,
-                )
+                mode_step(p, pv, h)
                 phi = nearest(phi, i % 8 == 0, x[2], n, p, R, H, A)
                 before = G
                 G = gap(phi, x[2], n, p, R, H, A)
@@ -166,10 +185,8 @@ def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
                     0.0, STIFFNESS * max(0.0, -G) ** 1.5 * (1 - LOSS * (G - before) / h)
                 )
         if N > 0:
-            moments(L, n, np.cos(phi), np.sin(phi), arms, h * N, J1, E)
-            sliding = friction(
-                v, L, n, r, m, J1, E, mus[0] * h * N, mus[1] * h * N, sliding
-            )
+            moments(L, n, phi, arms, h * N, body)
+            sliding = friction(v, L, n, r, body, h * N * mus, sliding)
         elif lost < 0:
             lost = i * h
         if (i + 1) % every == 0:
@@ -225,9 +242,8 @@ def halt(rate, phase, stop):
     arms = np.array([laws.arm_nutation, laws.arm_rolling, laws.arm_pivoting])
     mus = np.array([laws.mu_static, laws.mu_dynamic])
     L = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
-    lost = run(
-        x, n, v, L, p, pv, body, mus, arms, 1 / rate, len(out) * every, every, out
-    )
+    start = (x, n, v, L, p, pv)
+    lost = run(start, body, mus, arms, 1 / rate, len(out) * every, every, out)
     turns = np.abs(np.gradient(np.unwrap(out[:, 2]), out[:, 0])) / (2 * np.pi)
     return (
         out[np.argmax(turns > 300), 0],

@@ -110,6 +110,38 @@ def hankel(degree, k, slope=False):
     return spherical_jn(degree, k, slope) - 1j * spherical_yn(degree, k, slope)
 
 
+def times(matrix, rows):
+    """Return the products (k, n) of a matrix with the rows (k, n)."""
+    given = matrix.CreateRowVector()
+    out = []
+    for row in rows:
+        given.FV().NumPy()[:] = row
+        out.append((matrix * given).Evaluate().FV().NumPy().copy())
+    return np.array(out)
+
+
+def reduced_basis(forms, mass, loads):
+    """Return orthonormal rows that span the answers to the loads near the shifts."""
+    basis = np.zeros((0, loads.shape[1]))
+    for shift in SHIFTS:
+        matrix = (
+            ng.BilinearForm(forms[0] - shift**2 * forms[1], symmetric=True)
+            .Assemble()
+            .mat
+        )
+        inverse = matrix.Inverse(inverse="sparsecholesky")
+        rows = loads
+        for _ in range(LEVELS):
+            new = times(inverse, rows)
+            for _ in range(2):
+                new = new - (new @ basis.T) @ basis
+            _, singular, new = np.linalg.svd(new, full_matrices=False)
+            new = new[singular > 1e-9 * singular[0]]
+            basis = np.vstack([basis, new])
+            rows = times(mass, new)
+    return basis
+
+
 def multipoles(mesh, accelerations, numbers):
     """Return the multipole amplitudes (k, waves, a) on the hemisphere for accelerations of the
     body."""
@@ -131,31 +163,7 @@ def multipoles(mesh, accelerations, numbers):
         ng.BilinearForm(form, symmetric=True).Assemble().mat for form in forms
     )
 
-    def times(matrix, rows):
-        given = matrix.CreateRowVector()
-        out = []
-        for row in rows:
-            given.FV().NumPy()[:] = row
-            out.append((matrix * given).Evaluate().FV().NumPy().copy())
-        return np.array(out)
-
-    basis = np.zeros((0, space.ndof))
-    for shift in SHIFTS:
-        matrix = (
-            ng.BilinearForm(forms[0] - shift**2 * forms[1], symmetric=True)
-            .Assemble()
-            .mat
-        )
-        inverse = matrix.Inverse(inverse="sparsecholesky")
-        rows = loads
-        for _ in range(LEVELS):
-            new = times(inverse, rows)
-            for _ in range(2):
-                new = new - (new @ basis.T) @ basis
-            _, singular, new = np.linalg.svd(new, full_matrices=False)
-            new = new[singular > 1e-9 * singular[0]]
-            basis = np.vstack([basis, new])
-            rows = times(mass, new)
+    basis = reduced_basis(forms, mass, loads)
     K = basis @ times(stiff, basis).T
     M = basis @ times(mass, basis).T
     B = loads @ basis.T

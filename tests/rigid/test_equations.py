@@ -33,8 +33,8 @@ def random_states(n=6):
         )
 
 
-def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5, fillet=0.0):
-    law = DiskConstants(h, K, 1.0, MU, *ARMS, fillet=fillet)
+def contact(shape, beta, w, u, senses, sliding, loads=(0.0,) * 5, fillet=0.0):
+    law = DiskConstants(*shape, 1.0, MU, *ARMS, fillet=fillet)
     direction = u / np.hypot(*u)
     slip = u if sliding else np.zeros(2)
     state = ContactState(sliding, tuple(direction), (False,) * 3, tuple(senses))
@@ -152,7 +152,7 @@ def evaluate(h, K, beta, w, u, c, loads, fillet):
 def test_the_solution_satisfies_newton_and_euler(case, sliding, roundness):
     h, K, beta, w, u, senses, loads = list(random_states())[case]
     fillet = roundness * min(h, 1.0)
-    c = contact(h, K, beta, w, u, senses, sliding, loads, fillet)
+    c = contact((h, K), beta, w, u, senses, sliding, loads, fillet)
     residuals = evaluate(h, K, beta, w, u if sliding else np.zeros(2), c, loads, fillet)
     np.testing.assert_allclose(residuals, 0, atol=1e-10 * max(1.0, abs(c.Phi)))
 
@@ -170,7 +170,7 @@ def barred(alpha, senses):
 @pytest.mark.parametrize("case", range(6))
 def test_sliding_is_the_papers_4_7(case):
     h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
-    c = contact(h, K, beta, np.array([w1, w2, w3]), u, senses, True)
+    c = contact((h, K), beta, np.array([w1, w2, w3]), u, senses, True)
     alpha = math.pi / 2 - beta
     nu = math.atan2(u[1], u[0])
     sec = 1 / math.cos(alpha)
@@ -209,7 +209,7 @@ def test_sliding_is_the_papers_4_7(case):
 @pytest.mark.parametrize("case", range(6))
 def test_rolling_is_the_papers_5_3_with_the_sign_of_omega_1(case):
     h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
-    c = contact(h, K, beta, np.array([w1, w2, w3]), u, senses, False)
+    c = contact((h, K), beta, np.array([w1, w2, w3]), u, senses, False)
     alpha = math.pi / 2 - beta
     sec = 1 / math.cos(alpha)
     tan = math.tan(alpha)

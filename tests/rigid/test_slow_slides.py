@@ -8,6 +8,7 @@ number of pieces of a motion.
 
 import numpy as np
 import pytest
+from law_scenes import named_scene
 from scenes import roll, scene
 
 from dynamics import Outcome
@@ -23,7 +24,7 @@ from sonify import load_scene
 
 
 def equal(name, span, ratio=1.0):
-    scene = load_scene(name).replace(
+    scene = named_scene(name).replace(
         f"numerics.time_limit={span}", "air.film=none", "contact.law=rigid"
     )
     return scene.replace(f"friction.mu_static={ratio * scene.friction.mu_dynamic}")

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
+from law_scenes import LAWS
 from paths import REFERENCES, ROOT
 from scipy.signal import stft, welch
 
@@ -28,7 +29,7 @@ from sonify.examples import surfaces
 from sonify.hearing.loudness import a_weighting_db
 from sonify.plan.preflight import solve_motion
 from sonify.plan.table import audible_table_modes, solve_table
-from sonify.scene import FORMER_SCENES, load_scene, shipped_scenes
+from sonify.scene import load_scene, shipped_scenes
 
 LARGEST_CHANGE = {"carried_by_air": 0.2, "halt_is_abrupt": 0.1}
 """Relative changes above 2 % that are allowed: of a ratio to the vanishing force of the last contact
@@ -42,8 +43,8 @@ CHAOTIC = {
 }  # fmt: skip
 """Findings on the last, chaotic milliseconds or on rounding; they are excluded from the comparison.
 """
-NAMES = sorted({*shipped_scenes(), *FORMER_SCENES} - {"contour"})
-"""Scenes of the package and those that earlier versions had; `contour` is `dissipation`."""
+NAMES = sorted({*shipped_scenes(), *LAWS})
+"""Scenes of the package, and `dissipation` with each of its other laws."""
 RATTLING = ("coin", "coin-grain", "coin-wood")
 """Scenes whose whole motion is chaotic: only the verdicts of the claims on it are compared."""
 CHAOTIC_SLIPS = ("light-plate", "wavy")
@@ -66,7 +67,8 @@ def record(tmp_path_factory):
     def run(name):
         if name not in records:
             folder = tmp_path_factory.mktemp(name)
-            done = CliRunner().invoke(main, ["run", name, "--out", str(folder)])
+            scene = ["dissipation", "--set", *LAWS[name]] if name in LAWS else [name]
+            done = CliRunner().invoke(main, ["run", *scene, "--out", str(folder)])
             found = json.loads((folder / "run.json").read_text("utf-8"))
             records[name] = done, found, folder
         return records[name]

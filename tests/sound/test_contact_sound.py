@@ -151,6 +151,26 @@ def steadily(table, beta, seconds):
     )  # fmt: skip
 
 
+def piston_responses(scene, beta, f):
+    """Return the directivities (n,) of heave and tilt at frequencies f (n,) [Hz], per unit force."""
+    disk = scene.disk
+    elevation = np.radians(scene.audio.elevation_deg)
+    distance = scene.audio.distance
+    x = np.maximum(2 * np.pi * f, 1.0) * disk.radius * np.cos(elevation) / SOUND_SPEED
+    turn = rigid_acceleration(
+        in_patch_frame([[0.0, 0.0, 1.0]], np.array([beta])), disk
+    )[0, 4]
+    near = (
+        disk.radius
+        * np.cos(elevation)
+        / distance
+        * (2 * jv(2, x) / x - 2 * jv(3, x))
+        / x
+    )
+    heave = 2 * jv(1, x) / x / disk.mass
+    return heave, disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
+
+
 @pytest.mark.parametrize("beta", [0.1, 0.01])
 def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     rough, beta
@@ -165,8 +185,6 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     seconds = 8.0
     scene = rough.replace("roughness.rms_edge=0.0")
     disk = scene.disk
-    elevation = np.radians(scene.audio.elevation_deg)
-    distance = scene.audio.distance
     law = contact_law(scene)
     speed = steady_speed(law, beta)
     table = tabulated_contact_law(scene)
@@ -182,19 +200,7 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
         SimpleNamespace(t=np.arange(n + 1) / RATE)
     )[RATE:, 0]
     f, power = welch(pressure, RATE, nperseg=1 << 13)
-    x = np.maximum(2 * np.pi * f, 1.0) * disk.radius * np.cos(elevation) / SOUND_SPEED
-    turn = rigid_acceleration(
-        in_patch_frame([[0.0, 0.0, 1.0]], np.array([beta])), disk
-    )[0, 4]
-    near = (
-        disk.radius
-        * np.cos(elevation)
-        / distance
-        * (2 * jv(2, x) / x - 2 * jv(3, x))
-        / x
-    )
-    heave = 2 * jv(1, x) / x / disk.mass
-    tilt = disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
+    heave, tilt = piston_responses(scene, beta, f)
     theory = predicted_spectrum(
         table,
         scene.roughness,
@@ -205,7 +211,7 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
         rolls=False,
     )
     expected = (
-        piston_strength(disk.radius, distance) ** 2
+        piston_strength(disk.radius, scene.audio.distance) ** 2
         * (heave**2 + tilt**2 / 2)[1:]
         * theory
     )

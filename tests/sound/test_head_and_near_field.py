@@ -14,14 +14,15 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 from scipy.special import eval_legendre, spherical_jn
 
+from benchmarks.references import exterior_field
+from benchmarks.references.exterior_field import ExteriorField
 from modal.radiation import SOUND_SPEED
 from sonify import SceneError, load_scene, solve, write
-from sonify.sound import exterior_field
 from sonify.sound.block_overlap import overlapping_blocks
-from sonify.sound.exterior_field import ExteriorField, outgoing_hankel
 from sonify.sound.film_radiation import EXTERIOR_MEAN_GAPS
 from sonify.sound.force import ContactForce
 from sonify.sound.head import EAR_LATENCY, Ear, ear_pressure_ratio, ear_taps
+from sonify.sound.multipoles import associated_legendre, outgoing_hankel
 from sonify.sound.near_field import (
     near_face_kernels,
     near_rim_kernels,
@@ -167,7 +168,7 @@ def test_far_away_the_near_kernels_are_the_distant_ones(elevation):
 def pressure_of_elements(field, n, k, place):
     """Return the pressures (3,) of heave, tilt and rim flow at one place inside the hemisphere."""
     r, z = exterior_field.quadrature_coordinates(field._hemisphere)
-    shapes = exterior_field.associated_legendre(n, z / np.hypot(r, z))
+    shapes = associated_legendre(n, z / np.hypot(r, z))
     load = exterior_field.boundary_load_form
     waves = [load.assemble(field._hemisphere, weight=w) for w in shapes]
     waves = np.array(waves) / field.far**2

@@ -12,8 +12,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from paths import REFERENCES
+from scipy.interpolate import CubicSpline
 from skfem import Basis, ElementQuad2, FacetBasis, MeshQuad
 
+from benchmarks.references import exterior_field
+from benchmarks.references.exterior_field import ExteriorField
 from dynamics import simulate
 from dynamics.air import Air
 from dynamics.film.reynolds import FilmMesh
@@ -24,9 +27,9 @@ from sonify.plan.contact import (
     MAX_SHORT_WAVE_UNDERESTIMATE_DB,
     STEEP_RADIATION_ERROR_RANGE_DB,
 )
-from sonify.sound import exterior_field
-from sonify.sound.exterior_field import ExteriorField, listener_pressure
 from sonify.sound.film_radiation import (
+    EXTERIOR_MEAN_GAPS,
+    EXTERIOR_WAVENUMBERS,
     MAX_RIM_ORDER,
     TABULATED_MEAN_GAPS,
     TABULATED_WAVENUMBERS,
@@ -36,7 +39,9 @@ from sonify.sound.film_radiation import (
     multipoles_of,
     radiated_multipoles,
 )
+from sonify.sound.film_radiation import exterior_field as tabulated_exterior_field
 from sonify.sound.force import ContactForce
+from sonify.sound.multipoles import listener_pressure
 from sonify.sound.radiation import listener_of, rayleigh
 from sonify.sound.render import Renderer
 from sonify.sound.sources.contact_vibration import VibratingDisk
@@ -64,6 +69,17 @@ def flush(n, k):
     place = DISTANCE * np.array([np.cos(ELEVATION), 0, np.sin(ELEVATION)])
     face = np.hypot(*points.T) ** n * np.cos(n * np.arctan2(*points.T[::-1]))
     return rayleigh(face[None], points, weights, np.array([k]), place, 1.0)[0]
+
+
+@pytest.mark.parametrize(("thickness", "gap"), [(THICKNESS, 0), (1.0, 1)])
+def test_the_table_of_the_exterior_field_is_that_of_the_elements(thickness, gap):
+    """Both thicknesses are between those of the table; 0.1 % is 0.01 dB."""
+    rim, multipoles = exterior_field.field_of_disk(thickness, EXTERIOR_MEAN_GAPS[gap])
+    rim[..., 2] += 2 / np.pi * np.log(EXTERIOR_MEAN_GAPS[gap])
+    found = tabulated_exterior_field(thickness)[gap]
+    for column, expected in zip(found, (rim, multipoles), strict=True):
+        true = CubicSpline(EXTERIOR_WAVENUMBERS, expected)(TABULATED_WAVENUMBERS)
+        assert np.abs(column - true).max() < 1e-3 * np.abs(true).max()
 
 
 @pytest.mark.parametrize("n", [0, 1])

@@ -298,7 +298,7 @@ def test_a_renderer_and_its_sound_are_read_again_and_again(
     assert (filed.peak, filed.stem_peaks) == (held.peak, held.stem_peaks)
 
 
-@pytest.mark.parametrize("name", ["contour", "published"])
+@pytest.mark.parametrize("name", ["dissipation", "published"])
 def test_the_modes_ring_out_however_the_motion_ends(name):
     """The cases are a fall and a motion that is cut off.
 

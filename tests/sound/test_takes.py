@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
+from refused_commands import assert_refused
 from scipy.signal import resample
 from tinytag import TinyTag
 
@@ -392,8 +393,5 @@ air = { film = "none" }
 )
 def test_wrong_arguments_are_one_line(arguments, message, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    told = CliRunner().invoke(main, ["export", *arguments.split()])
-    assert told.exit_code == 2
-    assert told.stderr.startswith(f"sonify: {message}")
-    assert told.stderr.count("\n") == 1
+    assert_refused(["export", *arguments.split()], message)
     assert list(tmp_path.iterdir()) == []

@@ -220,13 +220,6 @@ def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(
     assert found(file.parent / "out" / RUNS_FILE).equals(truth)
 
 
-def test_dask_on_this_machine_finds_what_its_processes_find(file, truth):
-    pytest.importorskip("distributed", reason="needs the extra `cluster`")
-    assert found(sonify.sweep(file, scheduler="local", out=file.parent / "out")).equals(
-        truth
-    )
-
-
 def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
     with (
         cluster(port, file.parent) as (address, processes),

@@ -15,12 +15,10 @@ from sonify import load_scene
 from sonify.claims.shares import share_of
 from sonify.claims.verdict import contact_breaks_before_end, simplest_scene
 from sonify.plan.preflight import solve_motion
-from sonify.runtime.toml_files import read_toml
 from sonify.scene_errors import InputError
 from sonify.sweeps.axes import Samples, points_of
-from sonify.sweeps.command import RunTime, total_indices_line
 from sonify.sweeps.run_row import row_of
-from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, load_sweep, shipped_sweeps
+from sonify.sweeps.sweep import load_sweep, shipped_sweeps
 from sonify.sweeps.verdict import first_order_indices, verdict_conclusion
 
 VERDICTS = [name for name in shipped_sweeps() if name.startswith("verdict-")]
@@ -99,51 +97,6 @@ def test_a_share_of_all_or_none_has_a_bound():
 )
 def test_a_share_of_nearly_all_is_not_rounded_to_all(count, words):
     assert str(share_of(np.arange(512) < count)) == words
-
-
-def with_total(total, **changes):
-    document = read_toml(SHIPPED_SWEEPS_FOLDER / "verdict-paper.toml", InputError)
-    return document | {"samples": document["samples"] | {"total": total}} | changes
-
-
-def test_total_indices_contain_the_interactions():
-    """If two quantities must both exceed their middles, both total indices are 2/3."""
-    sweep = load_sweep(with_total(1024))
-    assert sweep.points.count == 512 + 2 * 128 + 1024 * (len(sweep.axes) + 2)
-    other = "friction.arm_nutation"
-    middle = np.sqrt(1.9e-6 * 7.5e-6)
-    table = made_table(
-        sweep,
-        lambda columns: [
-            arm > 3e-5 and nutation > middle
-            for arm, nutation in zip(columns[KEY], columns[other], strict=True)
-        ],
-    )
-    first, *_ = verdict_conclusion(table, sweep)
-    found = first.split("; ")[2]
-    assert found.startswith("with interactions, depends most on ")
-    named = found.partition(" most on ")[2].split(" and ")
-    assert {words.split()[0] for words in named} == {KEY, other}
-    for words in named:
-        index = float(words.split("(")[1].split()[0])
-        assert index == pytest.approx(2 / 3, abs=0.1)
-
-
-def test_points_for_total_indices_are_refused_where_nothing_reads_them():
-    with pytest.raises(InputError, match=r"samples.total = 256: requires find"):
-        load_sweep(with_total(256, find=["t_end"]))
-    with pytest.raises(InputError, match=r"total = 100: must be 0 or a power of two"):
-        load_sweep(with_total(100))
-
-
-@pytest.mark.parametrize(("later", "fits"), [(0.1, "is within"), (20.0, "exceeds")])
-def test_a_plan_tells_whether_total_indices_fit(later, fits):
-    points = load_sweep("verdict-paper").points
-    line = total_indices_line(
-        points.samples, len(points.axes), RunTime(10.0, later, 2), 2
-    )
-    assert f"require {256 * (len(points.axes) + 2)} more runs" in line
-    assert f"which {fits} 2 h" in line
 
 
 @pytest.mark.slow

@@ -54,7 +54,7 @@ def drop_peaks(drop: np.ndarray, min_drop: float) -> np.ndarray:
         np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= min_drop))
         + 1
     )
-    kept = []
+    kept: list[int] = []
     for place in peaks[np.argsort(-drop[peaks], kind="stable")]:
         if all(abs(place - other) >= separation for other in kept):
             kept.append(int(place))

@@ -116,6 +116,13 @@ def _shift(slope, frame):
 
 
 @njit(cache=True, nogil=True)
+def _running_sums(values, sums):
+    """Write the sums of the first values (n,) to `sums` (n + 1,), after its first zero."""
+    for i in range(len(values)):
+        sums[i + 1] = sums[i] + values[i]
+
+
+@njit(cache=True, nogil=True)
 def _best_paths(evidence, slopes, bend_penalty):
     """Return the previous slope (frames, slopes, bins) of the best path through each
     bin, or -1 if it begins there, and frame, slope and bin of the end of the best path.
@@ -131,8 +138,7 @@ def _best_paths(evidence, slopes, bend_penalty):
     place = (0, 0, 0)
     sums = np.zeros(bins + 1, np.float32)
     for frame in range(frames):
-        for b in range(bins):
-            sums[b + 1] = sums[b] + evidence[frame, b]
+        _running_sums(evidence[frame], sums)
         top = np.float32(0)
         for k in range(len(slopes)):
             shift = _shift(slopes[k], frame)

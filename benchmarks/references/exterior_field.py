@@ -1,4 +1,5 @@
-"""Compute the sound field outside a solid disk above a baffle.
+"""Compute the sound field outside a solid disk above a baffle, and write its table,
+sonify/sound/exterior_field.npz: python -m benchmarks.references.exterior_field
 
 The upper face of the disk and the air that leaves the gap radiate sound. Lengths are in
 units of the radius R, and pressures in units of density times R times acceleration.
@@ -10,8 +11,25 @@ outside the hemisphere. See tests/sound/test_open_film_sound.py."""
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
-from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
 from skfem import Basis, BilinearForm, ElementQuad2, FacetBasis, LinearForm, MeshQuad
+
+from sonify.sound.film_radiation import (
+    EXTERIOR_MEAN_GAPS,
+    EXTERIOR_TABLE_FILE,
+    EXTERIOR_WAVENUMBERS,
+    MAX_RIM_ORDER,
+    hemisphere_radius,
+)
+from sonify.sound.multipoles import (
+    associated_legendre,
+    multipole_degrees,
+    outgoing_hankel,
+)
+
+TABULATED_THICKNESSES = np.append(
+    np.geomspace(0.021, 0.36, 12), np.linspace(0.42, 1.32, 16)
+)
+"""Ratios of thickness to radius."""
 
 
 class ExteriorField:
@@ -106,21 +124,6 @@ class ExteriorField:
         return np.array(at_rim), np.array(multipoles)
 
 
-def listener_pressure(
-    n: int, wavenumbers, far: float, distance: float, elevation: float
-) -> np.ndarray:
-    """Return the pressures (a, m) of unit multipoles of order n at a listener.
-
-    The wavenumbers are k (a,). The multipoles are normalised on the hemisphere of
-    radius `far`. The listener is at azimuth 0; `distance` is in units of the disk
-    radius, and `elevation` in radians. The propagation phase from the centre of the
-    disk is removed."""
-    degree = multipole_degrees(n)
-    k = np.asarray(wavenumbers)[:, None]
-    wave = outgoing_hankel(degree, k * distance) / outgoing_hankel(degree, k * far)
-    return wave * np.exp(1j * k * distance) * associated_legendre(n, np.sin(elevation))
-
-
 def exterior_mesh(height, gap, far, face_cells, radial_cells):
     """Return a quadrilateral mesh of the air, refined at the edges of the disk."""
     half = height - (height - gap) / 2
@@ -152,28 +155,6 @@ def quadrature_coordinates(basis):
     return np.asarray(basis.global_coordinates())
 
 
-def multipole_degrees(n):
-    """Return the degrees (m,) of the multipoles of azimuthal order n."""
-    multipole_count = 8
-    return n + 2 * np.arange(multipole_count)
-
-
-def outgoing_hankel(order, x, derivative=False):
-    """Return the spherical Hankel function of the second kind, which is outgoing for
-    exp(i w t)."""
-    return spherical_jn(order, x, derivative) - 1j * spherical_yn(order, x, derivative)
-
-
-def associated_legendre(n, cosine):
-    """Return associated Legendre functions (m, ...) of order n and degrees n, n + 2,
-    ..., normalised to unit mean square."""
-    degree = multipole_degrees(n)
-    size = np.sqrt(
-        (2 * degree + 1) * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1))
-    )
-    return np.array([c * lpmv(n, m, cosine) for c, m in zip(size, degree, strict=True)])
-
-
 @BilinearForm
 def gradient_form(p, q, w):
     return (p.grad[0] * q.grad[0] + p.grad[1] * q.grad[1]) * w.x[0]
@@ -192,3 +173,44 @@ def mass_form(p, q, w):
 @LinearForm
 def boundary_load_form(q, w):
     return w.weight * q * w.x[0]
+
+
+def field_of_disk(thickness: float, gap: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the field of a disk at EXTERIOR_WAVENUMBERS (k,).
+
+    Thickness and gap are divided by the radius. The results are the pressures at the rim
+    (k, MAX_RIM_ORDER + 1, 3) and the multipoles (k, MAX_RIM_ORDER + 1, m, 3), both
+    without the heave of waves that are not of order 0 and the tilt of those that are not
+    of order 1, which no motion of a rigid face excites.
+    """
+    field = ExteriorField(thickness, gap, hemisphere_radius(thickness))
+    orders = range(MAX_RIM_ORDER + 1)
+    solutions = [field.solve(n, EXTERIOR_WAVENUMBERS) for n in orders]
+    rim, multipoles = (np.stack(part, axis=1) for part in zip(*solutions, strict=True))
+    for order in orders:
+        for load in {0, 1} - {order}:
+            rim[:, order, load] = 0.0
+            multipoles[:, order, :, load] = 0.0
+    return rim, multipoles
+
+
+def write_table() -> None:
+    """Write the fields at TABULATED_THICKNESSES and EXTERIOR_MEAN_GAPS."""
+    fields = [
+        [field_of_disk(thickness, gap) for gap in EXTERIOR_MEAN_GAPS]
+        for thickness in TABULATED_THICKNESSES
+    ]
+    rim, multipoles = (
+        np.array([[pair[part] for pair in gaps] for gaps in fields], np.complex64)
+        for part in (0, 1)
+    )
+    np.savez_compressed(
+        EXTERIOR_TABLE_FILE,
+        thickness=TABULATED_THICKNESSES,
+        rim=rim,
+        multipoles=multipoles,
+    )
+
+
+if __name__ == "__main__":
+    write_table()
