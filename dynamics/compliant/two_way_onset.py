@@ -41,16 +41,11 @@ def table_reaction(basis: "MotionBasis", modes: Any) -> tuple[float, str]:
 
 def reason_against_two_way(scene: "MotionScene", model: "ContactModel") -> str:
     """Return the reason why a disk with a contact model cannot be coupled to the modes of
-    its table, or ""."""
-    rolls_on_roughness = (
-        scene.roughness is not None
-        and model not in ("rigid", "many")
-        and scene.surface.action == "auto"
-    )
-    if rolls_on_roughness:
+    its table in time steps, or ""."""
+    if scene.roughness is not None and model == "filter":
         return (
-            "roughness: a rough contact cannot switch to two-way coupling; surface.action = "
-            "'motion' couples it from the release"
+            "the filter of a rough contact cannot switch to time steps; surface.action = "
+            "'motion' takes them from the release on"
         )
     if scene.imperfection:
         return "imperfection: two-way coupling is not available for a wavy table"
