@@ -208,12 +208,13 @@ class MotionPlan(MotionBasis):
     def contact_receptance(self) -> "TableReceptance":
         """The receptance of the table that the contact force includes.
 
-        That of a rigid table with one-way coupling, or if the table moves in time steps.
+        It is that of a rigid table with one-way coupling and for a rattling disk.
         """
         from dynamics.compliant.law.table_receptance import RIGID_TABLE
         from dynamics.compliant.rough_table import scene_receptance
 
-        if self.filter_is_two_way:
+        in_time_steps = self.contact.kind == "full" and self.moving_modes is not None
+        if self.filter_is_two_way or in_time_steps:
             return scene_receptance(self.scene, self.surface_modes)
         return RIGID_TABLE
 
@@ -308,7 +309,7 @@ class MotionPlan(MotionBasis):
         if action == "sound":
             return plan
         if self.rolls_on_roughness:
-            return plan.coupled_by_error()
+            return _coupled_by_error(plan)
         from dynamics.compliant.two_way_onset import table_reaction  # loads SciPy
 
         inclination, reason = table_reaction(self, surface_modes)
@@ -320,48 +321,6 @@ class MotionPlan(MotionBasis):
             obstacle = self.obstacle_to_two_way
             found = TableReaction(not obstacle, inclination, reason, obstacle)
         return replace(plan, two_way=found)
-
-    def coupled_by_error(self) -> "MotionPlan":
-        """Return the plan of a rough contact with the coupling that its error requires.
-
-        One-way coupling suffices if it changes the level of the table by less than
-        MAX_ONE_WAY_LEVEL_ERROR. Otherwise the contact model is that for the force on the
-        yielding table: the filter with the receptance of the table, or time steps with
-        its modes.
-        """
-        from dynamics.compliant.model_selection import choose_contact_model
-        from dynamics.compliant.rough_table import (
-            predict_rough_table,
-            scene_receptance,
-        )
-
-        assert self.tabulated_law is not None  # the contact is elastic
-        receptance = scene_receptance(self.scene, self.surface_modes)
-        found = predict_rough_table(self, receptance)
-        plan = replace(self, rough_table=found)
-        if not found.needs_two_way:
-            start, late = self._late_reaction()
-            unsolved = self.obstacle_to_two_way if start else ""
-            reaction = TableReaction(False, start, found.reason + late, unsolved)
-            return replace(plan, two_way=reaction)
-        choice = ModelChoice(
-            *choose_contact_model(self, self.tabulated_law, receptance)
-        )
-        obstacle = _obstacle_to_two_way(self.scene, choice.kind)
-        steps = choice.kind != "filter" and not obstacle
-        reason = found.reason
-        start = float(found.inclination[0])
-        if choice.kind == "filter":
-            start, late = self._late_reaction()
-            reason += late
-        unsolved = obstacle if start else ""
-        plan = replace(
-            plan,
-            contact=choice,
-            obstacle_to_two_way=obstacle,
-            two_way=TableReaction(steps, start, reason, unsolved),
-        )
-        return replace(plan, step_rate=_step_rate(plan, choice, moves_table=steps))
 
     def with_own_law(self, law: OwnLaw) -> "MotionPlan":
         """Return the plan with a user-defined law that replaces the dissipation.
@@ -391,16 +350,6 @@ class MotionPlan(MotionBasis):
         if reason:
             raise ValueError(f"loads: a user-defined law {reason}")
         return replace(self, loads=combined_loads(law, self.film))
-
-    def _late_reaction(self) -> tuple[float, str]:
-        """Return the inclination [rad] below which the table affects the motion, or 0,
-        and a clause on it."""
-        if self.surface_modes is None:
-            return 0.0, ""
-        from dynamics.compliant.two_way_onset import table_reaction
-
-        start, reason = table_reaction(self, self.surface_modes)
-        return start, f"; {reason}" if start else ""
 
     def part(self, **sections: Any) -> "MotionPlan":
         """Return the plan of a part or variant of the motion, with the same decisions.
@@ -504,12 +453,55 @@ def plan_motion(scene: MotionScene, surface_modes: Any = None) -> MotionPlan:
         surface_modes=None,
     )
     if plan.rolls_on_roughness and isinstance(scene.surface, InfiniteSurface):
-        return plan.coupled_by_error()
+        return _coupled_by_error(plan)
     if surface_modes is None and isinstance(scene.surface, ModesSurface):
         from dynamics.compliant.modes_from_scene import modes_from_numbers
 
         surface_modes = modes_from_numbers(scene.surface, scene.disk.radius)
     return plan if surface_modes is None else plan.with_surface_modes(surface_modes)
+
+
+def _coupled_by_error(plan: MotionPlan) -> MotionPlan:
+    """Return the plan of a rough contact with the coupling that its error requires.
+
+    One-way coupling suffices if it changes the level of the table by less than
+    MAX_ONE_WAY_LEVEL_ERROR. Otherwise the contact model is that for the force on the
+    yielding table: the filter with the receptance of the table, or time steps with its
+    modes from the release on.
+    """
+    from dynamics.compliant.rough_table import predict_rough_table, scene_receptance
+
+    scene = plan.scene
+    receptance = scene_receptance(scene, plan.surface_modes)
+    found = predict_rough_table(plan, receptance)
+    plan = replace(plan, rough_table=found)
+    if found.needs_two_way:
+        choice = _contact_choice(plan, plan.tabulated_law, receptance)
+        obstacle = _obstacle_to_two_way(scene, choice.kind)
+        plan = replace(plan, contact=choice, obstacle_to_two_way=obstacle)
+        if choice.kind != "filter" and not obstacle:
+            reaction = TableReaction(True, float(found.inclination[0]), found.reason)
+            rate = _step_rate(plan, choice, moves_table=True)
+            return replace(plan, two_way=reaction, step_rate=rate)
+    reaction = _unsolved_late_reaction(plan, found.reason)
+    rate = _step_rate(plan, plan.contact)
+    return replace(plan, two_way=reaction, step_rate=rate)
+
+
+def _unsolved_late_reaction(plan: MotionPlan, reason: str) -> TableReaction:
+    """Return the reaction on the motion on a rough contact, which is not solved.
+
+    `reason` is that for the coupling of the vibration."""
+    obstacle = plan.obstacle_to_two_way
+    if plan.surface_modes is None:
+        return TableReaction(False, 0.0, reason, obstacle)
+    from dynamics.compliant.two_way_onset import ROUGH_CONTACT_STAYS, table_reaction
+
+    inclination, late = table_reaction(plan, plan.surface_modes)
+    if not inclination:
+        return TableReaction(False, 0.0, reason)
+    unsolved = obstacle or ROUGH_CONTACT_STAYS
+    return TableReaction(False, inclination, f"{reason}; {late}", unsolved)
 
 
 def rattling_end_error(scene: MotionScene) -> float:
@@ -548,9 +540,13 @@ def _tabulated_law(scene: MotionScene) -> "TabulatedLaw":
 
 
 def _contact_choice(
-    basis: MotionBasis, tabulated_law: "TabulatedLaw | None"
+    basis: MotionBasis,
+    tabulated_law: "TabulatedLaw | None",
+    *receptance: "TableReceptance",
 ) -> ModelChoice:
-    """Select the contact model of a scene; see `numerics.contact`."""
+    """Select the contact model of a scene; see `numerics.contact`.
+
+    `receptance` is that of a table with two-way coupling, if there is one."""
     scene = basis.scene
     if tabulated_law is None:
         return ModelChoice("rigid", "contact.law = 'rigid'")
@@ -560,7 +556,7 @@ def _contact_choice(
         return ModelChoice("full", "imperfection: the table is wavy")
     from dynamics.compliant.model_selection import choose_contact_model
 
-    return ModelChoice(*choose_contact_model(basis, tabulated_law))
+    return ModelChoice(*choose_contact_model(basis, tabulated_law, *receptance))
 
 
 def _step_rate(

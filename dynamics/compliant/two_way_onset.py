@@ -17,6 +17,12 @@ if TYPE_CHECKING:
     from dynamics.motion_plan import ContactModel, MotionBasis
     from dynamics.sections import MotionScene
 
+ROUGH_CONTACT_STAYS = (
+    "a rough contact cannot switch to two-way coupling during the motion; surface.action = "
+    "'motion' couples it from the release"
+)
+"""Reason why the late reaction of a table on a rough contact is not solved."""
+
 
 def table_reaction(basis: "MotionBasis", modes: Any) -> tuple[float, str]:
     """Return the inclination [rad] below which a table with `modal.SurfaceModes` affects
@@ -43,10 +49,7 @@ def reason_against_two_way(scene: "MotionScene", model: "ContactModel") -> str:
     """Return the reason why a disk with a contact model cannot be coupled to the modes of
     its table in time steps, or ""."""
     if scene.roughness is not None and model == "filter":
-        return (
-            "the filter of a rough contact cannot switch to time steps; surface.action = "
-            "'motion' takes them from the release on"
-        )
+        return ROUGH_CONTACT_STAYS
     if scene.imperfection:
         return "imperfection: two-way coupling is not available for a wavy table"
     try:
