@@ -688,6 +688,13 @@ _OMITTED: dict[str, FindingText] = {
         source="balance of power: with one-way coupling the disk does not lose what the table takes",
         details="heat {heat:.0%}, sound {radiated:.0%}, around {time:.4g} s after the release",
     ),
+    "coupling_error_is_predicted": FindingText(
+        claim="The plan predicted how much one-way coupling would change the level of the table",
+        unit="dB(A), measured minus predicted error of one-way coupling, median over intervals",
+        source="the linear filter of the rough contact with and without its table, in time and as a "
+        "spectrum",
+        details="measured {measured:+.1f} dB, predicted {predicted:+.1f} dB",
+    ),
     "waves_become_heat": FindingText(
         claim="The table converts most of the energy of its waves to heat and little to sound",
         unit="of the energy lost by the modes of the table is radiated",
