@@ -166,8 +166,11 @@ ROUGH_TABLE_MODELLED = (
     "coupling would change the A-weighted level of the table by {level:+.1f} dB."
 )
 ROUGH_TABLE_NEGLECTED = (
-    "The air film between the faces as a load of the vibrating table, friction on the table, and "
-    "the radiation damping of its modes."
+    "Friction on the yielding table, and the damping of its modes by their own sound."
+)
+FILM_REACTION_NEGLECTED = (
+    "The reaction of the air between the faces on the vibration of disk and table; it would change "
+    "the A-weighted level of the table by at most {change:.1f} dB."
 )
 LINEAR_TABLE_LIMIT = (
     "A valid model of the contact vibration below an inclination of {inclination:.2g} rad: "

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from dynamics import MeshSurface, Motion, MotionPlan, PlateSurface
+from dynamics.compliant.air_reaction import film_level_change
 from dynamics.contact_geometry import contact_position
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import SurfaceModes, UnsolvableError, surface_modes
@@ -81,13 +82,24 @@ def with_rough_table(plan: Plan) -> Plan:
     if found is None or not plan.motion.filter_is_two_way:
         return plan
     modelled = [sentences.ROUGH_TABLE_MODELLED.format(level=found.level_error)]
-    neglected = [sentences.ROUGH_TABLE_NEGLECTED]
+    neglected = [sentences.ROUGH_TABLE_NEGLECTED, film_reaction_sentence(plan.motion)]
     if found.linear_until:
         limit = sentences.LINEAR_TABLE_LIMIT.format(
             inclination=found.linear_until, limit=found.limit
         )
         neglected.append(limit)
     return plan.with_additions(modelled=modelled, left_out=neglected)
+
+
+def film_reaction_sentence(motion: MotionPlan) -> str:
+    """Return a sentence on the neglected reaction of the air, with the largest change of
+    level at the inclinations of the plan."""
+    assert motion.rough_table is not None
+    changes = [
+        film_level_change(motion, float(beta))
+        for beta in motion.rough_table.inclination
+    ]
+    return sentences.FILM_REACTION_NEGLECTED.format(change=np.abs(changes).max())
 
 
 def infinite_table_action(motion: MotionPlan) -> Decision:
