@@ -11,10 +11,14 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 from scipy.signal import welch
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
+from dynamics.compliant.law.linear_response import force_per_height
+from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.model_selection import steady_precession_rate
+from dynamics.compliant.rough_table import scene_receptance
 from dynamics.scene_constants import scene_constants
 from dynamics.steady_motion import steady_omega
 from modal import surface_modes
@@ -110,3 +114,46 @@ def test_filter_and_steps_agree(inclination, thickness, allowed):
     if (inclination, thickness) == (0.01, 0.006):
         assert steps.rms == pytest.approx(0.053, rel=0.05)
         assert steps.level == pytest.approx(55.5, abs=1.0)
+
+
+def predicted_losses(scene, modes, inclination):
+    """Return the powers [W] of the dashpot and of the table in steady motion, with the weight that
+    drags its bowl."""
+    law = plan_motion(scene, modes).tabulated_law
+    beta = np.array([inclination])
+    load = scene.disk.weight
+    springs, half_length, damping = law.springs(beta, load)
+    rate = steady_precession_rate(scene, inclination)
+    speed = rate * abs(float(law.law.place(inclination).f))
+    k, heights = spectral_density(scene.roughness, scene.disk.radius)
+    omega = k * speed
+    table = scene_receptance(scene, modes)
+    yielded = table(omega, rate)[0]
+    own = 1 / force_per_height(law.linear_contact(beta, load, speed), omega)
+    force = heights * ellipse_window(k * half_length) ** 2 / np.abs(own + yielded) ** 2
+    dashpot = 1 / (springs.kn + 1j * omega * damping)
+    taken = [-trapezoid(force * omega * part.imag, k) for part in (dashpot, yielded)]
+    return taken[0], taken[1] + table.supplied_by_weight(load, rate)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("rms", "share", "open_share"), [(60, 0.105, 0.0), (200, 0.37, 7e-4)]
+)
+def test_steps_on_a_rough_edge_lose_what_the_dashpot_takes(rms, share, open_share):
+    """The heights are curved 0.4 and 1.3 times as sharply as the rim. A contact that follows the
+    minima of the rough gap jumps between them; the dashpot took ten times its power at 0.4."""
+    scene = steady_mirror(0.01, f"roughness.rms={rms}e-9", "surface.action=motion")
+    modes = surface_modes(scene, 20e3)
+    steps = solved(scene, modes)
+    t = np.array([0.2, DURATION])
+    lost = {
+        cause: np.diff(energy)[0] / np.ptp(t)
+        for cause, energy in steps.motion.energy_lost(t).items()
+    }
+    dashpot, table = predicted_losses(scene, modes, 0.01)
+    assert lost["contact"] == pytest.approx(dashpot, rel=0.05)
+    assert lost["table"] == pytest.approx(table, rel=0.05)
+    assert steps.rms == pytest.approx(share, rel=0.08)
+    opened = sum(loss.duration for loss in steps.motion.contact_losses) / DURATION
+    assert open_share / 2 <= opened <= 2 * open_share
