@@ -17,10 +17,12 @@ from dynamics.quasi_steady import time_to_flat
 from dynamics.scene_constants import scene_constants
 from dynamics.sections import MotionScene, as_motion_scene
 from dynamics.solver_settings import MIN_SOLVED_INCLINATION
-from dynamics.surface import ModesSurface
+from dynamics.surface import InfiniteSurface, ModesSurface
 
 if TYPE_CHECKING:
+    from dynamics.compliant.law.table_receptance import TableReceptance
     from dynamics.compliant.law.tabulated import TabulatedLaw
+    from dynamics.compliant.rough_table import RoughTable
 
 ContactModel = Literal["rigid", "filter", "full", "many"]
 """Model of the contact: rigid, elastic as a linear filter on the rigid motion, one elastic
@@ -124,6 +126,9 @@ class MotionPlan(MotionBasis):
         Whether and from where the table acts back on the disk.
     surface_modes : modal.SurfaceModes or None
         Modes of the table, if they are known.
+    rough_table : RoughTable or None
+        Predicted effect of the table on a rough contact on which the disk rolls, if it is
+        known.
 
     Examples
     --------
@@ -140,6 +145,19 @@ class MotionPlan(MotionBasis):
     obstacle_to_two_way: str
     two_way: TableReaction
     surface_modes: Any
+    rough_table: "RoughTable | None" = None
+
+    @property
+    def rolls_on_roughness(self) -> bool:
+        """True if the disk rolls on a rough elastic contact, whose table is coupled by a
+        predicted error."""
+        scene = self.scene
+        return (
+            scene.roughness is not None
+            and self.contact.kind in ("filter", "full")
+            and scene.surface.action == "auto"
+            and scene.surface.kind != "rigid"
+        )
 
     @property
     def may_be_two_way(self) -> bool:
@@ -148,14 +166,57 @@ class MotionPlan(MotionBasis):
 
     @property
     def lacks_surface_modes(self) -> bool:
-        """True if the motion may depend on modes of the table that are unknown."""
-        return self.may_be_two_way and self.surface_modes is None
+        """True if motion or contact force may depend on modes of the table that are
+        unknown."""
+        coupled = self.may_be_two_way or self.rolls_on_roughness
+        has_modes = self.scene.surface.kind not in ("rigid", "infinite")
+        return coupled and has_modes and self.surface_modes is None
 
     @property
     def is_two_way_from_release(self) -> bool:
-        """True if the table and the disk are coupled from the release on."""
+        """True if the table and the disk are coupled in time steps from the release on."""
         requested = self.scene.surface.action == "motion"
-        return self.two_way.is_two_way and (requested or self.contact.kind == "many")
+        from_release = (
+            requested or self.rolls_on_roughness or self.contact.kind == "many"
+        )
+        return self.two_way.is_two_way and from_release
+
+    @property
+    def filter_is_two_way(self) -> bool:
+        """True if the filter of a rough contact includes the receptance of the table."""
+        found = self.rough_table
+        return (
+            found is not None and found.needs_two_way and self.contact.kind == "filter"
+        )
+
+    @property
+    def filter_modes(self) -> Any:
+        """The `modal.SurfaceModes` below the filter of a rough contact, or None."""
+        return self.surface_modes if self.filter_is_two_way else None
+
+    @property
+    def filter_plate_mobility(self) -> float:
+        """Mobility [s/kg] of an infinite plate below the filter of a rough contact, or 0."""
+        surface = self.scene.surface
+        if not (self.filter_is_two_way and isinstance(surface, InfiniteSurface)):
+            return 0.0
+        from dynamics.compliant.law.table_receptance import infinite_plate_mobility
+
+        return float(infinite_plate_mobility(surface))
+
+    @cached_property
+    def contact_receptance(self) -> "TableReceptance":
+        """The receptance of the table that the contact force includes.
+
+        It is that of a rigid table with one-way coupling and for a rattling disk.
+        """
+        from dynamics.compliant.law.table_receptance import RIGID_TABLE
+        from dynamics.compliant.rough_table import scene_receptance
+
+        in_time_steps = self.contact.kind == "full" and self.moving_modes is not None
+        if self.filter_is_two_way or in_time_steps:
+            return scene_receptance(self.scene, self.surface_modes)
+        return RIGID_TABLE
 
     @property
     def switches_to_two_way(self) -> bool:
@@ -187,7 +248,7 @@ class MotionPlan(MotionBasis):
             return 0.0
         from dynamics.compliant.model_selection import roughness_energy_share
 
-        return roughness_energy_share(self, self.tabulated_law)
+        return roughness_energy_share(self, self.tabulated_law, self.contact_receptance)
 
     @cached_property
     def predicted_end_error(self) -> float:
@@ -247,6 +308,8 @@ class MotionPlan(MotionBasis):
         plan = replace(self, surface_modes=surface_modes)
         if action == "sound":
             return plan
+        if self.rolls_on_roughness:
+            return _coupled_by_error(plan)
         from dynamics.compliant.two_way_onset import table_reaction  # loads SciPy
 
         inclination, reason = table_reaction(self, surface_modes)
@@ -311,7 +374,8 @@ class MotionPlan(MotionBasis):
             if "contact" in sections
             else self.tabulated_law,
         )
-        return replace(plan, step_rate=_step_rate(plan, plan.contact))
+        rate = _step_rate(plan, plan.contact, self.is_two_way_from_release)
+        return replace(plan, step_rate=rate)
 
     def coupled_part(self, **sections: Any) -> "MotionPlan":
         """Return the plan of the part in which the table acts back on the disk.
@@ -388,11 +452,56 @@ def plan_motion(scene: MotionScene, surface_modes: Any = None) -> MotionPlan:
         two_way=_undecided_reaction(scene, obstacle),
         surface_modes=None,
     )
+    if plan.rolls_on_roughness and isinstance(scene.surface, InfiniteSurface):
+        return _coupled_by_error(plan)
     if surface_modes is None and isinstance(scene.surface, ModesSurface):
         from dynamics.compliant.modes_from_scene import modes_from_numbers
 
         surface_modes = modes_from_numbers(scene.surface, scene.disk.radius)
     return plan if surface_modes is None else plan.with_surface_modes(surface_modes)
+
+
+def _coupled_by_error(plan: MotionPlan) -> MotionPlan:
+    """Return the plan of a rough contact with the coupling that its error requires.
+
+    One-way coupling suffices if it changes the level of the table by less than
+    MAX_ONE_WAY_LEVEL_ERROR. Otherwise the contact model is that for the force on the
+    yielding table: the filter with the receptance of the table, or time steps with its
+    modes from the release on.
+    """
+    from dynamics.compliant.rough_table import predict_rough_table, scene_receptance
+
+    scene = plan.scene
+    receptance = scene_receptance(scene, plan.surface_modes)
+    found = predict_rough_table(plan, receptance)
+    plan = replace(plan, rough_table=found)
+    if found.needs_two_way:
+        choice = _contact_choice(plan, plan.tabulated_law, receptance)
+        obstacle = _obstacle_to_two_way(scene, choice.kind)
+        plan = replace(plan, contact=choice, obstacle_to_two_way=obstacle)
+        if choice.kind != "filter" and not obstacle:
+            reaction = TableReaction(True, float(found.inclination[0]), found.reason)
+            rate = _step_rate(plan, choice, moves_table=True)
+            return replace(plan, two_way=reaction, step_rate=rate)
+    reaction = _unsolved_late_reaction(plan, found.reason)
+    rate = _step_rate(plan, plan.contact)
+    return replace(plan, two_way=reaction, step_rate=rate)
+
+
+def _unsolved_late_reaction(plan: MotionPlan, reason: str) -> TableReaction:
+    """Return the reaction on the motion on a rough contact, which is not solved.
+
+    `reason` is that for the coupling of the vibration."""
+    obstacle = plan.obstacle_to_two_way
+    if plan.surface_modes is None:
+        return TableReaction(False, 0.0, reason, obstacle)
+    from dynamics.compliant.two_way_onset import ROUGH_CONTACT_STAYS, table_reaction
+
+    inclination, late = table_reaction(plan, plan.surface_modes)
+    if not inclination:
+        return TableReaction(False, 0.0, reason)
+    unsolved = obstacle or ROUGH_CONTACT_STAYS
+    return TableReaction(False, inclination, f"{reason}; {late}", unsolved)
 
 
 def rattling_end_error(scene: MotionScene) -> float:
@@ -431,9 +540,13 @@ def _tabulated_law(scene: MotionScene) -> "TabulatedLaw":
 
 
 def _contact_choice(
-    basis: MotionBasis, tabulated_law: "TabulatedLaw | None"
+    basis: MotionBasis,
+    tabulated_law: "TabulatedLaw | None",
+    *receptance: "TableReceptance",
 ) -> ModelChoice:
-    """Select the contact model of a scene; see `numerics.contact`."""
+    """Select the contact model of a scene; see `numerics.contact`.
+
+    `receptance` is that of a table with two-way coupling, if there is one."""
     scene = basis.scene
     if tabulated_law is None:
         return ModelChoice("rigid", "contact.law = 'rigid'")
@@ -443,15 +556,20 @@ def _contact_choice(
         return ModelChoice("full", "imperfection: the table is wavy")
     from dynamics.compliant.model_selection import choose_contact_model
 
-    return ModelChoice(*choose_contact_model(basis, tabulated_law))
+    return ModelChoice(*choose_contact_model(basis, tabulated_law, *receptance))
 
 
-def _step_rate(basis: MotionBasis, contact: ModelChoice) -> float:
-    """Return the time steps per second [1/s] of a contact model; 0 if it has none."""
+def _step_rate(
+    basis: MotionBasis, contact: ModelChoice, moves_table: bool = False
+) -> float:
+    """Return the time steps per second [1/s] of a contact model; 0 if it has none.
+
+    A disk on a moving table passes through all inclinations."""
     if contact.kind == "full":
         from dynamics.compliant.model_inputs import step_rate
 
-        return step_rate(basis.scene, basis.final_inclination)
+        final = 0.0 if moves_table else basis.final_inclination
+        return step_rate(basis.scene, final)
     if contact.kind == "many":
         from dynamics.rattling.rattling_motion import rattling_step_rate
 

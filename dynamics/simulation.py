@@ -64,8 +64,11 @@ def simulate(
     * "motion": two-way coupling from the release on.
     * "auto": two-way coupling from the inclination at which the table modes store 1 % of the
       energy of the disk, or absorb 1 % of the dissipated power; from the release on if
-      the disk rattles. It is not used for a rough contact on which the disk rolls, a
-      wavy edge or table (`imperfection`) or an infinite plate.
+      the disk rattles. It is not used for a wavy edge or table (`imperfection`) or an
+      infinite plate. A rough contact on which the disk rolls is coupled if one-way
+      coupling would change the A-weighted level of the table by more than 1 dB: its
+      vibration by a linear filter with the receptance of the table, or the motion from
+      the release on where contact is lost.
 
     If `surface.kind` is "modes", the scene contains the modes; those below 24 kHz are
     used, and the motion equals that of `sonify.solve(scene)`. A plate or a mesh

@@ -7,6 +7,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law.linear_response import predicted_power, predicted_rms
+from dynamics.compliant.law.table_receptance import RIGID_TABLE, TableReceptance
 from dynamics.compliant.law.unevenness import unevenness
 from dynamics.compliant.model_inputs import (
     contact_law,
@@ -41,11 +42,14 @@ long waves within 2 % (chart `contact-models`)."""
 
 
 def choose_contact_model(
-    basis: "MotionBasis", tabulated: "TabulatedLaw"
+    basis: "MotionBasis",
+    tabulated: "TabulatedLaw",
+    receptance: TableReceptance = RIGID_TABLE,
 ) -> tuple["ContactModel", str]:
     """Select the model of an elastic contact on a plane table, with the reason.
 
     It is the model requested by `numerics.contact`, or else the simplest sufficient one.
+    `receptance` is that of a table with two-way coupling.
     """
     # fraction of the energy dissipated by roughness above which it affects the motion
     min_roughness_share = 0.05
@@ -64,7 +68,7 @@ def choose_contact_model(
             return "many", bumpy
     if scene.surface.action == "motion":
         return "full", "surface.action = 'motion': the table is coupled to the disk"
-    beta, share = predicted_force_rms(basis, tabulated)
+    beta, share = predicted_force_rms(basis, tabulated, receptance)
     above = share > LIFT_OFF_FORCE_RMS
     predicted = float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
@@ -82,7 +86,9 @@ def choose_contact_model(
             f"{expected}, more than {LIFT_OFF_FORCE_RMS:g} below {below:.2g} rad, "
             "where contact is lost"
         )
-    elif (takes := roughness_energy_share(basis, tabulated)) > min_roughness_share:
+    elif (
+        takes := roughness_energy_share(basis, tabulated, receptance)
+    ) > min_roughness_share:
         reason = f"{expected}; roughness dissipates {takes:.0%} of the energy, in addition to friction"
     elif (used := friction_utilisation(basis)) > max_friction_use:
         reason = (
@@ -121,22 +127,30 @@ def greatest_curvature_number(basis: "MotionBasis") -> tuple[float, float]:
 
 
 def predicted_force_rms(
-    basis: "MotionBasis", tabulated: "TabulatedLaw"
+    basis: "MotionBasis",
+    tabulated: "TabulatedLaw",
+    receptance: TableReceptance = RIGID_TABLE,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in steady motion.
 
-    See `sampled_inclinations`.
+    `receptance` is that of the table; see also `sampled_inclinations`.
     """
     scene = basis.scene
     beta, speed = steady_motions(basis)
     if scene.roughness is None:
         return beta, np.zeros(len(beta))
     weight = scene.disk.weight
-    rms = predicted_rms(tabulated, scene.roughness, beta, weight, speed)
+    rms = predicted_rms(
+        tabulated, scene.roughness, beta, weight, speed, receptance=receptance
+    )
     return beta, rms / weight
 
 
-def roughness_energy_share(basis: "MotionBasis", tabulated: "TabulatedLaw") -> float:
+def roughness_energy_share(
+    basis: "MotionBasis",
+    tabulated: "TabulatedLaw",
+    receptance: TableReceptance = RIGID_TABLE,
+) -> float:
     """Return the fraction of the energy dissipated by roughness in quasi-steady motion.
 
     It is 0 if the friction was measured on the rough surface and already includes this
@@ -151,7 +165,9 @@ def roughness_energy_share(basis: "MotionBasis", tabulated: "TabulatedLaw") -> f
     exists = np.array([steady_precession_rate(scene, b) for b in beta]) != flat
     beta = beta[exists]
     speed = speed[exists]
-    rough = predicted_power(tabulated, scene.roughness, beta, disk.weight, speed)
+    rough = predicted_power(
+        tabulated, scene.roughness, beta, disk.weight, speed, receptance
+    )
     friction = (
         np.array([steady_power(b, basis.constants, basis.loads) for b in beta])
         * disk.mass

@@ -17,6 +17,12 @@ if TYPE_CHECKING:
     from dynamics.motion_plan import ContactModel, MotionBasis
     from dynamics.sections import MotionScene
 
+ROUGH_CONTACT_STAYS = (
+    "a rough contact cannot switch to two-way coupling during the motion; surface.action = "
+    "'motion' couples it from the release"
+)
+"""Reason why the late reaction of a table on a rough contact is not solved."""
+
 
 def table_reaction(basis: "MotionBasis", modes: Any) -> tuple[float, str]:
     """Return the inclination [rad] below which a table with `modal.SurfaceModes` affects
@@ -41,17 +47,9 @@ def table_reaction(basis: "MotionBasis", modes: Any) -> tuple[float, str]:
 
 def reason_against_two_way(scene: "MotionScene", model: "ContactModel") -> str:
     """Return the reason why a disk with a contact model cannot be coupled to the modes of
-    its table, or ""."""
-    rolls_on_roughness = (
-        scene.roughness is not None
-        and model not in ("rigid", "many")
-        and scene.surface.action == "auto"
-    )
-    if rolls_on_roughness:
-        return (
-            "roughness: a rough contact cannot switch to two-way coupling; surface.action = "
-            "'motion' couples it from the release"
-        )
+    its table in time steps, or ""."""
+    if scene.roughness is not None and model == "filter":
+        return ROUGH_CONTACT_STAYS
     if scene.imperfection:
         return "imperfection: two-way coupling is not available for a wavy table"
     try:

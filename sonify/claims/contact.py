@@ -16,8 +16,17 @@ from dynamics.compliant.law.linear_response import (
 )
 from dynamics.compliant.law.roughness import shift_of_contact
 from dynamics.compliant.law.statistical_linearisation import effective_load_factor
+from dynamics.compliant.law.table_receptance import RIGID_TABLE, TableReceptance
 from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_selection import LIFT_OFF_FORCE_RMS
+from sonify.claims.band_causes import (
+    BandCauses,
+    SteadyVibration,
+    band_causes,
+    film_switched_off,
+    stiffness_moves_carrier,
+    table_moves_carrier,
+)
 from sonify.claims.finding import (
     Finding,
     Measured,
@@ -64,6 +73,8 @@ class PredictedVibration(NamedTuple):
     load_factor : array (k,)
         Factor on the load at which the linear contact has the mean stiffness of the
         vibrating one; 1 along a rigid motion.
+    receptance : TableReceptance
+        Receptance of the table in the contact force.
     """
 
     tabulated_law: TabulatedLaw
@@ -76,6 +87,7 @@ class PredictedVibration(NamedTuple):
     power: np.ndarray
     shift: np.ndarray
     load_factor: np.ndarray
+    receptance: TableReceptance = RIGID_TABLE
 
 
 def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
@@ -85,14 +97,26 @@ def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
     t = vibration_times(motion)
     inclination, load, speed, rolls = contact_conditions(motion, t)
     rms, power, shift = np.zeros((3, len(t)))
+    receptance = motion.plan.contact_receptance
     if scene.roughness is not None:
-        rms = predicted_rms(tabulated, scene.roughness, inclination, load, speed)
-        power = predicted_power(tabulated, scene.roughness, inclination, load, speed)
+        steady = tabulated, scene.roughness, inclination, load, speed
+        rms = predicted_rms(*steady, receptance=receptance)
+        power = predicted_power(*steady, receptance=receptance)
         half = tabulated.law.semi_axes(inclination, load)[0]
         shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
     load_factor = effective_load_factors(scene, motion, t)
     return PredictedVibration(
-        tabulated, t, inclination, load, speed, rolls, rms, power, shift, load_factor
+        tabulated,
+        t,
+        inclination,
+        load,
+        speed,
+        rolls,
+        rms,
+        power,
+        shift,
+        load_factor,
+        receptance,
     )
 
 
@@ -177,6 +201,9 @@ def noise_band_findings(
 
     Recorded peaks are compared with the contact that was recorded: that of the toy on
     granite."""
+    if scene.surface.kind != "rigid":
+        causes = causes_of_band(scene, motion, expected, heard)
+        return [carrier_rises(heard), *cause_findings(causes, bool(motion.film))]
     bands = radiated_bands(scene, motion, expected, heard)
     found = [carrier_rises(heard), carrier_is_contact(bands)]
     if motion.film:
@@ -239,19 +266,13 @@ def radiated_bands(
     scene, motion, expected: PredictedVibration, heard: NoiseBand
 ) -> RadiatedBands:
     """Return the measured and predicted centre frequencies of the noise band."""
-    predictions_per_interval = 12
     f = np.arange(500.0, 20e3, 10.0)
     disk = VibratingDisk(scene, listener_of(scene)) if motion.film else None
-    known = np.flatnonzero(np.isfinite(heard.frequency))
     found = []
-    for i in known[:: max(len(known) // predictions_per_interval, 1)]:
-        t = heard.time[i] + NOISE_BAND_INTERVAL * (
-            (np.arange(predictions_per_interval) + 0.5) / predictions_per_interval - 0.5
+    for i in predicted_intervals(heard):
+        t, inclination, softened_load, *rest = interval_conditions(
+            motion, expected, heard.time[i]
         )
-        inclination, load, *rest = contact_conditions(
-            motion, np.minimum(t, expected.t[-1])
-        )
-        softened_load = load * np.interp(t, expected.t, expected.load_factor)
         force = [
             predicted_spectrum(
                 expected.tabulated_law, scene.roughness, b, N, V, f, rolls=r
@@ -274,6 +295,61 @@ def radiated_bands(
             ]
         )
     return RadiatedBands(*np.array(found).T)
+
+
+def predicted_intervals(heard: NoiseBand) -> np.ndarray:
+    """Return the indices (s,) of the intervals in which the band is predicted."""
+    interval_count = 12
+    known = np.flatnonzero(np.isfinite(heard.frequency))
+    return known[:: max(len(known) // interval_count, 1)]
+
+
+def interval_conditions(motion: Motion, expected: PredictedVibration, middle: float):
+    """Return times t (k,) [s] around the middle of an interval, and there inclination
+    [rad], softened load [N], speed [m/s] and rolling, each (k,)."""
+    time_count = 12
+    t = middle + NOISE_BAND_INTERVAL * (
+        (np.arange(time_count) + 0.5) / time_count - 0.5
+    )
+    inclination, load, speed, rolls = contact_conditions(
+        motion, np.minimum(t, expected.t[-1])
+    )
+    softened_load = load * np.interp(t, expected.t, expected.load_factor)
+    return t, inclination, softened_load, speed, rolls
+
+
+def causes_of_band(
+    scene: Scene, motion: Motion, expected: PredictedVibration, heard: NoiseBand
+) -> BandCauses:
+    """Return the noise band of a scene with a table, with and without its causes."""
+    intervals = []
+    some = predicted_intervals(heard)
+    for middle in heard.time[some]:
+        conditions = interval_conditions(motion, expected, middle)[1:]
+        intervals.append([SteadyVibration(*at) for at in zip(*conditions, strict=True)])
+    return band_causes(
+        scene,
+        motion,
+        expected.tabulated_law,
+        expected.receptance,
+        intervals,
+        heard.frequency[some],
+    )
+
+
+def cause_findings(causes: BandCauses, has_film: bool) -> list[Finding]:
+    """Return the findings on what sets the noise band of a scene with a table."""
+    on_rigid_table = RadiatedBands(
+        causes.heard, causes.without_table, causes.complete, causes.complete
+    )
+    found = [
+        table_moves_carrier(causes),
+        carrier_is_contact(on_rigid_table),
+        stiffness_moves_carrier(causes),
+    ]
+    if has_film:
+        found.append(air_moves_carrier(causes))
+    return found
 
 
 def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
@@ -299,9 +375,11 @@ def carrier_is_contact(found: RadiatedBands):
 
 
 @finding(needs=("motion", "contact law", "sound"), at_least=1.1)
-def air_moves_carrier(found: RadiatedBands):
+def air_moves_carrier(found: RadiatedBands | BandCauses) -> Measured:
     """The median frequency ratio of the measured noise band to that of the contact
-    force."""
+    force; on a table, the ratio by which the film moves the band."""
+    if isinstance(found, BandCauses):
+        return film_switched_off(found)
     ratio = median_with_margin(found.heard / found.force)
     return ratio._replace(
         details={"force_as_radiated": np.median(found.heard / found.radiated)}

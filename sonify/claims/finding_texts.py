@@ -14,7 +14,12 @@ from sonify.claims.limits import (
     FINAL_ENERGY_SHARE,
     MODE_BAND_HALF_WIDTH,
 )
-from sonify.claims.phrases import contact_in_words, nutation_in_words, shares_in_words
+from sonify.claims.phrases import (
+    contact_in_words,
+    film_switched_in_words,
+    nutation_in_words,
+    shares_in_words,
+)
 
 SOUND_QUESTION = "what do you hear"
 PITCH_QUESTION = "does the pitch rise"
@@ -169,6 +174,20 @@ _SOUND: dict[str, FindingText] = {
             "you hear the disk more than the table",
         ),
         loudest="the table vibrates under the moving contact and sounds like a drum skin",
+    ),
+    "table_moves_carrier": FindingText(
+        claim="The table sets the noise band",
+        unit="times the band on a rigid table, or its inverse, median along the motion",
+        source="the linear filter of the rough contact with and without its table",
+        details="{with_table:.0f} Hz with the table, {on_rigid_table:.0f} Hz without; the band of the "
+        "sound is at {heard:.2f} of the prediction",
+        question=SOUND_QUESTION,
+        answers=AnswerSentences(
+            "disk and table together on their contact, {value:.2f} times off the contact resonance",
+            "the disk on its contact, as on a rigid table",
+            "undecided: disk and table together, or the contact alone",
+        ),
+        loudest="disk and table vibrate together on their springy contact, too fast to be seen",
     ),
     "carrier_is_contact": FindingText(
         claim="The noise band is the resonance of the disk on its elastic contact",
@@ -669,6 +688,13 @@ _OMITTED: dict[str, FindingText] = {
         source="balance of power: with one-way coupling the disk does not lose what the table takes",
         details="heat {heat:.0%}, sound {radiated:.0%}, around {time:.4g} s after the release",
     ),
+    "coupling_error_is_predicted": FindingText(
+        claim="The plan predicted how much one-way coupling would change the level of the table",
+        unit="dB(A), measured minus predicted error of one-way coupling, median over intervals",
+        source="the linear filter of the rough contact with and without its table, in time and as a "
+        "spectrum",
+        details="measured {measured:+.1f} dB, predicted {predicted:+.1f} dB",
+    ),
     "waves_become_heat": FindingText(
         claim="The table converts most of the energy of its waves to heat and little to sound",
         unit="of the energy lost by the modes of the table is radiated",
@@ -707,7 +733,20 @@ _SPECTRUM: dict[str, FindingText] = {
         unit="times that of the force alone, median",
         source="contact force and radiation of a disk over its film; noise band determined from the "
         "sound alone",
-        details="{force_as_radiated:.2f} times that of the force as radiated by film and air",
+        variants={
+            "switched off": {
+                "unit": "times the band without the film, or its inverse, median along the motion",
+                "source": "the linear filter of the rough contact, radiated above the film and above a "
+                "gap of 0.6 radii",
+            }
+        },
+        details=film_switched_in_words,
+    ),
+    "stiffness_moves_carrier": FindingText(
+        claim="The contact resonance sets the noise band",
+        unit="exponent of the frequency of the band with that of the contact resonance alone",
+        source="the linear filter of the rough contact with the moduli of the scene and with twice "
+        "these moduli",
     ),
     "carrier_passes_recorded_peaks": FindingText(
         claim="The contact resonance passes the peaks recorded on granite, 1.84 to 2.28 kHz",

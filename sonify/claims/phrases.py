@@ -30,3 +30,13 @@ def contact_in_words(numbers: Mapping[str, float]) -> str:
         else "never"
     )
     return f"{how}; {first}"
+
+
+def film_switched_in_words(numbers: Mapping[str, float]) -> str:
+    """Return a phrase with the band to which that in the sound is compared."""
+    if "without_film" in numbers:
+        return f"{numbers['without_film']:.0f} Hz without the film"
+    return (
+        f"{numbers['force_as_radiated']:.2f} times that of the force as radiated by film "
+        "and air"
+    )

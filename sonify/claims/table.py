@@ -5,6 +5,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from modal import SurfaceModes
+from sonify.claims.coupling_level import coupling_error_is_predicted
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import FINAL_INTERVAL_DURATION, rise_of, time_of_energy_share
 from sonify.claims.table_power import disk_supplies_table, one_way_end
@@ -46,6 +47,8 @@ def table_findings(
         found.append(table_is_louder(motion, sound, error))
     if one_way_end(motion) > 0:
         found.append(disk_supplies_table(scene, motion, table, listener))
+    if motion.plan.filter_is_two_way:
+        found.append(coupling_error_is_predicted(scene, motion))
     if two_way_part(motion):
         found.append(waves_become_heat(motion, sound, listener))
     elif sound.table_energy is not None:  # an infinite plate stores no energy

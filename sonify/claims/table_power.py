@@ -12,7 +12,6 @@ import numpy as np
 from scipy.signal import lfilter
 
 from dynamics import InfiniteSurface, Motion
-from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.table_receptance import infinite_plate_mobility
 from modal import SurfaceModes
 from sonify.claims.finding import Measured, finding
@@ -104,14 +103,13 @@ def _contact_force(scene: Scene, motion: Motion):
 
     The force includes the vibration that the sound superposes on a rigid motion."""
     is_smooth = scene.roughness is None or scene.contact.law == "rigid"
-    law = motion.plan.tabulated_law
-    if is_smooth or law is None or motion.vibration_crossover is not None:
+    has_law = motion.plan.tabulated_law is not None
+    if is_smooth or not has_law or motion.vibration_crossover is not None:
         return lambda t: motion.force(t)[:, 2]
-    heights = profiles(scene.roughness, scene.disk.radius)
 
     def rough_force(t):
         force = motion.force(t)[:, 2]
-        added = ContactFilter(motion, law, heights, SAMPLE_RATE, float(t[0]))
+        added = ContactFilter.along(motion, scene, SAMPLE_RATE, float(t[0]))
         done = 0
         for block in added.blocks():
             part = block[: len(t) - done, 1]

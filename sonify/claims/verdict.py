@@ -105,7 +105,14 @@ def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
         return 0.0
     inclination, load, speed, _ = contact_conditions(motion, vibration_times(motion))
     tabulated = tabulated_law_of(scene, motion)
-    rms = predicted_rms(tabulated, scene.roughness, inclination, load, speed)
+    rms = predicted_rms(
+        tabulated,
+        scene.roughness,
+        inclination,
+        load,
+        speed,
+        receptance=motion.plan.contact_receptance,
+    )
     return float(inclination[rms > LIFT_OFF_FORCE_RMS * load].max(initial=0.0))
 
 

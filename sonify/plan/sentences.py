@@ -157,6 +157,25 @@ TABLE_MODES_REASON = (
 MOTION_USES_ALL_MODES_CLAUSE = "; the motion uses all modes"
 ALL_MODES_SOUND_REASON = "all modes are audible"
 TABLE_SOUNDS_ONLY = "radiates sound without affecting the motion"
+TABLE_YIELDS_AND_SOUNDS = (
+    "yields to the vibration of the rough contact and radiates sound"
+)
+ROUGH_TABLE_MODELLED = (
+    "The table yields to the vibration of the rough contact: the linear filter contains the "
+    "receptance of all its modes at the moving contact (two-way coupling of the vibration). One-way "
+    "coupling would change the A-weighted level of the table by {level:+.1f} dB."
+)
+ROUGH_TABLE_NEGLECTED = (
+    "Friction on the yielding table, and the damping of its modes by their own sound."
+)
+FILM_REACTION_NEGLECTED = (
+    "The reaction of the air between the faces on the vibration of disk and table; it would change "
+    "the A-weighted level of the table by at most {change:.1f} dB."
+)
+LINEAR_TABLE_LIMIT = (
+    "A valid model of the contact vibration below an inclination of {inclination:.2g} rad: "
+    "{limit}. The linear filter is used there too."
+)
 TABLE_MOVES_AND_SOUNDS = "moves with the disk and radiates sound"
 TABLE_MOVES_BELOW_INCLINATION = "radiates sound, and moves with the disk below an inclination of {inclination:.2g} rad"
 FROM_RELEASE_CLAUSE = "; a rattling disk is coupled from the release"

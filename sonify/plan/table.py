@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from dynamics import MeshSurface, Motion, MotionPlan, PlateSurface
+from dynamics.compliant.air_reaction import film_level_change
 from dynamics.contact_geometry import contact_position
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import SurfaceModes, UnsolvableError, surface_modes
@@ -43,13 +44,9 @@ def with_table(plan: Plan, scene: Scene, modes: SurfaceModes | None) -> Plan:
         plan = with_disk(plan, scene, joins_table=False)
         return plan.with_additions(left_out=[sentences.RIGID_TABLE_NEGLECTED])
     if scene.surface.kind == "infinite":
-        reason = sentences.INFINITE_ACTION_REASON.format(action=scene.surface.action)
-        infinite = Decision(
-            subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason
-        )
         plan = with_disk(plan, scene, joins_table=False)
-        return plan.with_additions(
-            infinite,
+        return with_rough_table(plan).with_additions(
+            infinite_table_action(plan.motion),
             modelled=[sentences.INFINITE_TABLE_MODELLED],
             left_out=[*sentences.TABLE_NEGLECTED, sentences.NEAR_LISTENER_NEGLECTED],
         )
@@ -76,8 +73,48 @@ def with_table(plan: Plan, scene: Scene, modes: SurfaceModes | None) -> Plan:
         sentences.NO_ERROR_PREDICTION_WITH_TABLE,
         *deflection_limits(modes, scene),
     ]
-    plan = with_disk(plan, scene, joins_table=joins)
+    plan = with_rough_table(with_disk(plan, scene, joins_table=joins))
     return plan.with_additions(left_out=neglected)
+
+
+def with_rough_table(plan: Plan) -> Plan:
+    """Return the plan with the effect of the table on the filter of a rough contact."""
+    found = plan.motion.rough_table
+    if found is None or not plan.motion.filter_is_two_way:
+        return plan
+    modelled = [sentences.ROUGH_TABLE_MODELLED.format(level=found.level_error)]
+    neglected = [sentences.ROUGH_TABLE_NEGLECTED, film_reaction_sentence(plan.motion)]
+    if found.linear_until:
+        limit = sentences.LINEAR_TABLE_LIMIT.format(
+            inclination=found.linear_until, limit=found.limit
+        )
+        neglected.append(limit)
+    return plan.with_additions(modelled=modelled, left_out=neglected)
+
+
+def film_reaction_sentence(motion: MotionPlan) -> str:
+    """Return a sentence on the neglected reaction of the air, with the largest change of
+    level at the inclinations of the plan."""
+    assert motion.rough_table is not None
+    changes = [
+        film_level_change(motion, float(beta))
+        for beta in motion.rough_table.inclination
+    ]
+    return sentences.FILM_REACTION_NEGLECTED.format(change=np.abs(changes).max())
+
+
+def infinite_table_action(motion: MotionPlan) -> Decision:
+    """Return the decision on the coupling of an infinite plate."""
+    action = motion.scene.surface.action
+    choice = sentences.TABLE_SOUNDS_ONLY
+    reason = sentences.INFINITE_ACTION_REASON.format(action=action)
+    if motion.rough_table is not None:
+        reason = f"surface.action = {action!r}: {motion.rough_table.reason}"
+        if motion.two_way.reason_unsolved:
+            reason += f", but {motion.two_way.reason_unsolved}"
+    if motion.filter_is_two_way:
+        choice = sentences.TABLE_YIELDS_AND_SOUNDS
+    return Decision(subject="table", choice=choice, reason=reason)
 
 
 def solve_table(scene: Scene, motion: MotionPlan) -> SurfaceModes | None:
@@ -167,7 +204,9 @@ def table_action(motion: MotionPlan) -> Decision:
             )
             if motion.contact.kind == "rigid":
                 choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
-    if not reaction.is_two_way:
+    if motion.filter_is_two_way:
+        choice = sentences.TABLE_YIELDS_AND_SOUNDS
+    elif not reaction.is_two_way:
         choice = sentences.TABLE_SOUNDS_ONLY
     return Decision(subject="table", choice=choice, reason=reason)
 

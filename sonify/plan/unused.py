@@ -73,7 +73,12 @@ UNUSED_KEY_RULES: tuple[tuple[str, Callable[[Scene, MotionPlan], bool]], ...] = 
         "support.position",
         lambda scene, plan: scene.support.height in (None, scene.disk.thickness),
     ),
-    ("surface.action", lambda scene, plan: scene.surface.kind == "infinite"),
+    (
+        "surface.action",
+        lambda scene, plan: (
+            scene.surface.kind == "infinite" and not plan.rolls_on_roughness
+        ),
+    ),
     (
         "dissipation.power_exponent",
         lambda scene, plan: scene.dissipation.power_coefficient == 0.0,

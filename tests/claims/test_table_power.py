@@ -13,7 +13,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from dynamics import simulate
+from dynamics import plan_motion, simulate
 from dynamics.compliant.two_way_onset import table_shares_by_inclination
 from modal import surface_modes
 from sonify import load_scene
@@ -111,7 +111,8 @@ def test_an_infinite_plate_takes_the_power_of_its_mobility():
 def test_the_mirror_would_take_more_power_than_its_disk_loses():
     """The energy of the disk would suffice: it is compared with a power only here.
 
-    With an edge ten times smoother, the same mirror takes a hundredth of that.
+    With an edge ten times smoother, the same mirror takes a hundredth of that, and so it does if
+    it yields to the force.
     """
     scene, motion, table = on_table("mirror-base", "numerics.accuracy=draft")
     found = disk_supplies_table(scene, motion, table, listener_of(scene))
@@ -124,6 +125,11 @@ def test_the_mirror_would_take_more_power_than_its_disk_loses():
     left = motion.t[-1] - found.details["time"]
     lost_at_once = scene.disk.weight * scene.disk.radius * 1e-3 / 1.0  # W
     assert still_held > found.details["radiated"] * lost_at_once * left
+    yielding = scene.replace("surface.action=auto")
+    moved = replace(motion, plan=plan_motion(yielding, table))
+    supplied = disk_supplies_table(yielding, moved, table, listener_of(scene))
+    assert supplied.verdict == "yes"
+    assert supplied.value < 0.02
     smooth, motion, table = on_table(
         "mirror-base", "numerics.accuracy=draft", "roughness.rms_edge=0.003e-6"
     )
@@ -135,7 +141,8 @@ def test_the_mirror_would_take_more_power_than_its_disk_loses():
 
 @pytest.mark.slow
 def test_a_violated_balance_is_named_first():
-    scene, motion, table = on_table("glass-plate", "numerics.accuracy=draft")
+    rigid = "contact.law=rigid"
+    scene, motion, table = on_table("glass-plate", "numerics.accuracy=draft", rigid)
     found = disk_supplies_table(scene, motion, table, listener_of(scene))
     assert (
         found.verdict == "no"

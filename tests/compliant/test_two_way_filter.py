@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 from scipy.optimize import brentq
-from scipy.signal import welch
+from scipy.signal import csd, welch
 
-from dynamics.compliant.law.height_profile import SMOOTH_PROFILE
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import (
     SAMPLES_PER_KNOT,
     MotionBlock,
@@ -214,6 +214,37 @@ def test_the_filter_in_time_has_the_predicted_force(mirror, beta):
     ]
     assert found == pytest.approx([expected] * 2, rel=0.03)
     assert found[0] == pytest.approx(found[1], rel=0.012)  # 0.1 dB
+
+
+@pytest.mark.slow
+def test_the_powers_balance_in_time_in_every_band(mirror):
+    """The work on the rising heights is what dashpot, disk and table take of the same force."""
+    beta, rate, seconds = 0.01, 96e3, 4.0
+    precession = rate_of(mirror, beta)
+    speed = precession * lever_of(mirror, beta)
+    force = solve_in_time(mirror, beta, rate, seconds, modes=mirror.modes)
+    path = speed * np.arange(1, len(force) + 1) / rate
+    half_length = mirror.table.springs(np.array([beta]), mirror.weight)[1]
+    heights = mean_heights(
+        profiles(ROUGHNESS, mirror.disk.radius)[0],
+        path,
+        np.full(len(path), half_length[0]),
+    )
+    rise = np.gradient(heights, 1 / rate)
+    settled = slice(int(0.5 * rate), None)
+    window = int(rate / 10)
+    frequency, cross = csd(force[settled], rise[settled], rate, nperseg=window)
+    _, power = welch(force[settled], rate, nperseg=window)
+    omega = 2 * np.pi * frequency[1:]
+    system = mirror.table.linear_contact(np.array([beta]), mirror.weight)
+    own = 1 / force_per_height(system, omega)
+    yielded = receptance_of(mirror, beta)(omega, precession)[0]
+    # np.gradient is a central difference
+    supplied = cross[1:].real * (omega / rate) / np.sin(omega / rate)
+    taken = -power[1:] * omega * (own + yielded).imag
+    for centre in (1600, 2000, 2500, 3150, 4000, 5000):
+        band = np.abs(np.log2(frequency[1:] / centre)) < 1 / 6
+        assert supplied[band].sum() == pytest.approx(taken[band].sum(), rel=0.05)
 
 
 def one_mode(frequency, square, decay=0.0, order=0):

@@ -343,5 +343,7 @@ def test_roughness_does_not_keep_a_table_from_acting_on_a_rigid_contact():
     rough = table.replace("roughness.rms=1e-7")
     assert plan_motion(table).may_be_two_way
     assert plan_motion(rough).may_be_two_way
-    assert not plan_motion(rough.replace("contact.law=elastic")).may_be_two_way
+    on_elastic = plan_motion(rough.replace("contact.law=elastic"))
+    assert on_elastic.rough_table.needs_two_way
+    assert on_elastic.is_two_way_from_release
     assert unused_keys(rough, plan_motion(rough)) == ("roughness.rms",)

@@ -147,7 +147,13 @@ def steadily(table, beta, seconds):
         force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
         bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
         outcome=Outcome.ROLLING_ON,
-        plan=SimpleNamespace(film=None, tabulated_law=table),
+        plan=SimpleNamespace(
+            film=None,
+            tabulated_law=table,
+            filter_modes=None,
+            filter_plate_mobility=0.0,
+            scene=SimpleNamespace(surface=SimpleNamespace(kind="rigid")),
+        ),
     )  # fmt: skip
 
 

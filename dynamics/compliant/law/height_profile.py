@@ -93,30 +93,17 @@ def mean_height(profile, s, a):
 
 
 @kernel
-def add_rim_heights(rough, reach, radius, turn, out):
-    """Add the heights of table and edge and two angular derivatives to `out` (3,).
+def mean_rim_height(rough, reach, radius, turn):
+    """Return the sum [m] of the mean heights of table and edge at the contact.
 
     `rough` contains the profiles of table and edge, the path lengths [m] on both, and the
     half-length of the ellipse [m]. Since these path lengths the contact has turned by
-    `turn` [rad].
+    `turn` [rad], at the distances `reach` and `radius` [m] from the centre.
     """
     table, rim, path, edge, half = rough
-    # step of the differences divided by the half-length of the ellipse; accurate to 1 %
-    relative_slope_step = 1 / 32
-    if table.coefficients.size == 6 and rim.coefficients.size == 6:
-        return
-    fine = relative_slope_step * half / radius
-    low = 0.0
-    here = 0.0
-    high = 0.0
-    for profile, place, arm in ((table, path, reach), (rim, edge, radius)):
-        start = place + arm * turn
-        low += mean_height(profile, start - arm * fine, half)
-        here += mean_height(profile, start, half)
-        high += mean_height(profile, start + arm * fine, half)
-    out[0] += here
-    out[1] += (high - low) / (2 * fine)
-    out[2] += (high - 2 * here + low) / fine**2
+    return mean_height(table, path + reach * turn, half) + mean_height(
+        rim, edge + radius * turn, half
+    )
 
 
 @outermost

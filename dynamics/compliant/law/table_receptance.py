@@ -14,6 +14,8 @@ import numpy as np
 
 RECEPTANCE_AZIMUTH_COUNT = 256
 """Number of azimuths at which the shapes of a table are sampled round the contact circle."""
+AVERAGED_AZIMUTH_COUNT = 64
+"""Number of azimuths over which powers are averaged on a table that is not round."""
 MAX_ROUND_VARIATION = 0.02
 """Relative variation of the receptance round the circle below which the table counts as round."""
 
@@ -99,26 +101,48 @@ class ModalReceptance:
     def __call__(self, omega: np.ndarray, rate: float) -> np.ndarray:
         """Return the receptance (a, f) [m/N]; see `TableReceptance`."""
         if not self.is_round:
-            return self.shapes**2 @ self._response(omega)
-        orders, parts = self.components
+            stride = max(len(self.shapes) // AVERAGED_AZIMUTH_COUNT, 1)
+            return self.shapes[::stride] ** 2 @ self._response(omega)
         total = np.zeros(len(omega), complex)
-        for order, square in zip(orders, parts, strict=True):
-            total += square @ self._response(omega + order * rate)
+        for order in self.components[0]:
+            total += self.of_order(order, omega, rate)
         return total[None]
+
+    def of_order(self, order: float, omega: np.ndarray, rate: float) -> np.ndarray:
+        """Return the part (f,) [m/N] of the Fourier components of one order.
+
+        It is the mean over the azimuth for a table that is not round.
+        """
+        orders, parts = self.components
+        square = parts[orders == order].sum(axis=0)
+        some = square > 1e-8 * square.max(initial=0.0)
+        response = self._response(omega + order * rate, some)
+        return square[some] @ response
 
     def supplied_by_weight(self, load: float, rate: float) -> float:
         """Return the power [W] of the weight that drags its own static bowl."""
-        orders, parts = self.components
         power = 0.0
-        for order, square in zip(orders, parts, strict=True):
-            bowl = square @ self._response(np.array([order * rate]))[:, 0].imag
+        for order in self.components[0]:
+            bowl = self.of_order(order, np.zeros(1), rate)[0].imag
             power -= order * rate * bowl
         return load**2 * power
 
-    def _response(self, omega: np.ndarray) -> np.ndarray:
-        """Return 1/(w_m^2 - w^2 + 2 i d_m w) (m, f)."""
-        stiff = ((2 * np.pi * self.frequency) ** 2)[:, None]
-        return 1 / (stiff - omega**2 + 2j * self.decay_rate[:, None] * omega)
+    @cached_property
+    def lowest_frequencies(self) -> dict[float, float]:
+        """Lowest frequency [Hz] of a mode with relevant waves of each order above 0."""
+        min_share = 0.01  # of the mean square of the mode
+        orders, parts = self.components
+        shares = parts / np.maximum(parts.sum(axis=0), 1e-300)
+        return {
+            float(order): float(self.frequency[share > min_share].min())
+            for order, share in zip(orders, shares, strict=True)
+            if order > 0 and np.any(share > min_share)
+        }
+
+    def _response(self, omega: np.ndarray, some: Any = slice(None)) -> np.ndarray:
+        """Return 1/(w_m^2 - w^2 + 2 i d_m w) (m, f) of some modes."""
+        stiff = ((2 * np.pi * self.frequency[some]) ** 2)[:, None]
+        return 1 / (stiff - omega**2 + 2j * self.decay_rate[some, None] * omega)
 
 
 @dataclass(frozen=True)

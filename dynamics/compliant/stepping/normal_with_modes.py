@@ -1,13 +1,14 @@
 """Both parts of a time step on a table with modes; regular for a flat disk.
 
 The scheme conserves or dissipates energy. The rim touches the table in the horizontal
-direction e of the smallest gap G = z - R n.e + H (1 - c) - sum q_m w_m - r. Here n is
-the axis, c = n_z, and r the sum of the heights of table and edge. With e and the mode
-shapes w_m at both ends of a step h, and ~ for the mean of both ends,
+direction e in which the gap without heights is smallest. There, the gap is G = z - R n.e
++ H (1 - c) - sum q_m w_m - r, where n is the axis, c = n_z, and r the sum of the heights
+of table and edge. With e and the mode shapes w_m at both ends of a step h, and ~ for the
+mean of both ends,
 
     dG = dz - u.dn - sum w~ dq + T,    u = (R e~, H),    T = -R n~.de - sum q~ dw - dr,
 
-exactly. T is of third order, because G is a minimum. With U = 2/5 K (-G)^2.5 and the
+exactly. T + dr is of third order, because G + r is a minimum. With U = 2/5 K (-G)^2.5 and the
 difference quotient N = -dU/dG, the force N on the centre, the torque N u x n~ and the
 forces -N w~ on the modes do the work N (dG - T). Kinetic energy + m g z + U + the
 energy of the modes therefore changes only by -N T. This error is compensated by scaling

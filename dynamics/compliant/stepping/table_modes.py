@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from dynamics.compliant.law.height_profile import add_rim_heights
+from dynamics.compliant.law.height_profile import mean_rim_height
 from dynamics.compliant.stepping.rim_modes import (
     NO_RIM_MODES,
     RimModes,
@@ -417,7 +417,9 @@ def find_gap_minima(modes, constants, centre, axis, scratch):
 def track_contact(modes, constants, centre, axis, rough, scratch):
     """Find the contact of a disk with an axis n and a centre (x, y) on the table.
 
-    One Newton step updates each minimum of the gap; the lowest one is the contact.
+    One Newton step updates each minimum of the gap without heights; the lowest one with
+    heights is the contact. It does not follow the minima of the rough gap: between them
+    it would jump, and the dashpot would take each jump for an approach.
     While the disk is almost parallel to the table below it, the opposite side of the
     rim may become the lowest in any step, and the whole rim is scanned every time.
     `rough` contains the height profiles of table and edge, their path lengths [m] at
@@ -446,9 +448,6 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
         c, s, reach, down = evaluate_gap(modes, constants, (x, y), axis, angle, scratch)
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
-        add_rim_heights(
-            rough, reach, constants.radius, angle_between(last, angle), rim_field
-        )
         slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
         bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
@@ -458,7 +457,10 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
         step = slope / max(curvature, 0.1 * level_curvature + 1e-300)
         step = min(max(step, -0.1), 0.1)
         modes.contact[CONTACT.minimum_angles + n] = angle + step
-        value = field[0] + rim_field[0] + down + step * slope / 2
+        height = mean_rim_height(
+            rough, reach, constants.radius, angle_between(last, angle)
+        )
+        value = field[0] + rim_field[0] + height + down + step * slope / 2
         if value > lowest_gap:
             lowest_gap = value
             contact_angle = angle + step
@@ -480,9 +482,8 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
         n2,
         modes.shape_after,
     )
-    rim_field[:] = 0.0
-    add_rim_heights(rough, reach, R, angle_between(last, contact_angle), rim_field)
-    return contact_angle, rim_field[0], reach * angle_between(last, contact_angle)
+    turn = angle_between(last, contact_angle)
+    return contact_angle, mean_rim_height(rough, reach, R, turn), reach * turn
 
 
 @kernel

@@ -20,6 +20,8 @@ from dynamics.compliant.law.linear_response import (
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.tabulated import TabulatedLaw
+from modal import SurfaceModes
+from sonify.scene import Scene
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
@@ -45,6 +47,10 @@ class ContactFilter:
         [Hz]
     start : float
         Time of sample 0 [s].
+    table_modes : modal.SurfaceModes, optional
+        Modes of a table that yields to the force.
+    plate_mobility : float, optional
+        Mobility of an infinite plate that yields to it [s/kg].
     """
 
     motion: Motion
@@ -52,6 +58,26 @@ class ContactFilter:
     profiles: tuple[Profile, Profile]
     sample_rate: int
     start: float
+    table_modes: SurfaceModes | None = None
+    plate_mobility: float = 0.0
+
+    @classmethod
+    def along(
+        cls, motion: Motion, scene: Scene, sample_rate: int, start: float
+    ) -> "ContactFilter":
+        """Return the filter of the rough contact of a motion, with its table."""
+        plan = motion.plan
+        assert plan.tabulated_law is not None  # the contact is elastic
+        heights = profiles(scene.roughness, scene.disk.radius)
+        return cls(
+            motion,
+            plan.tabulated_law,
+            heights,
+            sample_rate,
+            start,
+            plan.filter_modes,
+            plan.filter_plate_mobility,
+        )
 
     @property
     def oversampling(self) -> int:
@@ -91,11 +117,18 @@ class ContactFilter:
         rate = oversampling * self.sample_rate
         begin = self.start + self.first / self.sample_rate
         knots = motion_blocks(self.motion, rate, begin, self.end)
+        if self.motion.plan.scene.surface.kind == "modes":  # they move with the disk
+            knots = (block._replace(centre=np.zeros(2)) for block in knots)
         weight = windowed_sinc_taps(oversampling)
         past = np.zeros((len(weight) // 2 + 1, 2))
         count = 0
         for force in linear_contact_force_blocks(
-            self.tabulated_law, knots, rate, self.profiles
+            self.tabulated_law,
+            knots,
+            rate,
+            self.profiles,
+            self.table_modes,
+            self.plate_mobility,
         ):
             t = begin + (count + 1 + np.arange(len(force))) / rate
             count += len(force)
@@ -141,11 +174,7 @@ class ContactVibration(SoundSource):
     def __init__(self, scene, motion, *moved: SoundSource):
         self._motion = motion
         self._filter_from = partial(
-            ContactFilter,
-            motion.rolling,
-            motion.plan.tabulated_law,
-            profiles(scene.roughness, scene.disk.radius),
-            scene.audio.sample_rate,
+            ContactFilter.along, motion.rolling, scene, scene.audio.sample_rate
         )
         self._group = SourceGroup(moved)
         self._vibrating = moved[0]

@@ -107,12 +107,17 @@ class VibratingDisk(SoundSource):
             [moved[:, 2], self._disk.radius * moved[:, 4:2:-1] * [1, -1]]
         )
 
-    def mean_square_pressure(self, inclination: float, frequency) -> np.ndarray:
+    def mean_square_pressure(
+        self, inclination: float, frequency, mean_gap: float | None = None
+    ) -> np.ndarray:
         """Return the mean-square pressure (k,) [Pa^2/N^2] per squared normal force at
         frequencies (k,) [Hz].
 
-        The result is averaged over the azimuth of the listener."""
-        gap = np.log(np.clip(np.sin(inclination), *TABULATED_MEAN_GAPS[[0, -1]]))
+        The result is averaged over the azimuth of the listener. The ratio of mean gap to
+        radius is that of the inclination unless `mean_gap` replaces it; beyond the
+        tabulated range the nearest value applies."""
+        wide = np.sin(inclination) if mean_gap is None else mean_gap
+        gap = np.log(np.clip(wide, *TABULATED_MEAN_GAPS[[0, -1]]))
         normal_force = np.array([[0.0, 0.0, 1.0]])
         waves = (
             self._pressure(gap)

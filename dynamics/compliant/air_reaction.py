@@ -1,0 +1,126 @@
+"""Reaction of the air between the faces on the vibration of disk and table.
+
+The filter of a rough contact neglects it; the plan states the change of level that it
+would cause. Lever and inertia are those of the rigid disk.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy.integrate import trapezoid
+from scipy.special import jv
+
+from dynamics.a_weighting import a_weighting_db
+from dynamics.air import Air
+from dynamics.compliant.law.linear_response import (
+    MIN_VIBRATION_FREQUENCY,
+    force_per_height,
+)
+from dynamics.compliant.law.linearised import inertias
+from dynamics.compliant.law.roughness import ellipse_window, spectral_density
+from dynamics.compliant.law.two_way_criterion import (
+    MAX_WEIGHTED_FREQUENCY,
+    table_acceleration,
+)
+from dynamics.compliant.model_selection import steady_precession_rate
+from dynamics.disk import Disk
+
+if TYPE_CHECKING:
+    from dynamics.motion_plan import MotionPlan
+
+
+class FilmInertia(NamedTuple):
+    """Complex inertia of the air between the faces; its negative imaginary part is a loss.
+
+    Attributes
+    ----------
+    mass : ndarray, (f,)
+        Force of the air in heave, divided by -w^2 z [kg].
+    moment : ndarray, (f,)
+        Moment in tilt about a diameter, divided by -w^2 theta [kg m^2].
+    """
+
+    mass: np.ndarray
+    moment: np.ndarray
+
+
+def film_inertia(radius: float, gap: float, air: Air, omega: np.ndarray) -> FilmInertia:
+    """Return the inertia of a layer of air under a vibrating disk.
+
+    The linear layer has a uniform gap and ambient pressure at the rim. It is viscous
+    and compressible, p'' + p'/r + ... + kappa^2 p = -rho w^2 z/(h C), with C = 1 - tanh(q)/q,
+    q = (h/2) sqrt(i w rho/mu) and kappa = w/(c sqrt(C)).
+
+    Parameters
+    ----------
+    radius, gap : float
+        Radius of the disk and gap [m].
+    air : Air
+        The air.
+    omega : ndarray, (f,)
+        Angular frequencies [rad/s].
+
+    Returns
+    -------
+    FilmInertia
+        The inertia; pi rho R^4/(8 h) and pi rho R^6/(96 h) in slow, inviscid flow.
+    """
+    if not air.density:
+        none = np.zeros(len(omega), complex)
+        return FilmInertia(none, none)
+    q = gap / 2 * np.sqrt(1j * omega * air.density / air.viscosity)
+    flow = 1 - np.tanh(q) / q
+    x = omega / (air.sound_speed * np.sqrt(flow)) * radius
+    stiffness = air.density * air.sound_speed**2 * np.pi / gap
+    heave = radius**2 * (2 * jv(1, x) / (x * jv(0, x)) - 1)
+    tilt = radius**4 * (jv(2, x) / (x * jv(1, x)) - 1 / 4)
+    return FilmInertia(stiffness * heave / omega**2, stiffness * tilt / omega**2)
+
+
+def disk_receptance(
+    disk: Disk, lever: float, omega: np.ndarray, film: FilmInertia
+) -> np.ndarray:
+    """Return the receptance (f,) [m/N] of a rigid disk at a horizontal lever [m]."""
+    mass = disk.mass + film.mass
+    moment = inertias(disk)[0] + film.moment
+    return -(1 / mass + lever**2 / moment) / omega**2
+
+
+def film_level_change(plan: "MotionPlan", inclination: float) -> float:
+    """Return the change [dB] of the A-weighted level of the table by the reaction of
+    the air, at an inclination [rad] in steady motion.
+
+    The air changes the receptance of the disk, and its force acts on the table below.
+    """
+    law = plan.tabulated_law
+    roughness = plan.scene.roughness
+    assert law is not None  # the contact is elastic
+    assert roughness is not None
+    disk = plan.scene.disk
+    lever = abs(float(law.law.place(inclination).f))
+    rate = steady_precession_rate(plan.scene, inclination)
+    k, heights = spectral_density(roughness, disk.radius)
+    omega = k * rate * lever
+    beta = np.array([inclination])
+    half_length = law.springs(beta, disk.weight)[1]
+    own = 1 / force_per_height(
+        law.linear_contact(beta, disk.weight, rate * lever), omega
+    )
+    air = plan.scene.air
+    film = film_inertia(disk.radius, disk.radius * np.sin(inclination), air, omega)
+    nothing = FilmInertia(0 * film.mass, 0 * film.moment)
+    changed = disk_receptance(disk, lever, omega, film)
+    changed = changed - disk_receptance(disk, lever, omega, nothing)
+    yielding = plan.contact_receptance(omega, rate)
+    frequency = omega / (2 * np.pi)
+    weight = 10 ** (a_weighting_db(frequency) / 10)
+    weight *= (frequency > MIN_VIBRATION_FREQUENCY) & (
+        frequency < MAX_WEIGHTED_FREQUENCY
+    )
+    weight *= heights * ellipse_window(k * half_length) ** 2
+    weight *= table_acceleration(plan.contact_receptance, omega)
+    pressed = 1 - film.mass / (disk.mass + film.mass)
+    without = np.mean(1 / np.abs(own + yielding) ** 2, axis=0)
+    with_air = np.mean(np.abs(pressed / (own + changed + yielding)) ** 2, axis=0)
+    levels = [trapezoid(weight * part, k) for part in (with_air, without)]
+    return float(10 * np.log10(levels[0] / levels[1]))
