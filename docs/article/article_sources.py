@@ -565,11 +565,7 @@ LIMITS = {
         "rad",
     ),
     "film_knudsen": ("dynamics.film.activation", "MAX_KNUDSEN_NUMBER", ""),
-    "landing_inclination": (
-        "dynamics.landing.landing_motion",
-        "MAX_LANDING_INCLINATION",
-        "rad",
-    ),
+    "tilted_film_slope": ("dynamics.landing.equations", "MAX_FILM_SLOPE", ""),
     "film_share": ("dynamics.solver_settings", "MIN_RELEVANT_SHARE", ""),
     "rolling_curvature": (
         "dynamics.compliant.model_selection",

@@ -15,28 +15,28 @@ from dynamics.landing.equations import (
     LandingState,
 )
 
-RELATIVE_TOLERANCE = 1e-8
+RELATIVE_TOLERANCE = 1e-9
 ABSOLUTE_TOLERANCE = LandingState(
-    height=1e-12,
-    axis_x=1e-11,
-    axis_y=1e-11,
-    axis_z=1e-11,
-    rise=1e-8,
-    turn_x=1e-8,
-    turn_y=1e-8,
-    turn_z=1e-8,
-    x=1e-11,
-    y=1e-11,
-    speed_x=1e-8,
-    speed_y=1e-8,
-    turned=1e-8,
-    axial_rate=1e-8,
-    squeezing=1e-12,
-    swirling=1e-12,
-    striking=1e-12,
-    shearing=1e-12,
-    rubbing=1e-12,
-    resisting=1e-12,
+    height=1e-13,
+    axis_x=1e-12,
+    axis_y=1e-12,
+    axis_z=1e-12,
+    rise=1e-9,
+    turn_x=1e-9,
+    turn_y=1e-9,
+    turn_z=1e-9,
+    x=1e-12,
+    y=1e-12,
+    speed_x=1e-9,
+    speed_y=1e-9,
+    turned=1e-9,
+    axial_rate=1e-9,
+    squeezing=1e-13,
+    swirling=1e-13,
+    striking=1e-13,
+    shearing=1e-13,
+    rubbing=1e-13,
+    resisting=1e-13,
 )
 LEVEL_TILT = 0.01
 """Tilt eps of a disk that counts as level: the gap at its rim is uniform within 1 %."""
@@ -44,9 +44,9 @@ MAX_KINETIC_SHARE = 1e-3
 """Kinetic over potential energy of a disk that sinks quasi-statically on its cushion."""
 REST_ENERGY_SHARE = 1e-6
 """Share of the initial energy with which a disk on its asperities counts as resting."""
-BOUNCE_COARSENESS = 10.0
+BOUNCE_COARSENESS = 100.0
 """Factor on both tolerances without a film or for a steep start, where a disk bounces many times."""
-POINTS_PER_STEP = 2
+POINTS_PER_STEP = 4
 """Number of pieces of cubic polynomials per time step."""
 ROLLING_SPAN = 0.01
 """Time [s] in which a disk must roll without vibration before its contact counts as rigid."""

@@ -45,7 +45,9 @@ class TableSound(NamedTuple):
     orders: np.ndarray
     square: np.ndarray
 
-    def power(self, frequency, spectrum, rate: float) -> np.ndarray:
+    def power(
+        self, frequency: np.ndarray, spectrum: np.ndarray, rate: float
+    ) -> np.ndarray:
         """Return the power spectrum (f,) [Pa^2/Hz] under a force with `spectrum` (f,)
         [N^2/Hz], at a precession rate [rad/s]."""
         shift = rate / (2 * np.pi)
@@ -117,7 +119,9 @@ class BandModel(NamedTuple):
     disk: VibratingDisk | None
     has_film: bool = True
 
-    def power(self, scene: Scene, at: SteadyVibration, frequency) -> np.ndarray:
+    def power(
+        self, scene: Scene, at: SteadyVibration, frequency: np.ndarray
+    ) -> np.ndarray:
         """Return the power spectrum (f,) [Pa^2/Hz] of the pressure."""
         assert scene.roughness is not None
         force = predicted_spectrum(
@@ -138,7 +142,7 @@ class BandModel(NamedTuple):
 
 
 def table_sound(
-    scene: Scene, modes: SurfaceModes | None, listener: Listener, frequency
+    scene: Scene, modes: SurfaceModes | None, listener: Listener, frequency: np.ndarray
 ) -> TableSound | None:
     """Return the `TableSound` at frequencies (f,) [Hz] of a table with modes or of an
     infinite plate; None for a rigid one."""

@@ -218,7 +218,8 @@ def test_a_motion_is_not_asked_for_what_is_no_time_of_it(result, t):
 
 def test_run_json_says_what_was_done(result, record):
     assert record["scene"]["disk"]["mass"] == 0.4387
-    assert record["outcome"]["name"] == "SETTLED"
+    assert record["outcome"]["name"] == "AT_REST"
+    assert record["hand_over"]["reason"] == "SETTLED"
     assert len(record["findings"]) == len(STANDS)
     assert all(check["passed"] for check in record["checks"])
     assert {"motion", "modes", "sound"} <= record["seconds"].keys()
