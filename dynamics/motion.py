@@ -145,7 +145,7 @@ class MotionEvent(NamedTuple):
     >>> from dynamics import simulate
     >>> from sonify import load_scene
     >>> still = "release={inclination_deg=5, omega=[0, 0, 0]}"
-    >>> (event,) = simulate(load_scene("published").replace(still)).events
+    >>> event, *touches = simulate(load_scene("published").replace(still)).events
     >>> f"{event.kind} at {event.speed:.2f} m/s with {event.energy:.3f} J"
     'fell onto its face at 0.45 m/s with 0.014 J'
     """

@@ -110,11 +110,12 @@ class LandedMotion(ContinuedMotion):
 
     @property
     def events(self) -> tuple[MotionEvent, ...]:
-        """What happened on the way; the landing replaces the fall that began it."""
+        """What happened on the way; a fall onto the face is the cause of the landing."""
+        earlier, later = self.first.events, self.then.events
         begin = self.switch_time
-        earlier = (event for event in self.first.events if event.t < begin)
-        later = (event._replace(t=begin + event.t) for event in self.then.events)
-        return (*earlier, *later)
+        if earlier and earlier[-1].t == begin:
+            later = later[1:]
+        return (*earlier, *(event._replace(t=begin + event.t) for event in later))
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,6 +132,11 @@ class ResumedMotion(ContinuedMotion):
     def rolling_outcome(self) -> Outcome:
         """How the last rolling motion ended."""
         return self.then.rolling_outcome
+
+    @property
+    def max_energy_error(self) -> float:
+        """Largest relative error of the energy balance, that of a disk which bounces."""
+        return 1e-5
 
     def __repr__(self) -> str:
         """Return a one-line summary."""

@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicHermiteSpline
 
 from dynamics.landing.equations import (
+    LOSSES,
     MAX_FILM_SLOPE,
     Geometry,
     LandingModel,
@@ -45,7 +46,8 @@ MAX_KINETIC_SHARE = 1e-3
 REST_ENERGY_SHARE = 1e-6
 """Share of the initial energy with which a disk on its asperities counts as resting."""
 BOUNCE_COARSENESS = 100.0
-"""Factor on both tolerances without a film or for a steep start, where a disk bounces many times."""
+"""Factor on the tolerances, but for those of the losses, of a disk that bounces many times:
+without a film, or from a steep start."""
 POINTS_PER_STEP = 4
 """Number of pieces of cubic polynomials per time step."""
 ROLLING_SPAN = 0.01
@@ -120,6 +122,8 @@ def solve_landing(
     rests = _rest_guard(model, start)
     steep = hypot(start.axis_x, start.axis_y) > MAX_FILM_SLOPE
     coarseness = BOUNCE_COARSENESS if steep or model.film is None else 1.0
+    tolerance = np.array(ABSOLUTE_TOLERANCE)
+    tolerance[: LOSSES.start] *= coarseness
     span = ROLLING_SPAN if may_roll else time_limit
     times, states = [np.zeros(1)], [np.array([start])]
     end = None
@@ -131,7 +135,7 @@ def solve_landing(
             states[-1][-1],
             method="LSODA",
             rtol=coarseness * RELATIVE_TOLERANCE,
-            atol=coarseness * np.array(ABSOLUTE_TOLERANCE),
+            atol=tolerance,
             dense_output=True,
             events=rests,
         )

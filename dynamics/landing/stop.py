@@ -1,6 +1,6 @@
 """The asperities that stop a falling disk: a ring of springs and dashpots below its rim."""
 
-from math import acos, log, pi, sin, sqrt
+from math import acos, exp, pi, sin, sqrt, tan
 from typing import NamedTuple
 
 DEFAULT_STOP_HEIGHT = 1e-7
@@ -96,9 +96,10 @@ class Stop(NamedTuple):
         k = self.stiffness
         mobility = 1 + (lever * sine / half_arc) ** 2
         c = k * self.relaxation_time * sqrt(pi / half_arc / mobility)
-        pressing = k * (reach * first - height * one) + c * (
-            R * tip * first - rise * one
-        )
+        spring = k * (reach * first - height * one)
+        approach = R * tip * first - rise * one
+        if spring + c * approach < 0:
+            c = -spring / approach  # the table does not pull
         tipping = k * (reach * square - height * first) + c * (
             R * tip * square - rise * first
         )
@@ -108,7 +109,7 @@ class Stop(NamedTuple):
         closing = rise**2 * one - 2 * rise * R * tip * first + (R * tip) ** 2 * square
         lost = c * (closing + (R * turn) ** 2 * other)
         return StopForces(
-            pressing, -R * tipping, -R * c * R * turn * other, stored, lost
+            spring + c * approach, -R * tipping, -R * c * R * turn * other, stored, lost
         )
 
 
@@ -146,9 +147,25 @@ def stop_below(
     Returns
     -------
     Stop
-        The ring. Its damping ratio is that of e = exp(-pi zeta/sqrt(1 - zeta^2)).
+        The ring. Its damping ratio sin(x) is that of e = exp((2 x - pi) tan(x)), since the
+        contact ends where spring and dashpot are in equilibrium [1]_.
+
+    References
+    ----------
+    .. [1] Schwager & Poeschel (2007), Granular Matter 9, 465, equation (20).
     """
-    decrement = -log(restitution)
-    damping_ratio = decrement / (pi**2 + decrement**2) ** 0.5
+    damping_ratio = sin(_damping_angle(restitution))
     frequency = (2 * pi * stiffness / mass) ** 0.5
     return Stop(height, stiffness, 2 * damping_ratio / frequency, radius)
+
+
+def _damping_angle(restitution: float) -> float:
+    """Return the angle x [rad] in e = exp((2 x - pi) tan(x)), by bisection."""
+    low, high = 0.0, pi / 2
+    for _ in range(60):
+        middle = (low + high) / 2
+        if exp((2 * middle - pi) * tan(middle)) > restitution:
+            low = middle
+        else:
+            high = middle
+    return low

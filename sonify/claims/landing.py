@@ -1,28 +1,41 @@
-"""Findings on the halt of a disk that the air lifts off the table."""
+"""Findings on the halt of a disk that loses its rolling contact."""
+
+from dataclasses import replace
 
 import numpy as np
 
 from dynamics import Motion
+from dynamics.landing.equations import LandingState
 from dynamics.landing.landing_motion import TOUCH, LandingMotion
+from dynamics.landing.solution import solve_landing
+from dynamics.landing.stop import stop_below
 from dynamics.observables import precession_rate
 from sonify.claims.finding import Finding, Measured, finding
 
+RESTITUTIONS = (0.28, 0.46, 0.79)
+"""Coefficients of restitution at which the loss in one impact is stated."""
+SLAP_DURATION = 3e-3
+"""Time [s] after the beginning of the first impact that contains its loss."""
+PAUSE = 2e-4
+"""Time without a loss [s] that separates two impacts."""
+MIN_LOSS = 1e-3
+"""Smallest loss of an impact over the energy at the loss of contact."""
+
 
 def landing_findings(motion: Motion) -> list[Finding]:
-    """Return the findings on the landing; empty unless the film lifts the disk."""
+    """Return the findings on the end of a motion that loses its rolling contact."""
     landing = motion.landing
     if landing is None:
         return []
-    return [
-        halt_is_abrupt(landing),
-        air_catches_disk(landing),
-        one_impact_ends_it(landing),
-    ]
+    found = [halt_is_abrupt(landing), one_impact_ends_it(landing)]
+    if landing.model.film is not None:
+        found.insert(1, air_catches_disk(landing))
+    return found
 
 
 @finding(needs=("motion",), at_most=1.0)
 def halt_is_abrupt(landing: LandingMotion) -> Measured:
-    """The turns from the lift-off until the disk precesses less than once per second."""
+    """The turns from the loss of contact until the disk precesses less than once per second."""
     slow = 2 * np.pi  # rad/s
     state = landing.at(landing.t)
     rate = np.abs(precession_rate(state))
@@ -50,11 +63,58 @@ def air_catches_disk(landing: LandingMotion) -> Measured:
 
 
 @finding(needs=("motion",), at_least=0.5)
-def one_impact_ends_it(landing: LandingMotion) -> float:
-    """The largest share of the energy at the first touch that one impact dissipates."""
-    touches = [event for event in landing.events if event.kind == TOUCH]
-    if not touches:
-        return 0.0
-    times = [event.t for event in touches] + [landing.t_end]
-    lost = np.diff(landing.energy_lost(times)["contact"])
-    return float(lost.max() / touches[0].energy)
+def one_impact_ends_it(landing: LandingMotion) -> Measured:
+    """The largest share of the energy at the first impact that one impact dissipates.
+
+    The details repeat it with other restitutions, shortly beyond the first impact.
+    """
+    own = impacts(landing.t, landing)
+    if not len(own):
+        return Measured(0.0)
+    until = own[0, 0] + SLAP_DURATION
+    details = {
+        f"at_{round(100 * restitution)}": _largest_loss(
+            _with_restitution(landing, restitution, until)
+        )
+        for restitution in RESTITUTIONS
+    }
+    return Measured(_largest_loss(landing), details=details)
+
+
+def _largest_loss(landing: LandingMotion) -> float:
+    """Return the largest loss of energy in one impact over the energy before the first one."""
+    found = impacts(landing.t, landing)
+    return float(found[:, 2].max() / found[0, 1]) if len(found) else 0.0
+
+
+def _with_restitution(
+    landing: LandingMotion, restitution: float, duration: float
+) -> LandingMotion:
+    """Return a landing on asperities with another restitution, cut at a duration [s]."""
+    model = landing.model
+    stop = model.stop
+    other = stop_below(
+        stop.radius, landing.disk.mass, restitution, stop.height, stop.stiffness
+    )
+    start = LandingState(*landing.solution.path(0.0))
+    solution = solve_landing(model._replace(stop=other), start, duration)
+    return replace(landing, solution=solution)
+
+
+def impacts(t: np.ndarray, landing: LandingMotion) -> np.ndarray:
+    """Return time [s], energy before [J] and loss [J] (n, 3) of each impact on the table.
+
+    The times t (k,) [s] resolve the impacts. Losses less than PAUSE apart belong to one
+    impact; impacts that take less than MIN_LOSS of the energy are left out.
+    """
+    lost = landing.energy_lost(t)["contact"]
+    energy = landing.energy(t)
+    strikes = np.flatnonzero(np.diff(lost) > 1e-9 * energy[0])
+    groups = np.split(strikes, np.flatnonzero(np.diff(t[strikes]) > PAUSE) + 1)
+    rows = [
+        (t[group[0]], energy[group[0]], lost[group[-1] + 1] - lost[group[0]])
+        for group in groups
+        if len(group)
+    ]
+    found = np.reshape(rows, (-1, 3))
+    return found[found[:, 2] > MIN_LOSS * energy[0]]

@@ -119,7 +119,8 @@ def contact_sentence(by_key):
 
 
 def end_sentence(motion, by_key):
-    clause = END_CLAUSES.get(motion.outcome, motion.outcome.sentence)
+    end = motion.outcome if motion.landing else motion.rolling_outcome
+    clause = END_CLAUSES.get(end, end.sentence)
     time = f"after {float(motion.t[-1]):.3g} s {clause}"
     found = by_key.get("what_ends")
     if found is None or found.cause not in CAUSE_IN_WORDS:

@@ -220,7 +220,7 @@ def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
     ],
 )
 def test_it_ends_with_a_name(elastic, changes, outcome):
-    motion = simulate(elastic.replace(*changes))
+    motion = simulate(elastic.replace(*changes)).rolling
     assert motion.rolling_outcome.name == outcome
     assert motion.rows[:, 1].min() >= MIN_CONTACT_INCLINATION
     assert motion.t[-1] <= motion.t_end < motion.t[-1] + 0.1

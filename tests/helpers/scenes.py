@@ -87,7 +87,7 @@ class Attitudes(MotionBase):
     """A motion without a film, known by its states (n, 11) at times (n,) [s] alone."""
 
     film = None
-    outcome = Outcome.ROLLING_ON
+    rolling_outcome = Outcome.ROLLING_ON
 
     def __init__(self, disk: Disk, state, t=None, **attributes):
         self.disk = disk

@@ -146,7 +146,7 @@ def steadily(table, beta, seconds):
         disk, at(t), t, jumps=none, at=at,
         force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
         bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
-        outcome=Outcome.ROLLING_ON,
+        rolling_outcome=Outcome.ROLLING_ON,
         plan=SimpleNamespace(
             film=None,
             tabulated_law=table,

@@ -300,7 +300,7 @@ def test_without_a_film_the_sources_are_those_of_a_disk_in_a_baffle(scene, flexu
         motion = Attitudes(
             scene.disk,
             steady(1e-3, 300.0, 2),
-            outcome=Outcome.SETTLED,
+            rolling_outcome=Outcome.SETTLED,
             plan=plan_motion(in_air),
         )
         pair = disk_sources(
