@@ -12,8 +12,9 @@ if TYPE_CHECKING:
     from dynamics.landing.equations import Geometry, LandingLoads, LandingModel
     from dynamics.landing.stop import StopForces
 
-MIN_ROLLING_SLOPE = 1e-9
-"""Smallest sine of the inclination at which the contour moment acts."""
+MIN_ROLLING_SLOPE = 1e-4
+"""Sine of the inclination below which the contour moment no longer grows: the rim touches
+the table along an arc."""
 
 
 class RimLoads(NamedTuple):
@@ -133,7 +134,7 @@ class RimFriction(NamedTuple):
         lean = -rolling_arm * load * _smooth_sign(rolling, still)
         nod = -nutation_arm * load * _smooth_sign(omega_q, still)
         contour = self.contour_moment * share * load / model.disk.weight
-        contour *= -_smooth_sign(omega_p, still * s) / max(s, MIN_ROLLING_SLOPE)
+        contour *= -_smooth_sign(omega_p, still) / max(s, MIN_ROLLING_SLOPE)
         about_z = out * force_q + swivel
         return RimLoads(
             force_u,

@@ -307,7 +307,7 @@ def test_the_modes_ring_out_however_the_motion_ends(name):
     scene = load_scene(name).replace(
         "audio.sample_rate=8000", *(["numerics.time_limit=2.0"] * (name == "published"))
     )
-    motion = simulate(scene)
+    motion = simulate(scene).rolling
     modes = eigenmodes(scene, below=4e3)
     assert motion.rolling_outcome in (Outcome.FELL, Outcome.ROLLING_ON)
     renderer = Renderer(scene, motion, modes)
