@@ -75,9 +75,13 @@ class LandingMotion(MotionBase):
 
     @property
     def outcome(self) -> Outcome:
-        """AT_REST, or ROLLING_ON at the time limit or where the disk rolls again."""
-        rests = self.solution.end is LandingEnd.REST
-        return Outcome.AT_REST if rests else Outcome.ROLLING_ON
+        """AT_REST, STALLED after too many time steps, or ROLLING_ON at the time limit or where
+        the disk rolls again."""
+        outcomes = {
+            LandingEnd.REST: Outcome.AT_REST,
+            LandingEnd.STEP_LIMIT: Outcome.STALLED,
+        }
+        return outcomes.get(self.solution.end, Outcome.ROLLING_ON)
 
     @property
     def rolling_outcome(self) -> Outcome:

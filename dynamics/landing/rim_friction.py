@@ -1,7 +1,7 @@
 """Friction and resisting moments of the rims of a disk that lands or tumbles.
 
 Coulomb's friction acts at the centre of pressure of each rim, and on the rotation about
-it. Both are regularised at low speeds, so that a rolling disk creeps slightly.
+it where a long arc touches the table. Both are regularised at low speeds, so that a rolling disk creeps slightly.
 """
 
 from collections.abc import Sequence
@@ -124,10 +124,8 @@ class RimFriction(NamedTuple):
         limit = self.coefficient * load
         push = limit / sqrt(slip_u * slip_u + slip_q * slip_q + creep * creep)
         force_u, force_q = -push * slip_u, -push * slip_q
-        arc = R * sqrt(1 - share * share)
-        swivel = (
-            -limit * arc * arc * pivoting / sqrt((arc * pivoting) ** 2 + creep * creep)
-        )
+        spread = R * (1 - share)  # the arms of the scene are those of a point
+        swivel = -limit * spread * _smooth_sign(spread * pivoting, creep)
         still = creep / R
         nutation_arm, rolling_arm, pivoting_arm = self.arms
         twist = -pivoting_arm * load * _smooth_sign(pivoting, still)

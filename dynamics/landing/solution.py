@@ -5,8 +5,9 @@ from math import hypot
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import LSODA
 from scipy.interpolate import CubicHermiteSpline
+from scipy.optimize import brentq
 
 from dynamics.landing.equations import (
     LOSSES,
@@ -48,8 +49,10 @@ REST_ENERGY_SHARE = 1e-6
 BOUNCE_COARSENESS = 100.0
 """Factor on the tolerances, but for those of the losses, of a disk that bounces many times:
 without a film, or from a steep start."""
+MAX_STEPS = 40_000
+"""Largest number of time steps."""
 POINTS_PER_STEP = 4
-"""Number of pieces of cubic polynomials per time step."""
+"""Number of pieces of cubic polynomials per time step; half of it while a disk tumbles."""
 ROLLING_SPAN = 0.01
 """Time [s] in which a disk must roll without vibration before its contact counts as rigid."""
 MIN_ROLLING_SLOPE = 0.02
@@ -70,6 +73,7 @@ class LandingEnd(Enum):
     REST = "the disk is at rest"
     ROLLS = "the disk rolls steadily on one rim"
     TIME_LIMIT = "the time limit is reached"
+    STEP_LIMIT = "the number of time steps is too large"
 
 
 class Landing(NamedTuple):
@@ -120,58 +124,70 @@ def solve_landing(
         If the integrator fails.
     """
     rests = _rest_guard(model, start)
+    solver = _solver(model, start, time_limit)
+    points = POINTS_PER_STEP // 2 if may_roll else POINTS_PER_STEP
+    share = np.arange(1, points + 1) / points
+    times, states = [np.zeros(1)], [np.array([start])]
+    margin = rests(0.0, solver.y)
+    span_begin, span_end = 0, ROLLING_SPAN
+    end = None
+    while end is None:
+        message = solver.step()
+        if solver.status == "failed":
+            raise ArithmeticError(
+                f"the landing of the disk cannot be solved: {message}"
+            )
+        path = solver.dense_output()
+        last = solver.t
+        before, margin = margin, rests(last, solver.y)
+        if before > 0 >= margin:
+            end = LandingEnd.REST
+            last = _zero_of(rests, path, solver.t_old, last)
+        inner = solver.t_old + (last - solver.t_old) * share
+        times.append(inner)
+        states.append(path(inner).T)
+        if end is None and solver.status == "finished":
+            end = LandingEnd.TIME_LIMIT
+        elif end is None and len(times) > MAX_STEPS:
+            end = LandingEnd.STEP_LIMIT
+        elif end is None and may_roll and last >= span_end:
+            if _rolls_steadily(model, np.concatenate(states[span_begin:])):
+                end = LandingEnd.ROLLS
+            span_begin, span_end = len(states), last + ROLLING_SPAN
+    return Landing(model, _spline(model, times, states), end)
+
+
+def _zero_of(rests: Any, path: Any, begin: float, end: float) -> float:
+    """Return the time [s] in a step, whose states are path(t), at which `rests` is zero."""
+    return brentq(lambda t: rests(t, path(t)), begin, end)
+
+
+def _solver(model: LandingModel, start: LandingState, time_limit: float) -> LSODA:
+    """Return an integrator, with larger tolerances for a disk that bounces."""
     steep = hypot(start.axis_x, start.axis_y) > MAX_FILM_SLOPE
     coarseness = BOUNCE_COARSENESS if steep or model.film is None else 1.0
     tolerance = np.array(ABSOLUTE_TOLERANCE)
     tolerance[: LOSSES.start] *= coarseness
-    span = ROLLING_SPAN if may_roll else time_limit
-    times, states = [np.zeros(1)], [np.array([start])]
-    end = None
-    while end is None:
-        begin = times[-1][-1]
-        found = solve_ivp(
-            model.rates,
-            (begin, min(begin + span, time_limit)),
-            states[-1][-1],
-            method="LSODA",
-            rtol=coarseness * RELATIVE_TOLERANCE,
-            atol=tolerance,
-            dense_output=True,
-            events=rests,
-        )
-        if found.status < 0:
-            raise ArithmeticError(
-                f"the landing of the disk cannot be solved: {found.message}"
-            )
-        share = np.arange(1, POINTS_PER_STEP + 1) / POINTS_PER_STEP
-        inner = (found.t[:-1, None] + np.diff(found.t)[:, None] * share).ravel()
-        inner[POINTS_PER_STEP - 1 :: POINTS_PER_STEP] = found.t[1:]
-        times.append(inner)
-        states.append(found.sol(inner).T)
-        if found.status == 1:
-            end = LandingEnd.REST
-        elif found.t[-1] >= time_limit:
-            end = LandingEnd.TIME_LIMIT
-        elif _rolls_steadily(model, states[-1]):
-            end = LandingEnd.ROLLS
-        elif may_roll:
-            span = 2 * span if _stands(model, states[-1][-1]) else ROLLING_SPAN
-    return Landing(model, _spline(model, times, states), end)
+    relative = coarseness * RELATIVE_TOLERANCE
+    return LSODA(
+        model.rates, 0.0, np.array(start), time_limit, rtol=relative, atol=tolerance
+    )
 
 
 def _spline(
     model: LandingModel, times: list[np.ndarray], states: list[np.ndarray]
 ) -> CubicHermiteSpline:
-    """Return the spline through the states (k, 20) of all spans."""
+    """Return the spline through the states (k, 20) of all steps.
+
+    The losses never decrease; errors of the integration that let them are removed, and
+    remain in the balance of energy.
+    """
     t, y = np.concatenate(times), np.concatenate(states)
-    rates = [model.rates(*row) for row in zip(t.tolist(), y.tolist(), strict=True)]
-    return CubicHermiteSpline(t, y, np.array(rates))
-
-
-def _stands(model: LandingModel, y: np.ndarray) -> bool:
-    """Return whether both rims of a disk in a state (20,) touch the table."""
-    at = model.geometry(y.tolist())
-    return max(at.gap, at.upper_gap) < model.stop.radius * at.slope
+    rates = np.empty_like(y)
+    for i, row in enumerate(y):
+        rates[i] = model.rates(t[i], row.tolist())
+    y[:, LOSSES] = np.maximum.accumulate(y[:, LOSSES])
+    return CubicHermiteSpline(t, y, rates)
 
 
 def _rolls_steadily(model: LandingModel, states: np.ndarray) -> bool:
@@ -202,7 +218,7 @@ def _rolls(model: LandingModel, y: list[float]) -> bool:
 
 
 def _rest_guard(model: LandingModel, start: LandingState) -> Any:
-    """Return a function of time and state that falls through zero when the disk rests."""
+    """Return a function of time and state (20,) that falls through zero when the disk rests."""
     weight = model.disk.weight
     released = model.energy(start)
     sag = weight / (2 * np.pi * model.stop.stiffness)
@@ -240,6 +256,4 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
         lying = [*y[:4], 0.0, 0.0, 0.0, 0.0, *y[8:10], 0.0, 0.0, y[12], 0.0]
         return (model.energy(y) - model.energy(lying)) / least - 1
 
-    rests.terminal = True  # type: ignore[attr-defined]
-    rests.direction = -1  # type: ignore[attr-defined]
     return rests

@@ -8,6 +8,10 @@ DEFAULT_STOP_HEIGHT = 1e-7
 DEFAULT_STOP_STIFFNESS = 4e8
 """Stiffness of the ring per radian of the rim [N/m]."""
 
+ARC_DAMPING_POWER = 8
+"""Power of the share of the rim that touches in the damping of a travelling tilt: dashpots of
+a short arc would resist rolling."""
+
 
 class StopForces(NamedTuple):
     """Forces of the ring on the disk.
@@ -91,7 +95,7 @@ class Stop(NamedTuple):
         first = 2 * sine
         cosine = height / reach if reach > -height else -1.0
         square = half_arc + sine * cosine
-        other = half_arc - sine * cosine
+        other = (half_arc - sine * cosine) * (half_arc / pi) ** ARC_DAMPING_POWER
         R = self.radius
         k = self.stiffness
         mobility = 1 + (lever * sine / half_arc) ** 2
@@ -109,7 +113,11 @@ class Stop(NamedTuple):
         closing = rise**2 * one - 2 * rise * R * tip * first + (R * tip) ** 2 * square
         lost = c * (closing + (R * turn) ** 2 * other)
         return StopForces(
-            spring + c * approach, -R * tipping, -R * c * R * turn * other, stored, lost
+            max(spring + c * approach, 0.0),
+            -R * tipping,
+            -R * c * R * turn * other,
+            stored,
+            lost,
         )
 
 
