@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from dynamics.dissipation import power_laws
 from dynamics.film.tilted_film import film_below
 from dynamics.landing.continued_motion import LandedMotion, ResumedMotion
 from dynamics.landing.equations import LandingModel
@@ -123,7 +124,7 @@ def landing_after(
 
 
 def rim_friction(plan: MotionPlan) -> RimFriction:
-    """Return the friction of a plan: its dynamic coefficient, constant arms, contour moment."""
+    """Return the friction of a plan: its dynamic coefficient, constant arms and power laws."""
     friction = plan.scene.friction
     arm = friction.arm_pivoting
     return RimFriction(
@@ -133,5 +134,5 @@ def rim_friction(plan: MotionPlan) -> RimFriction:
             friction.arm_rolling,
             0.0 if isinstance(arm, str) else arm,
         ),
-        plan.scene.dissipation.contour_moment,
+        tuple(power_laws(plan.scene.dissipation, plan.scene.disk)),
     )

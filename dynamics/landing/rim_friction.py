@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from dynamics.landing.stop import StopForces
 
 MIN_ROLLING_SLOPE = 1e-4
-"""Sine of the inclination below which the contour moment no longer grows: the rim touches
-the table along an arc."""
+"""Sine of the inclination below which the power laws no longer grow: the rim touches the
+table along an arc."""
 
 
 class RimLoads(NamedTuple):
@@ -48,15 +48,16 @@ class RimFriction(NamedTuple):
         Coefficient of sliding friction.
     arms : tuple of float
         Arms [m] of the moments that resist nutation, rolling and pivoting.
-    contour_moment : float
-        Moment [N m] of contour friction under the weight of the disk.
+    laws : tuple of (float, float)
+        Coefficient c [W s^b] and exponent b of each power c |Omega|^b that the rolling disk
+        loses under its weight at the precession rate Omega.
     creep_speed : float
         Speed [m/s] at which friction reaches 1/sqrt(2) of its limit.
     """
 
     coefficient: float = 0.0
     arms: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    contour_moment: float = 0.0
+    laws: tuple[tuple[float, float], ...] = ()
     creep_speed: float = 1e-3
 
     def loads(
@@ -131,8 +132,10 @@ class RimFriction(NamedTuple):
         twist = -pivoting_arm * load * _smooth_sign(pivoting, still)
         lean = -rolling_arm * load * _smooth_sign(rolling, still)
         nod = -nutation_arm * load * _smooth_sign(omega_q, still)
-        contour = self.contour_moment * share * load / model.disk.weight
-        contour *= -_smooth_sign(omega_p, still) / max(s, MIN_ROLLING_SLOPE)
+        steep = max(s, MIN_ROLLING_SLOPE)
+        rate = abs(omega_p) / steep
+        contour = sum(c * rate ** (exponent - 1) for c, exponent in self.laws) / steep
+        contour *= -_smooth_sign(omega_p, still) * share * load / model.disk.weight
         about_z = out * force_q + swivel
         return RimLoads(
             force_u,

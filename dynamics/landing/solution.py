@@ -46,7 +46,7 @@ MAX_KINETIC_SHARE = 1e-3
 """Kinetic over potential energy of a disk that sinks quasi-statically on its cushion."""
 REST_ENERGY_SHARE = 1e-6
 """Share of the initial energy with which a disk on its asperities counts as resting."""
-BOUNCE_COARSENESS = 100.0
+BOUNCE_COARSENESS = 10.0
 """Factor on the tolerances, but for those of the losses, of a disk that bounces many times:
 without a film, or from a steep start."""
 MAX_STEPS = 40_000

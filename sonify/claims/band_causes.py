@@ -145,11 +145,11 @@ def table_sound(
     scene: Scene, modes: SurfaceModes | None, listener: Listener, frequency: np.ndarray
 ) -> TableSound | None:
     """Return the `TableSound` at frequencies (f,) [Hz] of a table with modes or of an
-    infinite plate; None for a rigid one."""
+    infinite plate; None for a table that does not radiate."""
     if isinstance(scene.surface, InfiniteSurface):
         square = pressure_per_force(scene.surface, listener) ** 2
         return TableSound(np.zeros(1), np.full((1, len(frequency)), square))
-    if modes is None:
+    if modes is None or scene.surface.kind == "modes":  # these have no face that radiates
         return None
     azimuth_count = 64
     frequency_count = 256  # at which the radiation of a mode is evaluated

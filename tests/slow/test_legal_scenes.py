@@ -18,8 +18,8 @@ import pytest
 from hypothesis import given, settings
 from legal_scenes import any_document, documents, faults_of
 from paths import REFERENCES
+from scenes import roll
 
-from dynamics import simulate
 from dynamics.compliant.law.tabulated import TabulatedSeriesLaw
 from dynamics.compliant.model_inputs import tabulated_contact_law
 from dynamics.compliant.stepping.tangential import project_on_friction_circle
@@ -109,7 +109,7 @@ def test_a_sliding_force_lies_on_its_cone(ratio):
 
 def test_a_table_that_begins_to_move_gives_no_energy():
     scene = from_document(KNOWN["traceback_contact_spline"])
-    motion = simulate(scene)
+    motion = roll(scene)
     later = motion.switch_time
     assert 0 < later < motion.t[-1]
     before = motion.passive_part.energy(later)[0]
