@@ -43,6 +43,10 @@ CHAOTIC = {
 }  # fmt: skip
 """Findings on the last, chaotic milliseconds or on rounding; they are excluded from the comparison.
 """
+BOUNCING = {
+    "carriers_are_modes", "carriers_are_steady", "halt_is_abrupt", "modes_take_little", "one_impact_ends_it",
+}  # fmt: skip
+"""Findings on the impacts of a disk that has fallen in a vacuum, which are chaotic."""
 NAMES = sorted({*shipped_scenes(), *LAWS})
 """Scenes of the package, and `dissipation` with each of its other laws."""
 RATTLING = ("coin", "coin-grain", "coin-wood")
@@ -97,11 +101,13 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
         assert name == "coin-grain" or findings[claims[2]]["verdict"] != "no"
         return
     known = KNOWN[name]
-    assert findings.keys() - CHAOTIC == known.keys() - CHAOTIC
+    bounces = {"dissipation", *LAWS} & {name}
+    ignored = CHAOTIC | (BOUNCING if bounces else set())
+    assert findings.keys() - ignored == known.keys() - ignored
     if name in CHAOTIC_SLIPS:
         return
     changed = {}
-    for key in sorted(findings.keys() - CHAOTIC):
+    for key in sorted(findings.keys() - ignored):
         value, margin, verdict = (
             findings[key][part] for part in ("value", "margin", "verdict")
         )
