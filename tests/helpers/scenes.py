@@ -21,10 +21,10 @@ from dynamics.steady_motion import steady_precession
 RADIUS = 0.03755
 
 
-def roll(moved, loads=None) -> Motion:
+def roll(moved, loads=None, watch=lambda t, inclination, doing: None) -> Motion:
     """Return the motion of a scene until the rolling contact is lost for the first time."""
     plan = plan_motion(moved)
-    return solve_rolling_motion(plan.with_own_law(loads) if loads else plan)
+    return solve_rolling_motion(plan.with_own_law(loads) if loads else plan, watch)
 
 
 def scene(
