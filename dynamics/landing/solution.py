@@ -49,7 +49,7 @@ REST_ENERGY_SHARE = 1e-6
 BOUNCE_COARSENESS = 10.0
 """Factor on the tolerances, but for those of the losses, of a disk that bounces many times:
 without a film, or from a steep start."""
-MAX_STEPS = 40_000
+MAX_STEPS = 150_000
 """Largest number of time steps."""
 POINTS_PER_STEP = 4
 """Number of pieces of cubic polynomials per time step; half of it while a disk tumbles."""

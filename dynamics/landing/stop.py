@@ -8,10 +8,6 @@ DEFAULT_STOP_HEIGHT = 1e-7
 DEFAULT_STOP_STIFFNESS = 4e8
 """Stiffness of the ring per radian of the rim [N/m]."""
 
-ARC_DAMPING_POWER = 8
-"""Power of the share of the rim that touches in the damping of a travelling tilt: dashpots of
-a short arc would resist rolling."""
-
 
 class StopForces(NamedTuple):
     """Forces of the ring on the disk.
@@ -95,7 +91,8 @@ class Stop(NamedTuple):
         first = 2 * sine
         cosine = height / reach if reach > -height else -1.0
         square = half_arc + sine * cosine
-        other = (half_arc - sine * cosine) * (half_arc / pi) ** ARC_DAMPING_POWER
+        # dashpots of a short arc would resist rolling
+        other = (half_arc - sine * cosine) * half_arc / pi
         R = self.radius
         k = self.stiffness
         mobility = 1 + (lever * sine / half_arc) ** 2
