@@ -56,8 +56,8 @@ def simulate(
 ) -> Motion:
     """Solve the motion of a scene.
 
-    A nearly flat disk that loses its rolling contact above an air film lands on it, over
-    a rigid table, until it is at rest. The contact is rigid, unless the scene has an elastic contact that must be
+    A disk that loses its rolling contact moves on as a rigid body over a rigid table,
+    until it is at rest or rolls again. The contact is rigid, unless the scene has an elastic contact that must be
     solved in full (`numerics.contact`). The coupling to the table depends on `surface.action`:
 
     * "sound": no coupling. The motion is the same as on a rigid table.
@@ -85,7 +85,7 @@ def simulate(
         Progress callback `watch(t, inclination, doing)` [s, rad]. Before a compilation,
         it is called with a description in `doing`.
     loads : OwnLaw, optional
-        A law of dissipation that replaces `scene.dissipation`. It requires a rigid
+        A law of dissipation that replaces `scene.dissipation` while the disk rolls. It requires a rigid
         contact or `numerics.contact = "filter"`, and a table without two-way coupling.
     surface_modes : modal.SurfaceModes, optional
         Modes of the table, as returned by `modal.surface_modes(scene)`. They replace

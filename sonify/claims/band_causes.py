@@ -149,7 +149,9 @@ def table_sound(
     if isinstance(scene.surface, InfiniteSurface):
         square = pressure_per_force(scene.surface, listener) ** 2
         return TableSound(np.zeros(1), np.full((1, len(frequency)), square))
-    if modes is None or scene.surface.kind == "modes":  # these have no face that radiates
+    if (
+        modes is None or scene.surface.kind == "modes"
+    ):  # these have no face that radiates
         return None
     azimuth_count = 64
     frequency_count = 256  # at which the radiation of a mode is evaluated
