@@ -10,6 +10,7 @@ from dynamics.landing.continued_motion import LandedMotion, ResumedMotion
 from dynamics.landing.equations import LandingModel
 from dynamics.landing.landing_motion import LandingMotion, solve_landing_motion
 from dynamics.landing.rim_friction import RimFriction
+from dynamics.landing.solution import MAX_STEPS
 from dynamics.landing.stop import stop_below
 from dynamics.motion import Motion, Outcome
 from dynamics.motion_plan import MotionPlan
@@ -56,11 +57,13 @@ def landed(rolling: Motion, plan: MotionPlan, roll: RollingSolver | None) -> Mot
         If the integrator fails.
     """
     motion = rolling
+    steps_left = MAX_STEPS
     for resumptions in range(MAX_RESUMPTIONS + 1):
         may_roll = roll is not None and resumptions < MAX_RESUMPTIONS
-        landing = landing_after(motion, plan, may_roll=may_roll)
+        landing = landing_after(motion, plan, may_roll=may_roll, max_steps=steps_left)
         if landing is None:
             return motion
+        steps_left -= landing.steps
         motion = LandedMotion(plan, motion, landing)
         if not landing.rolls_on:
             return motion
@@ -76,6 +79,7 @@ def landing_after(
     plan: MotionPlan,
     restitution: float | None = None,
     may_roll: bool = False,
+    max_steps: int = MAX_STEPS,
 ) -> LandingMotion | None:
     """Solve the motion of a disk that has lost its rolling contact, over a rigid table.
 
@@ -92,6 +96,8 @@ def landing_after(
         default that of the contact, or DEFAULT_STOP_RESTITUTION.
     may_roll : bool, optional
         True if the motion ends where the disk rolls steadily on one rim again.
+    max_steps : int, optional
+        Largest number of time steps.
 
     Returns
     -------
@@ -119,7 +125,14 @@ def landing_after(
     model = LandingModel(disk, film, stop, rim_friction(plan))
     start = motion.at(motion.t[-1])[0]
     return solve_landing_motion(
-        model, start, fillet, cause, left, plan=plan, may_roll=may_roll
+        model,
+        start,
+        fillet,
+        cause,
+        left,
+        plan=plan,
+        may_roll=may_roll,
+        max_steps=max_steps,
     )
 
 

@@ -136,7 +136,7 @@ class ResumedMotion(ContinuedMotion):
     @property
     def max_energy_error(self) -> float:
         """Largest relative error of the energy balance, that of a disk which bounces."""
-        return 1e-5
+        return 2e-5
 
     def __repr__(self) -> str:
         """Return a one-line summary."""

@@ -89,6 +89,11 @@ class LandingMotion(MotionBase):
         return self.outcome
 
     @property
+    def steps(self) -> int:
+        """Number of time steps."""
+        return self.solution.steps
+
+    @property
     def rolls_on(self) -> bool:
         """True if the disk rolls steadily on one rim at the end."""
         return self.solution.end is LandingEnd.ROLLS
@@ -393,7 +398,7 @@ def solve_landing_motion(
     time_limit: float,
     clearance: float = 0.0,
     plan: Any = None,
-    may_roll: bool = False,
+    **limits: Any,
 ) -> LandingMotion:
     """Solve the landing of a disk from the columns of the motion that ends.
 
@@ -413,8 +418,8 @@ def solve_landing_motion(
         Height of the low point above the asperities at the start [m].
     plan : MotionPlan, optional
         The decisions of the whole motion.
-    may_roll : bool, optional
-        True if the motion ends where the disk rolls steadily on one rim.
+    **limits
+        Options `may_roll` and `max_steps` of `solve_landing`.
 
     Returns
     -------
@@ -427,7 +432,7 @@ def solve_landing_motion(
         If the integrator fails.
     """
     start = landing_state(model, columns, fillet, clearance)
-    landing = solve_landing(model, start, time_limit, may_roll)
+    landing = solve_landing(model, start, time_limit, **limits)
     return LandingMotion(
         solution=landing, start=columns, rolling_fillet=fillet, cause=cause, plan=plan
     )

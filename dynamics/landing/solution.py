@@ -50,7 +50,7 @@ BOUNCE_COARSENESS = 10.0
 """Factor on the tolerances, but for those of the losses, of a disk that bounces many times:
 without a film, or from a steep start."""
 MAX_STEPS = 150_000
-"""Largest number of time steps."""
+"""Largest number of time steps of all landings of a motion."""
 POINTS_PER_STEP = 4
 """Number of pieces of cubic polynomials per time step; half of it while a disk tumbles."""
 ROLLING_SPAN = 0.01
@@ -87,11 +87,14 @@ class Landing(NamedTuple):
         State (k, 20) at times (k,) [s] since the start, in the order of `LandingState`.
     end : LandingEnd
         What ended it.
+    steps : int
+        Number of time steps.
     """
 
     model: LandingModel
     path: Any
     end: LandingEnd
+    steps: int
 
 
 def solve_landing(
@@ -99,6 +102,7 @@ def solve_landing(
     start: LandingState,
     time_limit: float,
     may_roll: bool = False,
+    max_steps: int = MAX_STEPS,
 ) -> Landing:
     """Solve the equations until the disk rests on its cushion of air or on the asperities.
 
@@ -112,6 +116,8 @@ def solve_landing(
         Longest duration [s].
     may_roll : bool, optional
         True if the solution ends where the disk rolls steadily on one rim.
+    max_steps : int, optional
+        Largest number of time steps.
 
     Returns
     -------
@@ -148,13 +154,13 @@ def solve_landing(
         states.append(path(inner).T)
         if end is None and solver.status == "finished":
             end = LandingEnd.TIME_LIMIT
-        elif end is None and len(times) > MAX_STEPS:
+        elif end is None and len(times) > max_steps:
             end = LandingEnd.STEP_LIMIT
         elif end is None and may_roll and last >= span_end:
             if _rolls_steadily(model, np.concatenate(states[span_begin:])):
                 end = LandingEnd.ROLLS
             span_begin, span_end = len(states), last + ROLLING_SPAN
-    return Landing(model, _spline(model, times, states), end)
+    return Landing(model, _spline(model, times, states), end, len(times) - 1)
 
 
 def _zero_of(rests: Any, path: Any, begin: float, end: float) -> float:

@@ -198,9 +198,9 @@ def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
 
 @check(
     "the energy of the landing is accounted for",
-    "energy and losses to film and asperities after each step",
+    "energy and losses after each step; its error grows with the number of impacts",
     needs=("motion",),
-    tolerance=1e-6,
+    tolerance=2e-5,
 )
 def landing_energy_balance(motion: Motion):
     """The largest change of energy plus losses after the loss of contact, relative to

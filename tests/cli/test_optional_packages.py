@@ -37,7 +37,11 @@ def test_a_run_and_a_table_as_text_need_no_optional_package(tmp_path):
         "export", "motion", "--as", "csv", "--out", "motion.csv", "run", cwd=tmp_path
     )
     assert exported.returncode == 0, exported.stderr
-    assert (tmp_path / "motion.csv").read_text().startswith("t,precession,inclination,")
+    assert (
+        (tmp_path / "motion.csv")
+        .read_text()
+        .startswith("t [s],precession [rad],inclination [rad],")
+    )
 
 
 @pytest.mark.parametrize(
