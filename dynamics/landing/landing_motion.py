@@ -31,6 +31,8 @@ from dynamics.motion import (
     times_within,
 )
 
+MAX_BANDWIDTH = 1e5
+"""Highest frequency [Hz] at which the force of a landing is sampled."""
 TOUCH = "touches the asperities"
 """Kind of the event in which the low point of the rim meets the table again."""
 
@@ -268,10 +270,11 @@ class LandingMotion(MotionBase):
         )
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
-        """Return the highest frequency (k,) [Hz] of the force: that of the stop."""
-        stop = self.model.stop
-        stiffness = 2 * np.pi * stop.stiffness
-        return np.full(len(state), np.sqrt(stiffness / self.disk.mass) / (2 * np.pi))
+        """Return the highest frequency (k,) [Hz] of the force that matters to the sound: that
+        of the stop, or MAX_BANDWIDTH."""
+        stiffness = 2 * np.pi * self.model.stop.stiffness
+        frequency = np.sqrt(stiffness / self.disk.mass) / (2 * np.pi)
+        return np.full(len(state), min(frequency, MAX_BANDWIDTH))
 
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic, potential and stored energy (k,) [J] at times t (k,) [s]."""
