@@ -374,7 +374,7 @@ def test_several_listeners_are_the_channels_of_the_files(tmp_path):
         np.abs(one + other).max() < 0.02 * np.abs(one).max()
     )  # the farther rim is slightly fainter
     write(several, tmp_path)
-    for name in ("pressure", "sound", "audible", "stems/tilt"):
+    for name in ("pressure", "sound", "audible", "stems/rest"):
         samples, _ = soundfile.read(tmp_path / f"{name}.wav")
         assert samples.shape == (common, 3)
     ears = np.concatenate(list(alone.audible.blocks())).T
