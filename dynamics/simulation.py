@@ -57,8 +57,9 @@ def simulate(
     """Solve the motion of a scene.
 
     A disk that loses its rolling contact moves on as a rigid body over a rigid table,
-    until it is at rest or rolls again. The contact is rigid, unless the scene has an elastic contact that must be
-    solved in full (`numerics.contact`). The coupling to the table depends on `surface.action`:
+    until it is at rest or rolls again. The contact is rigid, unless the scene has an
+    elastic contact that must be solved in full (`numerics.contact`). The coupling to the
+    table depends on `surface.action`:
 
     * "sound": no coupling. The motion is the same as on a rigid table.
     * "motion": two-way coupling from the release on.
@@ -85,8 +86,8 @@ def simulate(
         Progress callback `watch(t, inclination, doing)` [s, rad]. Before a compilation,
         it is called with a description in `doing`.
     loads : OwnLaw, optional
-        A law of dissipation that replaces `scene.dissipation` while the disk rolls. It requires a rigid
-        contact or `numerics.contact = "filter"`, and a table without two-way coupling.
+        A law of dissipation that replaces `scene.dissipation` while the disk rolls. It
+        requires a rigid contact or `numerics.contact = "filter"`, and a table without two-way coupling.
     surface_modes : modal.SurfaceModes, optional
         Modes of the table, as returned by `modal.surface_modes(scene)`. They replace
         those of the scene and are ignored without two-way coupling.

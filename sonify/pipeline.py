@@ -26,7 +26,7 @@ from sonify.claims.two_way import motion_findings as two_way_findings
 from sonify.claims.two_way import two_way_part
 from sonify.hearing.recording import Heard, listen_to_known_disk
 from sonify.plan.air import limits_of_film_law
-from sonify.plan.body_scene import BodyScene, body_scene
+from sonify.plan.body_scene import body_scene
 from sonify.plan.duration import predicted_run_seconds
 from sonify.plan.plan import Plan, with_motion_end
 from sonify.plan.preflight import (
@@ -400,12 +400,8 @@ class DiskModesCache:
     """
 
     def __init__(self) -> None:
-        self._modes = lru_cache(4)(_modes_of)
+        self._modes = lru_cache(4)(eigenmodes)
 
     def __call__(self, scene: Scene, below: float) -> Modes:
         """Return the modes of the disk of a scene below a frequency [Hz]."""
-        return self._modes(body_scene(scene), below)
-
-
-def _modes_of(body: BodyScene, below: float) -> Modes:
-    return eigenmodes(body, below=below)
+        return self._modes(body_scene(scene), below=below)

@@ -16,7 +16,11 @@ from scipy.signal import welch
 from benchmarks.cases.table_halt import steady_state
 from benchmarks.timed_runs import Answer, Failure
 from dynamics import simulate
-from dynamics.compliant.compliant_motion import compliant_model, simulate_from
+from dynamics.compliant.compliant_motion import (
+    FORCE_SAMPLE_RATE,
+    compliant_model,
+    simulate_from,
+)
 from dynamics.compliant.law.height_profile import (
     SMOOTH_PROFILE,
     Profile,
@@ -62,9 +66,6 @@ MIN_DURATION = 0.1
 
 TRANSIENT_DURATION = 0.05
 """Initial part of the stretch without influence on the spectrum of the force [s]."""
-
-FORCE_RATE = 1e5
-"""Rate of the mean forces of the models that take time steps [1/s]."""
 
 MIN_FORCE_RMS = 0.01
 """Smallest rms of the varying force, divided by the weight, to which errors relate."""
@@ -321,7 +322,7 @@ def one_contact(case: TableCase, rate: float, imperfection=None):
     """Return motion, force (n,) [N] and its rate of one contact in time steps.
 
     The contact is the lowest point of the disk, or with an `imperfection` the point of
-    the smallest gap."""
+    the smallest gap without the heights."""
     plan = case.planned("full", rate)
     scene = plan.scene
     planned = compliant_model(plan)
@@ -338,7 +339,7 @@ def one_contact(case: TableCase, rate: float, imperfection=None):
         MAX_DURATION,
         scene.numerics.final_inclination,
     )
-    return motion, _step_forces(motion), FORCE_RATE
+    return motion, _step_forces(motion), FORCE_SAMPLE_RATE
 
 
 def one_tracked_contact(case: TableCase, rate: float):
@@ -361,12 +362,12 @@ def contacts_anywhere(case: TableCase, rate: float):
         scene.numerics.final_inclination
     )
     motion = simulate_rattling(model, state, MAX_DURATION, final_tilt)
-    return motion, _step_forces(motion), FORCE_RATE
+    return motion, _step_forces(motion), FORCE_SAMPLE_RATE
 
 
 def _step_forces(motion) -> np.ndarray:
     """Return the mean normal force (n,) [N] between the stored impulses of a motion."""
-    return np.diff(motion.impulses[:, 2]) * FORCE_RATE
+    return np.diff(motion.impulses[:, 2]) * FORCE_SAMPLE_RATE
 
 
 SOLVERS = {
@@ -408,20 +409,28 @@ def errors(found: Stretch, reference: Stretch, weight: float) -> Errors:
     )
 
 
-ROUGH = partial(TableCase, kind="rough, long waves")
-SHORT = partial(TableCase, kind="rough, short waves", shortest=SHORT_WAVE_CUTOFF)
-WAVY = partial(TableCase, kind="wavy", order=12)
-FLEXIBLE = partial(TableCase, kind="flexible", is_flexible=True)
-FRICTION = partial(TableCase, kind="with friction", friction=10.0)
+LONG_WAVE_CASE = partial(TableCase, kind="rough, long waves")
+SHORT_WAVE_CASE = partial(
+    TableCase, kind="rough, short waves", shortest=SHORT_WAVE_CUTOFF
+)
+WAVY_TABLE_CASE = partial(TableCase, kind="wavy", order=12)
+FLEXIBLE_TABLE_CASE = partial(TableCase, kind="flexible", is_flexible=True)
+FRICTION_CASE = partial(TableCase, kind="with friction", friction=10.0)
 CASES = {
     case.name: case
     for case in (
         TableCase(kind="smooth"),
-        *(ROUGH(curvature_number=k) for k in (0.05, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5)),
-        *(WAVY(curvature_number=k) for k in (0.1, 0.25, 0.5)),
-        *(SHORT(curvature_number=k) for k in (0.02, 0.03, 0.04, 0.05, 0.07, 0.1, 0.2)),
-        *(FLEXIBLE(curvature_number=k) for k in (0.0, 0.2)),
-        *(FRICTION(curvature_number=k) for k in (0.0, 0.2)),
+        *(
+            LONG_WAVE_CASE(curvature_number=k)
+            for k in (0.05, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5)
+        ),
+        *(WAVY_TABLE_CASE(curvature_number=k) for k in (0.1, 0.25, 0.5)),
+        *(
+            SHORT_WAVE_CASE(curvature_number=k)
+            for k in (0.02, 0.03, 0.04, 0.05, 0.07, 0.1, 0.2)
+        ),
+        *(FLEXIBLE_TABLE_CASE(curvature_number=k) for k in (0.0, 0.2)),
+        *(FRICTION_CASE(curvature_number=k) for k in (0.0, 0.2)),
     )
 }
 """All cases by name."""

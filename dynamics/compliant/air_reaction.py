@@ -10,16 +10,12 @@ import numpy as np
 from scipy.integrate import trapezoid
 from scipy.special import jv
 
-from dynamics.a_weighting import a_weighting_db
 from dynamics.air import Air
-from dynamics.compliant.law.linear_response import (
-    MIN_VIBRATION_FREQUENCY,
-    force_per_height,
-)
+from dynamics.compliant.law.linear_response import force_per_height
 from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.two_way_criterion import (
-    MAX_WEIGHTED_FREQUENCY,
+    level_weight,
     table_acceleration,
 )
 from dynamics.compliant.model_selection import steady_precession_rate
@@ -112,11 +108,7 @@ def film_level_change(plan: "MotionPlan", inclination: float) -> float:
     changed = disk_receptance(disk, lever, omega, film)
     changed = changed - disk_receptance(disk, lever, omega, nothing)
     yielding = plan.contact_receptance(omega, rate)
-    frequency = omega / (2 * np.pi)
-    weight = 10 ** (a_weighting_db(frequency) / 10)
-    weight *= (frequency > MIN_VIBRATION_FREQUENCY) & (
-        frequency < MAX_WEIGHTED_FREQUENCY
-    )
+    weight = level_weight(omega / (2 * np.pi))
     weight *= heights * ellipse_window(k * half_length) ** 2
     weight *= table_acceleration(plan.contact_receptance, omega)
     pressed = 1 - film.mass / (disk.mass + film.mass)

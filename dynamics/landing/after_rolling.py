@@ -63,7 +63,7 @@ def landed(rolling: Motion, plan: MotionPlan, roll: RollingSolver | None) -> Mot
         landing = landing_after(motion, plan, may_roll=may_roll, max_steps=steps_left)
         if landing is None:
             return motion
-        steps_left -= landing.steps
+        steps_left -= landing.solution.steps
         motion = LandedMotion(plan, motion, landing)
         if not landing.rolls_on:
             return motion

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.contact_losses import ContactLosses
+from dynamics.landing import MAX_BOUNCE_ENERGY_ERROR
 from dynamics.landing.landing_motion import LandingMotion
 from dynamics.motion import FindingGroup, Motion, MotionEvent, Outcome
 from dynamics.sequential_motion import SequentialMotion
@@ -73,9 +74,13 @@ class ContinuedMotion(SequentialMotion):
     @property
     def events(self) -> tuple[MotionEvent, ...]:
         """What happened on the way, in order of time."""
+        return (*self.first.events, *self._later_events)
+
+    @property
+    def _later_events(self) -> tuple[MotionEvent, ...]:
+        """Events of the continuation at their times in the whole motion."""
         begin = self.switch_time
-        later = (event._replace(t=begin + event.t) for event in self.then.events)
-        return (*self.first.events, *later)
+        return tuple(event._replace(t=begin + event.t) for event in self.then.events)
 
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return the total energy (k,) [J] at t (k,) [s]; it is continuous."""
@@ -111,19 +116,18 @@ class LandedMotion(ContinuedMotion):
     @property
     def events(self) -> tuple[MotionEvent, ...]:
         """What happened on the way; a fall onto the face is the cause of the landing."""
-        earlier, later = self.first.events, self.then.events
-        begin = self.switch_time
-        if earlier and earlier[-1].t == begin:
+        earlier, later = self.first.events, self._later_events
+        if earlier and earlier[-1].t == self.switch_time:
             later = later[1:]
-        return (*earlier, *(event._replace(t=begin + event.t) for event in later))
+        return (*earlier, *later)
 
 
 @dataclass(frozen=True, eq=False)
 class ResumedMotion(ContinuedMotion):
     """A `Motion` of a disk that loses its contact and rolls again.
 
-    Where it rolls again, the creep of the contact and its vibration end: they are
-    counted as dissipated.
+    Where it rolls again, the creep of the contact and its vibration end. Their energy
+    remains part of the energy, so that it is continuous.
     """
 
     first: LandedMotion
@@ -136,7 +140,7 @@ class ResumedMotion(ContinuedMotion):
     @property
     def max_energy_error(self) -> float:
         """Largest relative error of the energy balance, that of a disk which bounces."""
-        return 2e-5
+        return MAX_BOUNCE_ENERGY_ERROR
 
     def __repr__(self) -> str:
         """Return a one-line summary."""

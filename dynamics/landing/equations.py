@@ -22,12 +22,7 @@ from typing import NamedTuple
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.conformal_reynolds import FilmResistance
 from dynamics.film.tilted_film import TiltedFilm
-from dynamics.landing.rim_friction import (
-    NO_FRICTION,
-    NO_RIM_LOADS,
-    RimFriction,
-    RimLoads,
-)
+from dynamics.landing.rim_friction import RimFriction, RimLoads
 from dynamics.landing.stop import NO_STOP_FORCES, Stop, StopForces
 
 MIN_FILM_GAP = 1e-9
@@ -166,7 +161,7 @@ class LandingModel(NamedTuple):
     disk: Disk
     film: TiltedFilm | None
     stop: Stop
-    friction: RimFriction = NO_FRICTION
+    friction: RimFriction = RimFriction()
 
     @property
     def diametral_inertia(self) -> float:
@@ -257,8 +252,6 @@ class LandingModel(NamedTuple):
         self, y: Sequence[float], at: Geometry, loads: LandingLoads
     ) -> RimLoads:
         """Return friction and resisting moments of both rims in a state (20,)."""
-        if self.friction is NO_FRICTION:
-            return NO_RIM_LOADS
         return self.friction.loads(y[10:12], at, loads, self)
 
     def rates(self, t: float, y: Sequence[float]) -> list[float]:

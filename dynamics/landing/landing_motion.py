@@ -1,4 +1,4 @@
-"""Motion of a nearly flat disk from the loss of its rolling contact to rest."""
+"""Motion of a disk from the loss of its rolling contact to rest, or to rolling again."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -89,11 +89,6 @@ class LandingMotion(MotionBase):
     def rolling_outcome(self) -> Outcome:
         """The same as `outcome`: the disk does not roll."""
         return self.outcome
-
-    @property
-    def steps(self) -> int:
-        """Number of time steps."""
-        return self.solution.steps
 
     @property
     def rolls_on(self) -> bool:
@@ -197,7 +192,7 @@ class LandingMotion(MotionBase):
         ux, uy = at.direction_x, at.direction_y
         vx, vy = y[10:12]
         centre = ux * vy - uy * vx, -ux * vx - uy * vy
-        place = low_point(self.disk, self.rolling_fillet, at)
+        place = low_point(self.disk, self.rolling_fillet, at.cosine, at.slope)
         return centre_to_slip(centre, (at.E_p, at.spin, -at.E_q), place)
 
     def rolling_columns(self) -> np.ndarray:
@@ -386,10 +381,10 @@ def _by_cause(states: np.ndarray) -> dict[str, np.ndarray]:
     }
 
 
-def low_point(disk: Disk, fillet: float, at: Geometry) -> ContactPlace:
-    """Return the place of the low point [m] of a disk."""
+def low_point(disk: Disk, fillet: float, cosine: float, sine: float) -> ContactPlace:
+    """Return the place of the low point [m] of a disk at an inclination."""
     R = disk.radius
-    place = contact_place(at.cosine, at.slope, disk.aspect, fillet / R)
+    place = contact_place(cosine, sine, disk.aspect, fillet / R)
     return ContactPlace(*(R * length for length in place))
 
 
@@ -451,9 +446,7 @@ def landing_state(
     precession, inclination = columns[:2]
     c, s = np.cos(precession), np.sin(precession)
     cosine, sine = np.cos(inclination), np.sin(inclination)
-    R = model.disk.radius
-    place = contact_place(cosine, sine, model.disk.aspect, fillet / R)
-    place = ContactPlace(*(R * length for length in place))
+    place = low_point(model.disk, fillet, cosine, sine)
     omega = columns[5:8]
     along, across = centre_velocity(columns[8:10], omega, place)
     p = np.array([cosine * s, -cosine * c, sine])

@@ -1,7 +1,8 @@
 """Friction and resisting moments of the rims of a disk that lands or tumbles.
 
 Coulomb's friction acts at the centre of pressure of each rim, and on the rotation about
-it where a long arc touches the table. Both are regularised at low speeds, so that a rolling disk creeps slightly.
+it where a long arc touches the table. Both are regularised at low speeds, so that a
+rolling disk creeps slightly.
 """
 
 from collections.abc import Sequence
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from dynamics.landing.equations import Geometry, LandingLoads, LandingModel
     from dynamics.landing.stop import StopForces
 
-MIN_ROLLING_SLOPE = 1e-4
+MIN_POWER_LAW_SLOPE = 1e-4
 """Sine of the inclination below which the power laws no longer grow: the rim touches the
 table along an arc."""
 
@@ -52,7 +53,7 @@ class RimFriction(NamedTuple):
         Coefficient c [W s^b] and exponent b of each power c |Omega|^b that the rolling disk
         loses under its weight at the precession rate Omega.
     creep_speed : float
-        Speed [m/s] at which friction reaches 1/sqrt(2) of its limit.
+        Speed [m/s], above 0, at which friction reaches 1/sqrt(2) of its limit.
     """
 
     coefficient: float = 0.0
@@ -132,7 +133,7 @@ class RimFriction(NamedTuple):
         twist = -pivoting_arm * load * _smooth_sign(pivoting, still)
         lean = -rolling_arm * load * _smooth_sign(rolling, still)
         nod = -nutation_arm * load * _smooth_sign(omega_q, still)
-        steep = max(s, MIN_ROLLING_SLOPE)
+        steep = max(s, MIN_POWER_LAW_SLOPE)
         rate = abs(omega_p) / steep
         contour = sum(c * rate ** (exponent - 1) for c, exponent in self.laws) / steep
         contour *= -_smooth_sign(omega_p, still) * share * load / model.disk.weight
@@ -148,11 +149,9 @@ class RimFriction(NamedTuple):
         )
 
 
-NO_FRICTION = RimFriction()
-"""Frictionless rims."""
 NO_RIM_LOADS = RimLoads()
 
 
 def _smooth_sign(rate: float, still: float) -> float:
-    """Return the sign of a rate, with a transition of the width `still`."""
-    return rate / sqrt(rate * rate + still * still) if still > 0 else 0.0
+    """Return the sign of a rate, with a transition of the width `still`, which is not 0."""
+    return rate / sqrt(rate * rate + still * still)

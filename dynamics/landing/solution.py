@@ -1,4 +1,4 @@
-"""Solve the landing of a nearly flat disk until it is at rest."""
+"""Solve the motion of a disk that has lost its rolling contact."""
 
 from enum import Enum
 from math import hypot
@@ -55,14 +55,14 @@ POINTS_PER_STEP = 4
 """Number of pieces of cubic polynomials per time step; half of it while a disk tumbles."""
 ROLLING_SPAN = 0.01
 """Time [s] in which a disk must roll without vibration before its contact counts as rigid."""
-MIN_ROLLING_SLOPE = 0.02
+MIN_RESUMED_SLOPE = 0.02
 """Least sine of the inclination of a disk that rolls again."""
-MIN_ROOM = 1e-6
+MIN_OTHER_RIM_HEIGHT = 1e-6
 """Least height [m] of the other rim above the table."""
 MIN_ROLLING_LOAD = 0.1
-"""Least contact force over the weight."""
-MAX_GRIP = 0.9
-"""Largest friction over its limit."""
+"""Least contact force over the weight of a disk that rolls again."""
+MAX_FRICTION_SHARE = 0.9
+"""Largest friction over its limit of a disk that rolls again."""
 MAX_RIM_SPEED = 1e-3
 """Largest vertical speed [m/s] of the low point of the rim."""
 
@@ -104,7 +104,7 @@ def solve_landing(
     may_roll: bool = False,
     max_steps: int = MAX_STEPS,
 ) -> Landing:
-    """Solve the equations until the disk rests on its cushion of air or on the asperities.
+    """Solve the equations until the disk rests on air, on its face or on its edge, or rolls again.
 
     Parameters
     ----------
@@ -146,17 +146,19 @@ def solve_landing(
         path = solver.dense_output()
         last = solver.t
         before, margin = margin, rests(last, solver.y)
-        if before > 0 >= margin:
-            end = LandingEnd.REST
+        has_come_to_rest = before > 0 >= margin
+        if has_come_to_rest:
             last = _zero_of(rests, path, solver.t_old, last)
         inner = solver.t_old + (last - solver.t_old) * share
         times.append(inner)
         states.append(path(inner).T)
-        if end is None and solver.status == "finished":
+        if has_come_to_rest:
+            end = LandingEnd.REST
+        elif solver.status == "finished":
             end = LandingEnd.TIME_LIMIT
-        elif end is None and len(times) > max_steps:
+        elif len(times) > max_steps:
             end = LandingEnd.STEP_LIMIT
-        elif end is None and may_roll and last >= span_end:
+        elif may_roll and last >= span_end:
             if _rolls_steadily(model, np.concatenate(states[span_begin:])):
                 end = LandingEnd.ROLLS
             span_begin, span_end = len(states), last + ROLLING_SPAN
@@ -210,7 +212,10 @@ def _rolls(model: LandingModel, y: list[float]) -> bool:
     """
     at = model.geometry(y)
     R = model.stop.radius
-    if at.slope < MIN_ROLLING_SLOPE or at.upper_gap <= R * at.slope + MIN_ROOM:
+    if (
+        at.slope < MIN_RESUMED_SLOPE
+        or at.upper_gap <= R * at.slope + MIN_OTHER_RIM_HEIGHT
+    ):
         return False
     loads = model.loads(at)
     load = loads.stop.force
@@ -218,7 +223,8 @@ def _rolls(model: LandingModel, y: list[float]) -> bool:
         return False
     rim = model.rim_loads(y, at, loads)
     grip = (
-        hypot(rim.force_u, rim.force_q) <= MAX_GRIP * model.friction.coefficient * load
+        hypot(rim.force_u, rim.force_q)
+        <= MAX_FRICTION_SHARE * model.friction.coefficient * load
     )
     return grip and abs(at.opening - R * at.tip) < MAX_RIM_SPEED
 
@@ -259,7 +265,7 @@ def _rest_guard(model: LandingModel, start: LandingState) -> Any:
         """Return a number that is positive unless the disk stands still on both rims."""
         if max(at.gap, at.upper_gap) > model.stop.radius * at.slope:
             return 1.0
-        lying = [*y[:4], 0.0, 0.0, 0.0, 0.0, *y[8:10], 0.0, 0.0, y[12], 0.0]
-        return (model.energy(y) - model.energy(lying)) / least - 1
+        still = [*y[:4], 0.0, 0.0, 0.0, 0.0, *y[8:10], 0.0, 0.0, y[12], 0.0]
+        return (model.energy(y) - model.energy(still)) / least - 1
 
     return rests

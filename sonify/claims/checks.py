@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from dynamics import Disk, Motion
+from dynamics.landing import MAX_BOUNCE_ENERGY_ERROR
 from modal import Modes
 from sonify.claims.finding import JUDGE_BY_KEY, Judge, Need
 from sonify.scene import Scene
@@ -200,7 +201,7 @@ def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
     "the energy of the landing is accounted for",
     "energy and losses after each step; its error grows with the number of impacts",
     needs=("motion",),
-    tolerance=2e-5,
+    tolerance=MAX_BOUNCE_ENERGY_ERROR,
 )
 def landing_energy_balance(motion: Motion):
     """The largest change of energy plus losses after the loss of contact, relative to

@@ -7,16 +7,14 @@ import numpy as np
 from scipy.signal import welch
 
 from dynamics import Motion
-from dynamics.compliant.law.linear_response import MIN_VIBRATION_FREQUENCY
 from dynamics.compliant.law.two_way_criterion import (
-    MAX_WEIGHTED_FREQUENCY,
     coupling_error,
+    level_weight,
     table_acceleration,
 )
 from sonify.claims.contact import contact_conditions
 from sonify.claims.finding import Measured, finding
 from sonify.claims.table_power import LEAD_TIME, intervals, one_way_end
-from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
 from sonify.sound.sources.contact import ContactFilter
 
@@ -72,12 +70,9 @@ def vibration(scene: Scene, motion: Motion, begin: float, end: float) -> np.ndar
 def table_level(motion: Motion, force: np.ndarray) -> float:
     """Return the A-weighted level [dB] of the modal accelerations under a force (k,)."""
     frequency, power = welch(force, SAMPLE_RATE, nperseg=len(force) // 4)
-    vibrates = frequency > MIN_VIBRATION_FREQUENCY
-    vibrates &= frequency < MAX_WEIGHTED_FREQUENCY
-    frequency = frequency[vibrates]
     moved = table_acceleration(motion.plan.contact_receptance, 2 * np.pi * frequency)
-    heard = moved * 10 ** (a_weighting_db(frequency) / 10)
-    return float(10 * np.log10(heard @ power[vibrates]))
+    heard = moved * level_weight(frequency)
+    return float(10 * np.log10(heard @ power))
 
 
 def predicted_error(scene: Scene, motion: Motion, begin: float, end: float) -> float:

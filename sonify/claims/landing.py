@@ -16,9 +16,9 @@ RESTITUTIONS = (0.28, 0.46, 0.79)
 """Coefficients of restitution at which the loss in one impact is stated."""
 SLAP_DURATION = 3e-3
 """Time [s] after the beginning of the first impact that contains its loss."""
-PAUSE = 2e-4
+MIN_PAUSE = 2e-4
 """Time without a loss [s] that separates two impacts."""
-MIN_LOSS = 1e-3
+MIN_IMPACT_LOSS_SHARE = 1e-3
 """Smallest loss of an impact over the energy at the loss of contact."""
 
 
@@ -68,22 +68,22 @@ def one_impact_ends_it(landing: LandingMotion) -> Measured:
 
     The details repeat it with other restitutions, shortly beyond the first impact.
     """
-    own = impacts(landing.t, landing)
+    own = impacts(landing)
     if not len(own):
         return Measured(0.0)
     until = own[0, 0] + SLAP_DURATION
     details = {
         f"at_{round(100 * restitution)}": _largest_loss(
-            _with_restitution(landing, restitution, until)
+            impacts(_with_restitution(landing, restitution, until))
         )
         for restitution in RESTITUTIONS
     }
-    return Measured(_largest_loss(landing), details=details)
+    return Measured(_largest_loss(own), details=details)
 
 
-def _largest_loss(landing: LandingMotion) -> float:
-    """Return the largest loss of energy in one impact over the energy before the first one."""
-    found = impacts(landing.t, landing)
+def _largest_loss(found: np.ndarray) -> float:
+    """Return the largest loss of energy in one of n impacts (n, 3) over the energy before the
+    first one."""
     return float(found[:, 2].max() / found[0, 1]) if len(found) else 0.0
 
 
@@ -101,20 +101,21 @@ def _with_restitution(
     return replace(landing, solution=solution)
 
 
-def impacts(t: np.ndarray, landing: LandingMotion) -> np.ndarray:
+def impacts(landing: LandingMotion) -> np.ndarray:
     """Return time [s], energy before [J] and loss [J] (n, 3) of each impact on the table.
 
-    The times t (k,) [s] resolve the impacts. Losses less than PAUSE apart belong to one
-    impact; impacts that take less than MIN_LOSS of the energy are left out.
+    Losses less than MIN_PAUSE apart belong to one impact; impacts that take less than
+    MIN_IMPACT_LOSS_SHARE of the energy are left out.
     """
+    t = landing.t
     lost = landing.energy_lost(t)["contact"]
     energy = landing.energy(t)
     strikes = np.flatnonzero(np.diff(lost) > 1e-9 * energy[0])
-    groups = np.split(strikes, np.flatnonzero(np.diff(t[strikes]) > PAUSE) + 1)
+    groups = np.split(strikes, np.flatnonzero(np.diff(t[strikes]) > MIN_PAUSE) + 1)
     rows = [
         (t[group[0]], energy[group[0]], lost[group[-1] + 1] - lost[group[0]])
         for group in groups
         if len(group)
     ]
     found = np.reshape(rows, (-1, 3))
-    return found[found[:, 2] > MIN_LOSS * energy[0]]
+    return found[found[:, 2] > MIN_IMPACT_LOSS_SHARE * energy[0]]

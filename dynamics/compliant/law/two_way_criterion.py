@@ -95,8 +95,7 @@ def coupling_error(
     two_way = driven * np.mean(np.abs(own / (1 + own * yielding)) ** 2, axis=0)
     ratio = np.mean(np.abs(own * yielding) ** 2, axis=0)
     vibrates = frequency > MIN_VIBRATION_FREQUENCY
-    weight = 10 ** (a_weighting_db(frequency) / 10) * vibrates
-    weight *= frequency < MAX_WEIGHTED_FREQUENCY
+    weight = level_weight(frequency)
     radiated = weight * table_acceleration(receptance, omega)
     heard = trapezoid(radiated * one_way, k), trapezoid(radiated * two_way, k)
     if not min(heard) > 0:
@@ -109,6 +108,18 @@ def coupling_error(
         one_way_rms=float(np.sqrt(trapezoid(one_way * vibrates, k)) / load),
         two_way_rms=float(np.sqrt(trapezoid(two_way * vibrates, k)) / load),
     )
+
+
+def level_weight(frequency: np.ndarray) -> np.ndarray:
+    """Return the A-weights (f,) of the power at frequencies (f,) [Hz].
+
+    They are 0 outside the range from MIN_VIBRATION_FREQUENCY to MAX_WEIGHTED_FREQUENCY.
+    """
+    counts = frequency > MIN_VIBRATION_FREQUENCY
+    counts &= frequency < MAX_WEIGHTED_FREQUENCY
+    weight = np.zeros(len(frequency))
+    weight[counts] = 10 ** (a_weighting_db(frequency[counts]) / 10)
+    return weight
 
 
 def table_acceleration(receptance: Any, omega: np.ndarray) -> np.ndarray:
