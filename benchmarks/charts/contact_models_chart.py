@@ -49,8 +49,8 @@ friction* show their influence. The models are
 
 - `filter`: the linear response of the contact along the motion of a rigid disk,
 - `full`: time steps of one contact, which is below the lowest point of the disk,
-- `full, tracked`: time steps of one contact at the smallest gap without these heights, which the program uses on wavy tables
-  (`imperfection`) and on flexible tables with two-way coupling,
+- `full, tracked`: time steps of one contact at the smallest gap without these heights, which the program uses on wavy
+  tables (`imperfection`) and on flexible tables with two-way coupling,
 - `many`: time steps of springs along the whole rim.
 
 The inclination decreases from 0.1 to 0.09 rad in about 0.24 s. The reference is `many` with 2.4 million steps per
