@@ -58,13 +58,13 @@ html_sidebars = {
     for page in (
         *(
             "getting_started",
-            "classroom",
             "how_to",
             "examples/index",
             "results",
             "theory",
             "gallery",
         ),
+        *("classroom", "predictions", "glossary", "surfaces"),
         *("detector", "detector_files", "parameter_studies", "verdict"),
         *("comparison", "references"),
         *("file_formats", "contributing", "changes"),

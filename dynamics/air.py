@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 from math import exp, log, pi, sqrt
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from annotated_types import Ge, Gt, Le
+
+if TYPE_CHECKING:
+    import numpy as np
 
 STANDARD_PRESSURE = 101325.0
 """Standard pressure [Pa]."""
@@ -71,7 +74,9 @@ class Air:
             * sqrt(pi * gas_constant * self.temperature / 2)
         )
 
-    def absorption(self, frequency: float, humidity: float = 0.5) -> float:
+    def absorption(
+        self, frequency: "float | np.ndarray", humidity: float = 0.5
+    ) -> "float | np.ndarray":
         """Return the absorption of sound by the air.
 
         The accuracy is 10 % for temperatures from -20 to 50 degrees Celsius and
@@ -79,14 +84,14 @@ class Air:
 
         Parameters
         ----------
-        frequency : float
+        frequency : float or ndarray
             Frequency of the sound [Hz].
         humidity : float
             Relative humidity, 0 to 1.
 
         Returns
         -------
-        float
+        float or ndarray
             Absorption [dB/m].
 
         References

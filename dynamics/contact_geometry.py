@@ -1,5 +1,7 @@
 """Place of the contact on the table, and the edge on which a disk rolls, in SI units."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -48,6 +50,6 @@ def edge_profile(disk: Disk, fillet: float, segments: int) -> np.ndarray:
     return disk.radius * np.column_stack([radius, depth])
 
 
-def _arms(inclination, disk, fillet):
+def _arms(inclination: Any, disk: Disk, fillet: float) -> tuple[Any, Any]:
     beta = np.asarray(inclination, dtype=float)
     return contact_arms(np.cos(beta), np.sin(beta), disk.aspect, fillet / disk.radius)

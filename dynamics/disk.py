@@ -193,3 +193,11 @@ class Release:
     """Angle between disk and table [degrees]."""
     omega: tuple[AngularRate, AngularRate, AngularRate]
     """Angular velocity along e_1 (nutation), e_2 (disk axis) and e_3 (disk plane) [rad/s]."""
+
+
+def inertias(disk: Disk) -> tuple[float, float]:
+    """Return the moments of inertia [kg m^2] about a diameter and about the axis."""
+    unit = disk.mass * disk.radius**2
+    K = disk.gyration
+    h = disk.aspect
+    return unit * (K / 4 + h * h / 3), unit * K / 2

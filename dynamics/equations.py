@@ -6,7 +6,8 @@ the given sine and cosine determine the type.
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from dynamics.kinematics import (
     ContactPlace,
@@ -15,6 +16,12 @@ from dynamics.kinematics import (
     contact_place,
     precession_rate,
 )
+
+if TYPE_CHECKING:
+    from dynamics.disk import Disk, Friction
+
+NumberOrExpression = Any
+"""Number, array or symbolic expression; the formulas hold for each of them."""
 
 
 class DiskConstants(NamedTuple):
@@ -58,7 +65,9 @@ class DiskConstants(NamedTuple):
         return self.k1, self.k2, self.k3
 
 
-def disk_constants(disk, friction, pivoting: tuple[float, ...] = ()) -> DiskConstants:
+def disk_constants(
+    disk: "Disk", friction: "Friction", pivoting: tuple[float, ...] = ()
+) -> DiskConstants:
     """Return the constants (4.4), (7.3) of a disk with a sharp edge."""
     return DiskConstants(
         h=disk.aspect,
@@ -67,7 +76,8 @@ def disk_constants(disk, friction, pivoting: tuple[float, ...] = ()) -> DiskCons
         mu_dynamic=friction.mu_dynamic,
         k1=friction.arm_nutation / disk.radius,
         k2=friction.arm_rolling / disk.radius,
-        k3=0.0 if pivoting else friction.arm_pivoting / disk.radius,
+        # arm_pivoting is a number unless it is replaced by `pivoting`
+        k3=0.0 if pivoting else friction.arm_pivoting / disk.radius,  # type: ignore[operator]
         pivoting=pivoting,
     )
 
@@ -183,7 +193,13 @@ class DiskMotion(NamedTuple):
     gyro: float
 
 
-def disk_motion(sin_a, cos_a, w, slip, constants) -> DiskMotion:
+def disk_motion(
+    sin_a: NumberOrExpression,
+    cos_a: NumberOrExpression,
+    w: tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression],
+    slip: tuple[NumberOrExpression, NumberOrExpression],
+    constants: DiskConstants,
+) -> DiskMotion:
     """Return the motion of a disk with an angular velocity w and a slip velocity."""
     place = contact_place(sin_a, cos_a, constants.h, constants.fillet)
     J1 = constants.K / 4 + constants.h * constants.h / 3
@@ -209,7 +225,7 @@ class Nutation(NamedTuple):
 
 
 def solve_nutation(
-    motion: DiskMotion, contact: ContactState, constants, loads
+    motion: DiskMotion, contact: ContactState, constants: DiskConstants, loads: Loads
 ) -> Nutation:
     """Solve the balance of moments about e_1 together with the balance of forces.
 
@@ -267,7 +283,9 @@ class RotationBalance(NamedTuple):
     pivot3: float
 
 
-def slip_drift(motion: DiskMotion, constants, loads):
+def slip_drift(
+    motion: DiskMotion, constants: DiskConstants, loads: Loads
+) -> NumberOrExpression:
     """Return the acceleration of the contact along a_1 less that by w2' and w3'.
 
     On a fillet the contact moves over the edge as the disk nutates.
@@ -279,7 +297,13 @@ def slip_drift(motion: DiskMotion, constants, loads):
     return drift
 
 
-def rotation_balance(motion: DiskMotion, sliding, F1, drift, loads) -> RotationBalance:
+def rotation_balance(
+    motion: DiskMotion,
+    sliding: bool,
+    F1: NumberOrExpression,
+    drift: NumberOrExpression,
+    loads: Loads,
+) -> RotationBalance:
     """Return the balance of moments about e_2 and e_3.
 
     F1 is the friction along a_1 if the contact slides; otherwise F1 = radius w2' - depth
@@ -308,7 +332,15 @@ def rotation_balance(motion: DiskMotion, sliding, F1, drift, loads) -> RotationB
     return RotationBalance(A22, A23, A33, b2, b3, roll2, pivot3)
 
 
-def solve_rotation(balance: RotationBalance, motion: DiskMotion, stuck, m2, m3):
+def solve_rotation(
+    balance: RotationBalance,
+    motion: DiskMotion,
+    stuck: tuple[bool, bool, bool],
+    m2: NumberOrExpression,
+    m3: NumberOrExpression,
+) -> tuple[
+    NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression
+]:
     """Return w2', w3', m2 and m3 of a balance of moments.
 
     The given moments m2, m3 act about the axes a_2, a_3 that are not stuck.
@@ -346,10 +378,20 @@ def solve_rotation(balance: RotationBalance, motion: DiskMotion, stuck, m2, m3):
     return (A33 * r2 - A23 * r3) / det, (A22 * r3 - A23 * r2) / det, m2, m3
 
 
-def equations_of_motion(sin, cos):
+def equations_of_motion(
+    sin: Callable[[NumberOrExpression], NumberOrExpression],
+    cos: Callable[[NumberOrExpression], NumberOrExpression],
+) -> Callable[..., ContactSolution]:
     """Return a solver of (4.1), (4.2) for the scalar type of `sin` and `cos`."""
 
-    def solve(beta, omega, slip, contact: ContactState, constants, loads=NO_LOADS):
+    def solve(
+        beta: NumberOrExpression,
+        omega: tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression],
+        slip: tuple[NumberOrExpression, NumberOrExpression],
+        contact: ContactState,
+        constants: DiskConstants,
+        loads: Loads = NO_LOADS,
+    ) -> ContactSolution:
         """Return the `ContactSolution` at inclination beta, angular velocity and slip velocity.
 
         The result equals (4.7) and (5.3) with the errata corrected; see
@@ -401,7 +443,14 @@ def equations_of_motion(sin, cos):
     return solve
 
 
-def separation_acceleration(beta, w1, w2, w3, constants, loads=NO_LOADS) -> float:
+def separation_acceleration(
+    beta: float,
+    w1: float,
+    w2: float,
+    w3: float,
+    constants: DiskConstants,
+    loads: Loads = NO_LOADS,
+) -> float:
     """Return the upward acceleration of the lowest point without a contact force."""
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.disk import inertias
 from dynamics.kinematics import contact_place
 from dynamics.motion import Motion, MotionEvent, Outcome
 
@@ -46,7 +47,7 @@ def final_fall(motion: Motion) -> Fall:
     place = contact_place(cos(inclination), sin(inclination), disk.aspect, fillet)
     across = slip - place.e * disk.radius * nutation
     upwards = place.f * disk.radius * nutation
-    inertia = disk.mass * disk.radius**2 * (disk.gyration / 4 + disk.aspect**2 / 3)
+    inertia, _ = inertias(disk)
     squared_speed = across**2 + upwards**2
     return Fall(
         speed=float(disk.radius * (place.radius + 1 - fillet) * nutation),

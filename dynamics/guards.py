@@ -2,7 +2,10 @@
 
 from collections.abc import Callable
 from enum import Enum
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
+
+if TYPE_CHECKING:
+    from dynamics.equations import NumberOrExpression
 
 AXES = ("nutation", "rolling", "pivoting")
 """Names of the rotations about a_1, a_2, a_3, which are resisted by the moments (3.3)."""
@@ -44,8 +47,8 @@ class GuardArguments(NamedTuple):
     senses: Any
     constants: Any
     r_end: Any
-    root: Callable
-    cos: Callable
+    root: Callable[..., Any]
+    cos: Callable[..., Any]
 
 
 class Guard(str):
@@ -65,10 +68,10 @@ class Guard(str):
         cls,
         name: str,
         kind: GuardKind,
-        value,
-        applies_to=lambda branch: True,
+        value: Callable[[GuardArguments], Any],
+        applies_to: Callable[[Any], bool] = lambda branch: True,
         axis: int | None = None,
-    ):
+    ) -> Self:
         """Create the guard `name`."""
         guard = super().__new__(cls, name)
         guard.kind = kind
@@ -77,12 +80,12 @@ class Guard(str):
         guard.axis = axis
         return guard
 
-    def __reduce__(self):
+    def __reduce__(self) -> "tuple[Callable[[str], Guard], tuple[str]]":
         """Pickle the guard as its name."""
         return guard_named, (str(self),)
 
 
-def _moment_margin(i: int, where: GuardArguments):
+def _moment_margin(i: int, where: GuardArguments) -> "NumberOrExpression":
     """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
     arm = where.constants[4 + i]
     moment = where.contact[8 + i]
@@ -90,7 +93,7 @@ def _moment_margin(i: int, where: GuardArguments):
     return (limit * limit - moment * moment) / (arm * arm)
 
 
-def _friction_cone_margin(where: GuardArguments):
+def _friction_cone_margin(where: GuardArguments) -> "NumberOrExpression":
     """Return the squared static friction limit minus the squared friction; see (3.2)."""
     cone = where.constants.mu_static * where.contact.Phi
     contact = where.contact

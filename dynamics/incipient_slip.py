@@ -11,9 +11,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.equations import ContactState
+from dynamics.equations import ContactState, DiskConstants
 from dynamics.kinematics import contact_arms
-from dynamics.regime import FLOAT_FORMULAS, R, angular_velocity, slip_velocity
+from dynamics.regime import (
+    FLOAT_FORMULAS,
+    Branch,
+    R,
+    StateVector,
+    angular_velocity,
+    slip_velocity,
+)
 
 
 class SlipAcceleration(NamedTuple):
@@ -53,7 +60,7 @@ class SlipAcceleration(NamedTuple):
         if found is not None and abs(found - angle) <= 1:
             return found
 
-        def distance(other):
+        def distance(other: float) -> float:
             return abs(_wrapped_angle(other - angle))
 
         near = (other for other in self.aligned_directions() if distance(other) <= 1)
@@ -75,7 +82,7 @@ class SlipAcceleration(NamedTuple):
             nu for nu in angles if nu is not None and self.a + self.b * math.sin(nu) > 0
         ]
 
-    def _slip_direction_near_angle(self, angle):
+    def _slip_direction_near_angle(self, angle: float) -> float | None:
         """Return the aligned direction found by Newton's method, or None."""
         max_iterations = 12
         tolerance = 4e-15
@@ -108,12 +115,17 @@ class SlipAcceleration(NamedTuple):
         return [nu for nu in angles if self.a + self.b * math.sin(nu) > 0]
 
 
-def _wrapped_angle(angle):
+def _wrapped_angle(angle: float) -> float:
     """Return an angle reduced to [-pi, pi]."""
     return math.remainder(angle, 2 * math.pi)
 
 
-def slip_acceleration(y, branch, senses, constants) -> SlipAcceleration:
+def slip_acceleration(
+    y: StateVector,
+    branch: Branch,
+    senses: tuple[float, float, float],
+    constants: DiskConstants,
+) -> SlipAcceleration:
     """Return the slip acceleration of a sliding branch at state y."""
     beta = y[R] * y[R]
     omega = angular_velocity(y)
@@ -124,7 +136,7 @@ def slip_acceleration(y, branch, senses, constants) -> SlipAcceleration:
     ]
     side = math.copysign(1.0, lever)  # the sign for which the inertia is positive
 
-    def pushed(c, s):
+    def pushed(c: float, s: float) -> tuple[float, complex]:
         state = ContactState(True, (c, s), branch.stuck, senses)
         contact = FLOAT_FORMULAS.solve(beta, omega, slip, state, constants, loads)
         return contact.inertia, contact.inertia * complex(contact.du1, contact.du2)

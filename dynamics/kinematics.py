@@ -1,8 +1,11 @@
 """Dimensionless kinematics of a disk on a plane, for scalars and arrays."""
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from dynamics.disk import Disk
 
 
 def precession_rate(w3: Any, cos_a: Any) -> Any:
@@ -48,10 +51,30 @@ def contact_place(sin_a: Any, cos_a: Any, h: Any, fillet: Any = 0.0) -> ContactP
     return ContactPlace(1 - fillet * (1 - cos_a), h - fillet * (1 - sin_a), *arms)
 
 
+def contact_place_in_metres(
+    disk: "Disk", fillet: float, sin_a: Any, cos_a: Any
+) -> ContactPlace:
+    """Return the `contact_place` [m] on an edge with the radius `fillet` [m]."""
+    place = contact_place(sin_a, cos_a, disk.aspect, fillet / disk.radius)
+    return ContactPlace(*(disk.radius * length for length in place))
+
+
 def centre_velocity(slip: Any, omega: Any, place: ContactPlace) -> tuple[Any, Any]:
     """Return the velocity of the centre along a_1, a_2 from the slip velocity (2.5)."""
     w1, w2, w3 = omega
     return slip[0] + place.radius * w2 - place.depth * w3, slip[1] - place.e * w1
+
+
+def turned_over(columns: np.ndarray) -> np.ndarray:
+    """Return the COLUMNS (..., 11) of a motion relative to the other face of the disk.
+
+    The axis of the disk is reversed; the direction to the contact is the same.
+    """
+    other = np.array(columns, dtype=float)
+    other[..., 0] += np.pi
+    other[..., 1] = np.pi - other[..., 1]
+    other[..., [2, 5, 6, 8, 9]] *= -1
+    return other
 
 
 def energy(

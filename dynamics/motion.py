@@ -15,16 +15,16 @@ from typing import (
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dynamics.disk import Disk
+from dynamics.disk import Disk, Release
 from dynamics.film.wedge import Film, film_loads_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
-    from dynamics.compliant.stepping.rim_modes import RimModes
     from dynamics.landing.landing_motion import LandingMotion
     from dynamics.motion_plan import MotionPlan
+    from dynamics.stepping_core.rim_modes import RimModes
 
 COLUMNS = (
     "precession",
@@ -203,8 +203,322 @@ class MotionPart(NamedTuple):
     motion: "Motion"
 
 
+class MotionBase(Protocol):
+    """What motions share: quantities that follow from the others of a `Motion`, and defaults."""
+
+    @property
+    def parts(self: "Motion") -> tuple[MotionPart, ...]:
+        """Parts that were solved with different models, in order of time."""
+        return (MotionPart(0.0, self),)
+
+    @property
+    def rolling(self: "Motion") -> "Motion":
+        """The motion up to the loss of its rolling contact, or the whole motion."""
+        return self
+
+    @property
+    def landing(self) -> "LandingMotion | None":
+        """The motion from the loss of the rolling contact to rest, or None."""
+        return None
+
+    @property
+    def outcome(self: "Motion") -> Outcome:
+        """How the motion ended: AT_REST, or what prevented that."""
+        ends_flat = self.rolling_outcome in (Outcome.SETTLED, Outcome.SANK)
+        return Outcome.AT_REST if ends_flat else self.rolling_outcome
+
+    @property
+    def lift_off_speed(self) -> float:
+        """Velocity [m/s] at which the low point of the rim leaves the table at the end."""
+        return 0.0
+
+    @property
+    def solves_contact(self) -> bool:
+        """True if the whole motion includes the vibration of an elastic contact."""
+        return False
+
+    @property
+    def moves_table(self) -> bool:
+        """True if the table and the disk are coupled from the start of the motion."""
+        return False
+
+    @property
+    def finding_groups(self) -> tuple[FindingGroup, ...]:
+        """Groups of findings that apply to the motion."""
+        return SINGLE_CONTACT_GROUPS
+
+    @property
+    def rim_modes(self) -> "RimModes | None":
+        """Modes of the disk whose vibration is part of the motion, or None.
+
+        Without them, the force on the modes follows from the contact force.
+        """
+        return None
+
+    @property
+    def vibration_crossover(self) -> float | None:
+        """Frequency [Hz] above which the contact force is vibration of the contact.
+
+        It is None if the motion does not include this vibration.
+        """
+        return None
+
+    @property
+    def max_energy_error(self) -> float | None:
+        """Largest relative error of the energy balance that the time step explains.
+
+        It is None if the balance is exact except for rounding.
+        """
+        return None
+
+    @property
+    def jumps(self) -> ForceJumps:
+        """The discontinuities of the contact force, with the one-sided limits of the force."""
+        return ForceJumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
+
+    @cached_property
+    def state(self: "Motion") -> np.ndarray:
+        """The state at `t`, (n, 11), with the columns COLUMNS."""
+        return read_only(self.at(self.t))
+
+    def contact_force(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the normal force of the contact at times t, without that of the film.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Normal force [N].
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+        return self.force(t)[:, 2]
+
+    def film_loads(self: "Motion", t: ArrayLike, state: np.ndarray) -> np.ndarray:
+        """Return the loads on the disk besides the contact force, and the gap below it.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+        state : ndarray, (k, 11)
+            The state at these times.
+
+        Returns
+        -------
+        ndarray, (k, 5)
+            The columns FILM_COLUMNS: mean gap below the face [m], lift of the film [N],
+            moments about e_1 and e_3 [N m], and half the arc of the rim that touches the
+            table [rad]. A force on an arc acts at the low point, and the moments correct
+            for its distribution.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+        gap = self.disk.radius * np.sin(state[:, 1])
+        lift, moment_1, moment_3 = film_loads_of(self.film, self.disk, state)
+        return np.column_stack([gap, lift, moment_1, moment_3, np.zeros(len(state))])
+
+    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
+        """Return the vibration of the `rim_modes` at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k, 3, m)
+            Displacement, velocity and acceleration of modes of unit modal mass; empty
+            without such modes.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+        return np.zeros((np.size(t), 3, 0))
+
+    def at_and_force(self: "Motion", t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """Return the state and the contact force at times t from one evaluation.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        state : ndarray, (k, 11)
+            As returned by `at`.
+        force : ndarray, (k, 3)
+            As returned by `force`.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
+        return self.at(t), self.force(t)
+
+    def inclination(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the inclination at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Inclination [rad].
+        """
+        return self.at(t)[:, COLUMNS.index("inclination")]
+
+    def precession(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the precession angle at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Precession angle [rad].
+        """
+        return self.at(t)[:, COLUMNS.index("precession")]
+
+    def spin(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the spin angle of the disk about its axis at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Spin angle [rad].
+        """
+        return self.at(t)[:, COLUMNS.index("spin")]
+
+    def plot(self: "Motion") -> "Figure":
+        """Plot inclination, precession rate and normal force against time.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
+        from dynamics.plotting import plot_motion  # matplotlib is slow to import
+
+        return plot_motion(self)
+
+    def to_frame(self: "Motion", t: ArrayLike | None = None) -> "DataFrame":
+        """Return the motion at times t as a pandas data frame.
+
+        Parameters
+        ----------
+        t : array_like, (k,), optional
+            Times [s]; by default the breakpoints `t`.
+
+        Returns
+        -------
+        pandas.DataFrame, (k, 14)
+            The columns COLUMNS of the state and FORCE_COLUMNS of the contact force,
+            with the index "t".
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        ValueError
+            If a time is outside the motion.
+        """
+        from pandas import DataFrame, Index
+
+        times = np.atleast_1d(np.asarray(self.t if t is None else t, float))
+        rows = np.column_stack(self.at_and_force(times))
+        return DataFrame(
+            rows, index=Index(times, name="t"), columns=[*COLUMNS, *FORCE_COLUMNS]
+        )
+
+    def largest_regain(self: "Motion") -> float:
+        """Return `largest_energy_gain_error` under its former name.
+
+        Returns
+        -------
+        float
+            Energy [J].
+        """
+        return self.largest_energy_gain_error()
+
+    def normal_load(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the dimensionless normal force Phi of (4.6) at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Normal force in units of m R/chi^2; (K + 4)/4 at rest.
+        """
+        return (
+            self.force(t)[:, 2]
+            * self.disk.time_unit**2
+            / (self.disk.mass * self.disk.radius)
+        )
+
+    def steady_load(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the normal force without contact vibration at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Normal force [N].
+        """
+        return self.force(t)[:, 2]
+
+    def steady_nutation(self: "Motion", t: ArrayLike) -> np.ndarray:
+        """Return the nutation rate omega_1 without contact vibration at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k,)
+            Nutation rate [rad/s].
+        """
+        return self.at(t)[:, COLUMNS.index("omega_1")]
+
+
 @runtime_checkable
-class Motion(Protocol):
+class Motion(MotionBase, Protocol):
     """A solved motion in SI units, as returned by `simulate`.
 
     The methods accept times within [0, t[-1]] and raise ValueError for others. Angular
@@ -245,28 +559,12 @@ class Motion(Protocol):
         """Losses of contact, each with t [s], duration [s] and height [m]."""
 
     @property
-    def outcome(self) -> Outcome:
-        """How the motion ended: AT_REST, or what prevented that."""
-
-    @property
     def rolling_outcome(self) -> Outcome:
         """How the rolling motion ended, such as SETTLED, FELL or AIRBORNE."""
 
     @property
     def integrator(self) -> str:
         """Name of the integrator."""
-
-    @property
-    def parts(self) -> tuple[MotionPart, ...]:
-        """Parts that were solved with different models, in order of time."""
-
-    @property
-    def rolling(self) -> "Motion":
-        """The motion up to the loss of its rolling contact, or the whole motion."""
-
-    @property
-    def landing(self) -> "LandingMotion | None":
-        """The motion from the loss of the rolling contact to rest, or None."""
 
     @property
     def film(self) -> Film | None:
@@ -281,50 +579,12 @@ class Motion(Protocol):
         """What happened on the way of the disk, in order of time."""
 
     @property
-    def solves_contact(self) -> bool:
-        """True if the whole motion includes the vibration of an elastic contact."""
-
-    @property
-    def moves_table(self) -> bool:
-        """True if the table and the disk are coupled from the start of the motion."""
-
-    @property
-    def finding_groups(self) -> tuple[FindingGroup, ...]:
-        """Groups of findings that apply to the motion."""
-
-    @property
-    def rim_modes(self) -> "RimModes | None":
-        """Modes of the disk whose vibration is part of the motion, or None."""
-
-    @property
-    def vibration_crossover(self) -> float | None:
-        """Frequency [Hz] above which the contact force is vibration of the contact.
-
-        It is None if the motion does not include this vibration.
-        """
-
-    @property
-    def max_energy_error(self) -> float | None:
-        """Largest relative error of the energy balance that the time step explains.
-
-        It is None if the balance is exact except for rounding.
-        """
-
-    @property
     def t(self) -> np.ndarray:
         """Breakpoints (n,) [s] of the solution, from 0 to the end of the motion."""
 
     @property
     def t_end(self) -> float:
         """Time [s] at which a settled disk would be flat; the end of any other motion."""
-
-    @property
-    def state(self) -> np.ndarray:
-        """The state at `t`, (n, 11), with the columns COLUMNS."""
-
-    @property
-    def jumps(self) -> ForceJumps:
-        """The discontinuities of the contact force, with the one-sided limits of the force."""
 
     def at(self, t: ArrayLike) -> np.ndarray:
         """Return the state at times t.
@@ -365,206 +625,6 @@ class Motion(Protocol):
         ------
         ValueError
             If a time is outside the motion.
-        """
-
-    def contact_force(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force of the contact at times t, without that of the film.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Normal force [N].
-
-        Raises
-        ------
-        ValueError
-            If a time is outside the motion.
-        """
-
-    def film_loads(self, t: ArrayLike, state: np.ndarray) -> np.ndarray:
-        """Return the loads on the disk besides the contact force, and the gap below it.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-        state : ndarray, (k, 11)
-            The state at these times.
-
-        Returns
-        -------
-        ndarray, (k, 5)
-            The columns FILM_COLUMNS: mean gap below the face [m], lift of the film [N],
-            moments about e_1 and e_3 [N m], and half the arc of the rim that touches the
-            table [rad]. A force on an arc acts at the low point, and the moments correct
-            for its distribution.
-
-        Raises
-        ------
-        ValueError
-            If a time is outside the motion.
-        """
-
-    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
-        """Return the vibration of the `rim_modes` at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k, 3, m)
-            Displacement, velocity and acceleration of modes of unit modal mass; empty
-            without such modes.
-
-        Raises
-        ------
-        ValueError
-            If a time is outside the motion.
-        """
-
-    def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return the state and the contact force at times t from one evaluation.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        state : ndarray, (k, 11)
-            As returned by `at`.
-        force : ndarray, (k, 3)
-            As returned by `force`.
-
-        Raises
-        ------
-        ValueError
-            If a time is outside the motion.
-        """
-
-    def inclination(self, t: ArrayLike) -> np.ndarray:
-        """Return the inclination at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Inclination [rad].
-        """
-
-    def precession(self, t: ArrayLike) -> np.ndarray:
-        """Return the precession angle at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Precession angle [rad].
-        """
-
-    def spin(self, t: ArrayLike) -> np.ndarray:
-        """Return the spin angle of the disk about its axis at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Spin angle [rad].
-        """
-
-    def plot(self) -> "Figure":
-        """Plot inclination, precession rate and normal force against time.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-            The figure.
-        """
-        ...
-
-    def to_frame(self, t: ArrayLike | None = None) -> "DataFrame":
-        """Return the motion at times t as a pandas data frame.
-
-        Parameters
-        ----------
-        t : array_like, (k,), optional
-            Times [s]; by default the breakpoints `t`.
-
-        Returns
-        -------
-        pandas.DataFrame, (k, 14)
-            The columns COLUMNS of the state and FORCE_COLUMNS of the contact force,
-            with the index "t".
-
-        Raises
-        ------
-        ImportError
-            If pandas is not installed.
-        ValueError
-            If a time is outside the motion.
-        """
-
-    def normal_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the dimensionless normal force Phi of (4.6) at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Normal force in units of m R/chi^2; (K + 4)/4 at rest.
-        """
-
-    def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force without contact vibration at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Normal force [N].
-        """
-
-    def steady_nutation(self, t: ArrayLike) -> np.ndarray:
-        """Return the nutation rate omega_1 without contact vibration at times t.
-
-        Parameters
-        ----------
-        t : array_like, (k,)
-            Times [s].
-
-        Returns
-        -------
-        ndarray, (k,)
-            Nutation rate [rad/s].
         """
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
@@ -634,15 +694,6 @@ class Motion(Protocol):
             Energy [J].
         """
 
-    def largest_regain(self) -> float:
-        """Return `largest_energy_gain_error` under its former name.
-
-        Returns
-        -------
-        float
-            Energy [J].
-        """
-
     def friction_excess(self) -> float:
         """Return the largest deviation of |F|/N from Coulomb's law (3.2).
 
@@ -681,112 +732,12 @@ class Motion(Protocol):
         """
 
 
-class MotionBase:
-    """Base class of motions, which derives quantities from `t`, `at` and `force`."""
-
-    @property
-    def parts(self: Motion) -> tuple[MotionPart, ...]:
-        """The whole motion as one part."""
-        return (MotionPart(0.0, self),)
-
-    @property
-    def rolling(self: Motion) -> Motion:
-        """The whole motion."""
-        return self
-
-    @property
-    def landing(self) -> "LandingMotion | None":
-        """None, because the motion does not land."""
-        return None
-
-    @property
-    def outcome(self: Motion) -> Outcome:
-        """AT_REST if the disk settled or sank; otherwise that of the rolling motion."""
-        ends_flat = self.rolling_outcome in (Outcome.SETTLED, Outcome.SANK)
-        return Outcome.AT_REST if ends_flat else self.rolling_outcome
-
-    @property
-    def finding_groups(self) -> tuple[FindingGroup, ...]:
-        """Groups of findings that apply to the motion."""
-        return SINGLE_CONTACT_GROUPS
-
-    @property
-    def rim_modes(self) -> "RimModes | None":
-        """None, because the force on the disk modes follows from the contact force."""
-        return None
-
-    @property
-    def vibration_crossover(self) -> float | None:
-        """None, because the motion does not include the vibration of the contact."""
-        return None
-
-    @property
-    def max_energy_error(self) -> float | None:
-        """None, because the energy balance is exact except for rounding."""
-        return None
-
-    @cached_property
-    def state(self: Motion) -> np.ndarray:
-        """The state at `t`, (n, 11), with the columns COLUMNS."""
-        return read_only(self.at(self.t))
-
-    def contact_force(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return the normal force of the contact (k,) [N] at times t (k,) [s]."""
-        return self.force(t)[:, 2]
-
-    def film_loads(self: Motion, t: ArrayLike, state: np.ndarray) -> np.ndarray:
-        """Return the FILM_COLUMNS (k, 5) of a disk that touches with one point."""
-        gap = self.disk.radius * np.sin(state[:, 1])
-        lift, moment_1, moment_3 = film_loads_of(self.film, self.disk, state)
-        return np.column_stack([gap, lift, moment_1, moment_3, np.zeros(len(state))])
-
-    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
-        """Return an empty array (k, 3, 0), because there are no `rim_modes`."""
-        return np.zeros((np.size(t), 3, 0))
-
-    def at_and_force(self: Motion, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)`."""
-        return self.at(t), self.force(t)
-
-    def inclination(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return the inclination (k,) [rad] at times t (k,) [s]."""
-        return self.at(t)[:, COLUMNS.index("inclination")]
-
-    def precession(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return the precession angle (k,) [rad] at times t (k,) [s]."""
-        return self.at(t)[:, COLUMNS.index("precession")]
-
-    def spin(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
-        return self.at(t)[:, COLUMNS.index("spin")]
-
-    def plot(self: Motion) -> "Figure":
-        """Return a matplotlib figure of inclination, precession rate and normal force."""
-        from dynamics.plotting import plot_motion  # matplotlib is slow to import
-
-        return plot_motion(self)
-
-    def to_frame(self: Motion, t: ArrayLike | None = None) -> "DataFrame":
-        """Return the motion at times t (k,) [s], by default `self.t`, as a data frame."""
-        from pandas import DataFrame, Index
-
-        times = np.atleast_1d(np.asarray(self.t if t is None else t, float))
-        rows = np.column_stack(self.at_and_force(times))
-        return DataFrame(
-            rows, index=Index(times, name="t"), columns=[*COLUMNS, *FORCE_COLUMNS]
-        )
-
-    def largest_regain(self: Motion) -> float:
-        """Return `largest_energy_gain_error` [J] under its former name."""
-        return self.largest_energy_gain_error()
-
-    def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return Phi (k,) of (4.6) at times t (k,) [s]; it is (K + 4)/4 at rest."""
-        return (
-            self.force(t)[:, 2]
-            * self.disk.time_unit**2
-            / (self.disk.mass * self.disk.radius)
-        )
+def release_columns(release: Release) -> np.ndarray:
+    """Return the COLUMNS (11,) of a disk that is released on its contact without slip."""
+    columns = np.zeros(len(COLUMNS))
+    columns[COLUMNS.index("inclination")] = np.radians(release.inclination_deg)
+    columns[5:8] = release.omega
+    return columns
 
 
 def times_within(t: ArrayLike, end: float) -> np.ndarray:

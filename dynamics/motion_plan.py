@@ -2,13 +2,15 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import isfinite, radians
+from math import acos, isfinite, pi
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-import numpy as np
-
 from dynamics.compliant.law.sections import SwitchedContact
-from dynamics.disk import GRAVITY
+from dynamics.contact_options import (
+    ContactOption,
+    contact_options,
+    rattling_duration,
+)
 from dynamics.dissipation import OwnLaw, combined_loads, resistance_of
 from dynamics.equations import DiskConstants
 from dynamics.film.activation import FilmDecision, decide_film, final_inclination
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
     from dynamics.compliant.law.tabulated import TabulatedLaw
     from dynamics.compliant.rough_table import RoughTable
 
+MAX_RATTLING_INCLINATION = acos(0.1)
+"""Inclination [rad] up to which the contacts on the lower rim alone describe a rattling disk."""
 ContactModel = Literal["rigid", "filter", "full", "many"]
 """Model of the contact: rigid, elastic as a linear filter on the rigid motion, one elastic
 contact in time steps, or contacts anywhere on the rim in time steps."""
@@ -148,6 +152,11 @@ class MotionPlan(MotionBasis):
     rough_table: "RoughTable | None" = None
 
     @property
+    def max_rolling_inclination(self) -> float:
+        """Inclination [rad] above which the contact model does not apply."""
+        return MAX_RATTLING_INCLINATION if self.contact.kind == "many" else pi / 2
+
+    @property
     def rolls_on_roughness(self) -> bool:
         """True if the disk rolls on a rough elastic contact, whose table is coupled by a
         predicted error."""
@@ -155,7 +164,7 @@ class MotionPlan(MotionBasis):
         return (
             scene.roughness is not None
             and self.contact.kind in ("filter", "full")
-            and scene.surface.action == "auto"
+            and (scene.surface.action == "auto" or requests_two_way_filter(scene))
             and scene.surface.kind != "rigid"
         )
 
@@ -176,29 +185,22 @@ class MotionPlan(MotionBasis):
     def is_two_way_from_release(self) -> bool:
         """True if the table and the disk are coupled in time steps from the release on."""
         requested = self.scene.surface.action == "motion"
-        from_release = (
-            requested or self.rolls_on_roughness or self.contact.kind == "many"
-        )
+        on_roughness = self.rolls_on_roughness and self.contact.kind == "full"
+        from_release = requested or on_roughness or self.contact.kind == "many"
         return self.two_way.is_two_way and from_release
 
     @property
     def filter_is_two_way(self) -> bool:
         """True if the filter of a rough contact includes the receptance of the table."""
-        found = self.rough_table
-        return (
-            found is not None and found.needs_two_way and self.contact.kind == "filter"
-        )
+        if self.rough_table is None or self.contact.kind != "filter":
+            return False
+        return self.rough_table.needs_two_way or requests_two_way_filter(self.scene)
 
     @property
-    def filter_modes(self) -> Any:
-        """The `modal.SurfaceModes` below the filter of a rough contact, or None."""
-        return self.surface_modes if self.filter_is_two_way else None
-
-    @property
-    def filter_plate_mobility(self) -> float:
-        """Mobility [s/kg] of an infinite plate below the filter of a rough contact, or 0."""
+    def plate_mobility(self) -> float:
+        """Mobility [s/kg] of an infinite plate, or 0."""
         surface = self.scene.surface
-        if not (self.filter_is_two_way and isinstance(surface, InfiniteSurface)):
+        if not isinstance(surface, InfiniteSurface):
             return 0.0
         from dynamics.compliant.law.table_receptance import infinite_plate_mobility
 
@@ -229,6 +231,14 @@ class MotionPlan(MotionBasis):
         return self.surface_modes if self.is_two_way_from_release else None
 
     @cached_property
+    def excluded_film(self) -> FilmDecision | None:
+        """The prediction for the air film that air.film = 'none' excludes, or None."""
+        if self.scene.air.film != "none":
+            return None
+        allowed = self.scene.part(air=replace(self.scene.air, film="auto"))
+        return motion_basis(allowed).film_decision
+
+    @cached_property
     def series_tabulated_law(self) -> "TabulatedLaw":
         """The tabulated law with the flexibility of the edge in series with every spring.
 
@@ -240,6 +250,11 @@ class MotionPlan(MotionBasis):
         return TabulatedSeriesLaw(
             law=self.tabulated_law.law, edge=self.tabulated_law.edge
         )
+
+    @cached_property
+    def contact_options(self) -> tuple[ContactOption, ...]:
+        """Predicted errors and processor seconds of each model of an elastic contact."""
+        return contact_options(self)
 
     @cached_property
     def roughness_energy_share(self) -> float:
@@ -380,8 +395,8 @@ class MotionPlan(MotionBasis):
     def coupled_part(self, **sections: Any) -> "MotionPlan":
         """Return the plan of the part in which the table acts back on the disk.
 
-        A rigid contact becomes elastic. The roughness has no effect: a rough elastic
-        contact does not switch to two-way coupling.
+        A rigid contact becomes elastic and remains smooth; the roughness of an elastic
+        contact is kept.
 
         Parameters
         ----------
@@ -394,13 +409,15 @@ class MotionPlan(MotionBasis):
             The plan.
         """
         contact = self.scene.contact
+        roughness = self.scene.roughness
         if contact.law == "rigid":
             contact = SwitchedContact(**{**vars(contact), "law": "elastic"})
+            roughness = None
         surface: Any = self.scene.surface
         coupled = replace(self, contact=ModelChoice("full", self.two_way.reason))
         return coupled.part(
             contact=contact,
-            roughness=None,
+            roughness=roughness,
             surface=replace(surface, action="motion"),
             **sections,
         )
@@ -442,7 +459,7 @@ def plan_motion(scene: MotionScene, surface_modes: Any = None) -> MotionPlan:
     basis = motion_basis(scene)
     tabulated_law = None if scene.contact.law == "rigid" else _tabulated_law(scene)
     contact = _contact_choice(basis, tabulated_law)
-    obstacle = _obstacle_to_two_way(scene, contact.kind)
+    obstacle = _obstacle_to_two_way(basis, contact.kind)
     plan = MotionPlan(
         **vars(basis),
         tabulated_law=tabulated_law,
@@ -467,7 +484,8 @@ def _coupled_by_error(plan: MotionPlan) -> MotionPlan:
     One-way coupling suffices if it changes the level of the table by less than
     MAX_ONE_WAY_LEVEL_ERROR. Otherwise the contact model is that for the force on the
     yielding table: the filter with the receptance of the table, or time steps with its
-    modes from the release on.
+    modes from the release on. The filter hands over to time steps where the table acts on
+    the motion or the filter is not valid.
     """
     from dynamics.compliant.rough_table import predict_rough_table, scene_receptance
 
@@ -477,45 +495,54 @@ def _coupled_by_error(plan: MotionPlan) -> MotionPlan:
     plan = replace(plan, rough_table=found)
     if found.needs_two_way:
         choice = _contact_choice(plan, plan.tabulated_law, receptance)
-        obstacle = _obstacle_to_two_way(scene, choice.kind)
+        obstacle = _obstacle_to_two_way(plan, choice.kind)
         plan = replace(plan, contact=choice, obstacle_to_two_way=obstacle)
         if choice.kind != "filter" and not obstacle:
             reaction = TableReaction(True, float(found.inclination[0]), found.reason)
             rate = _step_rate(plan, choice, moves_table=True)
             return replace(plan, two_way=reaction, step_rate=rate)
-    reaction = _unsolved_late_reaction(plan, found.reason)
+    reaction = _late_reaction(plan, found)
+    obstacle = "" if reaction.is_two_way else plan.obstacle_to_two_way
     rate = _step_rate(plan, plan.contact)
-    return replace(plan, two_way=reaction, step_rate=rate)
+    return replace(plan, two_way=reaction, obstacle_to_two_way=obstacle, step_rate=rate)
 
 
-def _unsolved_late_reaction(plan: MotionPlan, reason: str) -> TableReaction:
-    """Return the reaction on the motion on a rough contact, which is not solved.
+def _late_reaction(plan: MotionPlan, rough_table: "RoughTable") -> TableReaction:
+    """Return the reaction on the motion on a rough contact that begins on the way.
 
-    `reason` is that for the coupling of the vibration."""
+    It begins where the table acts on the motion, or where the filter of the vibration is
+    not valid. `rough_table` gives the reason for the coupling of the vibration."""
+    reason = rough_table.reason
     obstacle = plan.obstacle_to_two_way
     if plan.surface_modes is None:
         return TableReaction(False, 0.0, reason, obstacle)
-    from dynamics.compliant.two_way_onset import ROUGH_CONTACT_STAYS, table_reaction
+    from dynamics.compliant.two_way_onset import (
+        MAX_REACTION_BEFORE_LIFT_OFF,
+        NO_LATE_TABLE_IN_STEPS,
+        film_lifts_first,
+        table_reaction,
+    )
 
     inclination, late = table_reaction(plan, plan.surface_modes)
+    if plan.filter_is_two_way and rough_table.linear_until > inclination:
+        inclination = rough_table.linear_until
+        late = rough_table.limit
     if not inclination:
         return TableReaction(False, 0.0, reason)
-    unsolved = obstacle or ROUGH_CONTACT_STAYS
-    return TableReaction(False, inclination, f"{reason}; {late}", unsolved)
+    if plan.contact.kind != "filter":
+        obstacle = obstacle or NO_LATE_TABLE_IN_STEPS
+    elif (
+        obstacle == film_lifts_first(plan)
+        and inclination > MAX_REACTION_BEFORE_LIFT_OFF
+    ):
+        obstacle = ""
+    return TableReaction(not obstacle, inclination, f"{reason}; {late}", obstacle)
 
 
 def rattling_end_error(scene: MotionScene) -> float:
-    """Return the predicted error [s] of the end of a motion that rattles on a rough table.
-
-    The inclination decreases at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a
-    coefficient of restitution e.
-    """
+    """Return the predicted error [s] of the end of a motion that rattles on a rough table."""
     duration_scatter = 0.02  # relative, with the time step
-    assert scene.roughness is not None
-    rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
-    fall = (1 - 0.66 * (scene.contact.restitution or 1.0)) * np.sqrt(GRAVITY * rms)
-    duration = scene.disk.radius * radians(scene.release.inclination_deg) / fall
-    return float(duration_scatter * duration)
+    return duration_scatter * rattling_duration(scene)
 
 
 def motion_basis(scene: MotionScene) -> MotionBasis:
@@ -577,16 +604,20 @@ def _step_rate(
     return 0.0
 
 
-def _obstacle_to_two_way(scene: MotionScene, model: ContactModel) -> str:
-    """Return the reason why two-way coupling to a table is impossible, or "".
+def _obstacle_to_two_way(basis: MotionBasis, model: ContactModel) -> str:
+    """Return the reason why two-way coupling to a table is impossible or has no effect,
+    or "".
 
     Raises ValueError if it is requested although it is impossible, or if a wavy table
     does not have the contact that it requires.
     """
+    scene = basis.scene
     surface = scene.surface
     not_full = _reason_against_full_model(scene)
     if scene.imperfection is not None and not_full:
         raise ValueError(f"imperfection with {not_full}")
+    if requests_two_way_filter(scene):
+        return "numerics.contact = 'filter': the table moves with the vibration only"
     if surface.kind in ("rigid", "infinite"):
         obstacle = (
             f"surface.kind = '{surface.kind}': two-way coupling requires table modes"
@@ -594,12 +625,23 @@ def _obstacle_to_two_way(scene: MotionScene, model: ContactModel) -> str:
     else:
         from dynamics.compliant.two_way_onset import reason_against_two_way
 
-        obstacle = reason_against_two_way(scene, model)
+        obstacle = reason_against_two_way(basis, model)
     if surface.action == "motion":
         obstacle = obstacle or not_full
         if obstacle:
             raise ValueError(f"surface.action = 'motion' with {obstacle}")
     return obstacle
+
+
+def requests_two_way_filter(scene: MotionScene) -> bool:
+    """Return True if a scene requests the filter of a rough contact with the receptance
+    of its table, by surface.action = 'motion' and numerics.contact = 'filter'."""
+    return (
+        scene.surface.action == "motion"
+        and scene.numerics.contact == "filter"
+        and scene.contact.law == "elastic"
+        and scene.roughness is not None
+    )
 
 
 def _reason_against_full_model(scene: MotionScene) -> str:

@@ -48,3 +48,5 @@ every operation is rounded as written; with it, the choice of fused operations, 
 therefore the bytes of a motion, would depend on the order of compilation."""
 outermost = njit(error_model="numpy", cache=True, nogil=True)
 """Compile a function that is called from Python and releases the GIL, with a cache."""
+cached = njit(error_model="numpy", cache=True)
+"""Compile a function of an integrator, which compiled functions call by its type."""

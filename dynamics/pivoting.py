@@ -4,6 +4,12 @@ The weight and the inclination determine the ellipse. `compliant/law/spin_fricti
 derives its two coefficients and fits the polynomials that are evaluated here.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from dynamics.equations import NumberOrExpression
+
 SINE_ROOT_INDEX = 12
 """The polynomials are functions of sin(beta)^(1/SINE_ROOT_INDEX), in which
 the ellipse is smooth."""
@@ -11,7 +17,15 @@ PIVOTING_COEFFICIENT_COUNT = 7
 """Number of coefficients in each polynomial."""
 
 
-def pivoting_arm(sine, pivoting, travel, slip_square, sliding, mu, coefficients):
+def pivoting_arm(
+    sine: float,
+    pivoting: float,
+    travel: float,
+    slip_square: float,
+    sliding: bool,
+    mu: float,
+    coefficients: "Sequence[NumberOrExpression]",
+) -> float:
     """Return the signed arm of the moment that opposes the pivoting of a contact.
 
     Parameters
@@ -40,7 +54,14 @@ def pivoting_arm(sine, pivoting, travel, slip_square, sliding, mu, coefficients)
     return friction_limited_arm(unit_arm, creep, pivoting, speed_square, sliding, mu)
 
 
-def friction_limited_arm(unit_arm, creep, pivoting, speed_square, sliding, mu):
+def friction_limited_arm(
+    unit_arm: float,
+    creep: float,
+    pivoting: float,
+    speed_square: float,
+    sliding: bool,
+    mu: float,
+) -> float:
     """Return the signed arm of the moment that opposes the rate `pivoting`.
 
     Spin creep causes the moment of Kalker's linear theory. It is limited to the moment
@@ -79,7 +100,7 @@ def friction_limited_arm(unit_arm, creep, pivoting, speed_square, sliding, mu):
     )
 
 
-def polynomial(coefficients, x):
+def polynomial(coefficients: Sequence[Any], x: float) -> float:
     """Return the value at x of a polynomial with `coefficients`, lowest power first."""
     value = coefficients[-1]
     for i in range(len(coefficients) - 2, -1, -1):

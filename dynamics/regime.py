@@ -7,6 +7,7 @@ quadratures: precession, spin, position of the centre (two) and dissipated energ
 """
 
 import math
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -18,11 +19,15 @@ from dynamics.equations import (
     ContactState,
     DiskConstants,
     Loads,
+    NumberOrExpression,
     equations_of_motion,
 )
 from dynamics.guards import ALL_GUARDS, AXES, STOP_SLIP_SPEED, Guard, GuardArguments
 from dynamics.kinematics import centre_velocity, contact_place, precession_rate
 from dynamics.pivoting import pivoting_arm
+
+StateVector = Sequence[Any] | np.ndarray
+"""State of a disk: numbers or symbolic expressions."""
 
 R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 
@@ -44,7 +49,7 @@ class Regime(NamedTuple):
 
 
 @cache
-def _name(sliding, stuck):
+def _name(sliding: bool, stuck: tuple[bool, bool, bool]) -> str:
     sticking = [
         f"{axis} sticks" for axis, sticks in zip(AXES, stuck, strict=True) if sticks
     ]
@@ -87,31 +92,38 @@ class Branch(NamedTuple):
         )
 
 
-def contact_axis_rates(beta, w1, w2, w3, sin, cos):
+def contact_axis_rates(
+    beta: NumberOrExpression,
+    w1: NumberOrExpression,
+    w2: NumberOrExpression,
+    w3: NumberOrExpression,
+    sin: Callable[[NumberOrExpression], NumberOrExpression],
+    cos: Callable[[NumberOrExpression], NumberOrExpression],
+) -> tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression]:
     """Return omega.a_i, i = 1 to 3, from the components along e_i (2.1)."""
     sin_a = cos(beta)
     cos_a = sin(beta)
     return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
 
 
-def angular_velocity(y) -> tuple[Any, Any, Any]:
+def angular_velocity(y: StateVector) -> tuple[Any, Any, Any]:
     """Return the angular velocity omega along e_1, e_2, e_3 at a state y."""
     r = y[R]
     return r * y[W1], r * y[W2], r * y[W3]
 
 
-def slip_velocity(y) -> tuple[Any, Any]:
+def slip_velocity(y: StateVector) -> tuple[Any, Any]:
     """Return the slip velocity u along a_1, a_2 at a state y."""
     r = y[R]
     return r * y[V1], r * y[V2]
 
 
-def rotation_rates(y) -> tuple[float, float, float]:
+def rotation_rates(y: StateVector) -> tuple[float, float, float]:
     """Return omega.a_i/r, i = 1 to 3, at a state y of floats."""
     return contact_axis_rates(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
 
 
-def describe_state(y) -> str:
+def describe_state(y: StateVector) -> str:
     """Return a description of a state for error messages."""
     omega = ", ".join(f"{w:.6g}" for w in angular_velocity(y))
     slip = ", ".join(f"{u:.6g}" for u in slip_velocity(y))
@@ -119,7 +131,9 @@ def describe_state(y) -> str:
     return f"inclination {inclination:.6g} rad, dimensionless omega ({omega}), slip ({slip})"
 
 
-def restart_quadratures(y, keep_position: bool):
+def restart_quadratures(
+    y: StateVector, keep_position: bool
+) -> tuple[list[float], list[float]]:
     """Return y with the quadratures reset, and the subtracted offset.
 
     The precession is reduced to [-pi, pi]. The position is kept on a concave table,
@@ -144,23 +158,29 @@ class FlowFormulas:
     SIZE = DISSIPATED + 1
     """Number of state components."""
 
-    def __init__(self, sin, cos, sqrt, power):
+    def __init__(
+        self,
+        sin: Callable[[NumberOrExpression], NumberOrExpression],
+        cos: Callable[[NumberOrExpression], NumberOrExpression],
+        sqrt: Callable[[NumberOrExpression], NumberOrExpression],
+        power: Callable[[NumberOrExpression, NumberOrExpression], NumberOrExpression],
+    ) -> None:
         self.sin = sin
         self.cos = cos
         self.sqrt = sqrt
         self.power = power
         self.solve = equations_of_motion(sin, cos)
 
-    def scaled_slip_speed(self, y):
+    def scaled_slip_speed(self, y: StateVector) -> NumberOrExpression:
         """Return the slip speed divided by r, |u|/r."""
         return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
 
-    def excess_slip_speed(self, y):
+    def excess_slip_speed(self, y: StateVector) -> NumberOrExpression:
         """Return slip speed/r minus STOP_SLIP_SPEED, the value of the guard GRIP."""
         return self.scaled_slip_speed(y) - STOP_SLIP_SPEED
 
     def contact(
-        self, y, branch: Branch, senses, constants: DiskConstants
+        self, y: StateVector, branch: Branch, senses: Any, constants: DiskConstants
     ) -> ContactSolution:
         """Solve the balance laws at state y with the slip direction of y."""
         slip = (0.0, 0.0)
@@ -176,7 +196,13 @@ class FlowFormulas:
         )
 
     def contact_with_friction_along(
-        self, y, slip, direction, branch: Branch, senses, constants: DiskConstants
+        self,
+        y: StateVector,
+        slip: tuple[NumberOrExpression, NumberOrExpression],
+        direction: tuple[NumberOrExpression, NumberOrExpression],
+        branch: Branch,
+        senses: Any,
+        constants: DiskConstants,
     ) -> ContactSolution:
         """Solve the balance laws at state y with a given slip direction."""
         r = y[R]
@@ -186,7 +212,11 @@ class FlowFormulas:
         return self.solve(r * r, omega, slip, state, constants, loads)
 
     def loads_and_arms(
-        self, y, slip, branch: Branch, constants
+        self,
+        y: StateVector,
+        slip: tuple[NumberOrExpression, NumberOrExpression],
+        branch: Branch,
+        constants: DiskConstants,
     ) -> tuple[Loads, DiskConstants]:
         """Return the loads at state y, and the constants with k3 from spin friction."""
         r = y[R]
@@ -225,8 +255,12 @@ class FlowFormulas:
         return loads, constants
 
     def rates(
-        self, y, contact: ContactSolution, branch: Branch, constants: DiskConstants
-    ):
+        self,
+        y: StateVector,
+        contact: ContactSolution,
+        branch: Branch,
+        constants: DiskConstants,
+    ) -> list[NumberOrExpression]:
         """Return dy/dtau by (4.7) or (5.3), (2.3), (2.5) and the dissipated power."""
         r = y[R]
         w1 = y[W1]
@@ -271,12 +305,12 @@ class FlowFormulas:
 
     def guards(
         self,
-        y,
+        y: StateVector,
         contact: ContactSolution,
         branch: Branch,
-        senses,
+        senses: Sequence[NumberOrExpression],
         constants: DiskConstants,
-        r_end,
+        r_end: NumberOrExpression,
     ) -> dict[Guard, Any]:
         """Return the guards of a branch with their values."""
         turns = contact_axis_rates(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)

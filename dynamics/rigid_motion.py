@@ -139,14 +139,6 @@ class RigidMotion(MotionBase):
         y = self.path(tau, piece)
         return self._columns(y), self._force(y, piece)
 
-    def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force (k,) [N] at times t (k,) [s]."""
-        return self.force(t)[:, 2]
-
-    def steady_nutation(self, t: ArrayLike) -> np.ndarray:
-        """Return the nutation rate omega_1 (k,) [rad/s] at times t (k,) [s]."""
-        return self.at(t)[:, 5]
-
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11).
 
@@ -183,16 +175,6 @@ class RigidMotion(MotionBase):
     def events(self) -> tuple[MotionEvent, ...]:
         """The contact of the face with the table, if it ends the motion."""
         return face_events(self)
-
-    @property
-    def solves_contact(self) -> bool:
-        """False, because a rigid contact does not vibrate."""
-        return False
-
-    @property
-    def moves_table(self) -> bool:
-        """False, because a rigid table does not move."""
-        return False
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s].

@@ -1,12 +1,13 @@
 """The rigid disk as a hybrid system: its start, its integration and its regime changes."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from operator import add
+from typing import TYPE_CHECKING, Any
 
 from dynamics.dissipation import OwnLaw, Resistance
-from dynamics.equations import DiskConstants
+from dynamics.equations import ContactSolution, DiskConstants
 from dynamics.guards import LIFT_OFF, STOP_SLIP_SPEED, GuardKind, guard_named
 from dynamics.hybrid import MAX_STEPS_PER_ARC, Arc, StalledError, Step, Switch
 from dynamics.integrators.slow_slide_criterion import is_stiff
@@ -19,6 +20,7 @@ from dynamics.regime import (
     Branch,
     R,
     Regime,
+    StateVector,
     describe_state,
     restart_quadratures,
     rotation_rates,
@@ -26,10 +28,14 @@ from dynamics.regime import (
 from dynamics.switching import (
     MAX_GRAZING_ACCELERATION,
     ImpossibleContactError,
+    NoContactAtReleaseError,
     next_regime,
     slide_to_rest,
     with_rotation_zero,
 )
+
+if TYPE_CHECKING:
+    from dynamics.disk import Disk, Release
 
 
 @dataclass(frozen=True)
@@ -56,11 +62,11 @@ class RollingDisk:
     constants: DiskConstants
     loads: OwnLaw | Resistance | None
     r_end: float
-    integrate: Callable
+    integrate: Callable[..., Any]
     tolerance: float
-    announce_compilation: Callable = lambda flow: None
+    announce_compilation: Callable[..., Any] = lambda flow: None
 
-    def begin(self, y) -> Switch:
+    def begin(self, y: list[float]) -> Switch:
         """Select the first regime of a disk released with its contact at rest."""
         if (
             self.loads
@@ -74,12 +80,12 @@ class RollingDisk:
         at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
         start = self._select_next_regime(y, at_zero, (), (1.0, 1.0, 1.0))
         if start.ended:
-            raise ImpossibleContactError(
+            raise NoContactAtReleaseError(
                 f"{describe_state(y)}: the disk leaves the plane at once"
             )
         return start
 
-    def advance(self, y, regime: Regime, span: float) -> Arc:
+    def advance(self, y: list[float], regime: Regime, span: float) -> Arc:
         """Integrate within `regime`.
 
         The quadratures are reset to limit their rounding errors. Raises StalledError if
@@ -110,7 +116,9 @@ class RollingDisk:
             )
         return shift_arc(arc, offset)
 
-    def _grazing_slide_from_rest(self, y, nu, regime) -> Arc | None:
+    def _grazing_slide_from_rest(
+        self, y: StateVector, nu: float, regime: Regime
+    ) -> Arc | None:
         """Integrate a slide that starts along nu [rad] with almost no acceleration.
 
         A slide that is not stiff is integrated for one step only.
@@ -124,7 +132,7 @@ class RollingDisk:
         arc = advance_grazing_slide(*within, not self._is_stiff(y, regime))
         return arc and shift_arc(arc, offset)
 
-    def _is_stiff(self, y, regime) -> bool:
+    def _is_stiff(self, y: StateVector, regime: Regime) -> bool:
         if not (regime.sliding and self.constants.mu_dynamic > 0):
             return False
         rests = y[V1] == y[V2] == 0
@@ -142,7 +150,7 @@ class RollingDisk:
             < (1 + MAX_GRAZING_ACCELERATION) * self.constants.mu_dynamic
         )
 
-    def _contact(self, y, regime):
+    def _contact(self, y: StateVector, regime: Regime) -> ContactSolution:
         return FLOAT_FORMULAS.contact(
             y,
             Branch.of(regime, self.constants, self.loads),
@@ -150,7 +158,7 @@ class RollingDisk:
             self.constants,
         )
 
-    def switch(self, y, regime: Regime, guard: str) -> Switch:
+    def switch(self, y: list[float], regime: Regime, guard: str) -> Switch:
         """Select the next regime after `guard` has fallen through zero."""
         guard = guard_named(guard)
         held = {
@@ -171,7 +179,7 @@ class RollingDisk:
                 return Switch(None, y, ended=guard)
             case GuardKind.JAM:
                 raise ImpossibleContactError(
-                    f"{describe_state(y)}: the slide jams, {guard.kind.value}"
+                    f"{describe_state(y)}: the sliding contact jams: {guard.kind.value}"
                 )
             case GuardKind.SLIP:
                 if self._is_grazing:
@@ -180,7 +188,7 @@ class RollingDisk:
             case GuardKind.GRIP:
                 return self._end_slide(y, regime, held)
 
-    def _end_slide(self, y, regime, held) -> Switch:
+    def _end_slide(self, y: list[float], regime: Regime, held: set[int]) -> Switch:
         """Bring a slide to rest, if possible, and select the next regime."""
         last, stops = slide_to_rest(y, regime, self.constants, self.loads)
         if not stops:
@@ -191,7 +199,13 @@ class RollingDisk:
         then = self._select_next_regime(y, held | {0}, (), regime.senses)
         return then._replace(steps=(last, *then.steps))
 
-    def _select_next_regime(self, y, at_zero, fired, senses) -> Switch:
+    def _select_next_regime(
+        self,
+        y: list[float],
+        at_zero: Iterable[int],
+        fired: Iterable[int],
+        senses: tuple[float, float, float],
+    ) -> Switch:
         at_zero = frozenset(at_zero)
         regime, step = next_regime(
             y,
@@ -205,12 +219,12 @@ class RollingDisk:
         if regime is None:
             return Switch(None, y, ended=LIFT_OFF)
         return (
-            self._first_step_of_slide(step, at_zero)
+            self._advance_first_slide_step(step, at_zero)
             if isinstance(step, Step)
             else Switch(regime, y, next_arc=step)
         )
 
-    def _first_step_of_slide(self, step, at_zero) -> Switch:
+    def _advance_first_slide_step(self, step: Step, at_zero: frozenset[int]) -> Switch:
         """Take the first step of a slide; shorten it if a rotation reverses.
 
         Otherwise the guard of this rotation would be negative at the end of the step.
@@ -218,7 +232,7 @@ class RollingDisk:
         _, stuck, senses = step.regime
         turning = [i for i in range(3) if self.constants.arms[i] > 0 and not stuck[i]]
 
-        def guards(y):
+        def guards(y: list[float]) -> dict[int, float]:
             turns = rotation_rates(y)
             return {i: senses[i] * turns[i] for i in turning}
 
@@ -243,7 +257,7 @@ class RollingDisk:
         """End the motion where the normal force falls to zero within a step."""
         from scipy.optimize import brentq  # loads slowly
 
-        def load(t):
+        def load(t: float) -> float:
             return self._contact(step.at(t), step.regime).Phi
 
         if load(0.0) <= 0:
@@ -252,7 +266,7 @@ class RollingDisk:
         return Switch(None, step.end, (step,), ended=LIFT_OFF)
 
 
-def first_guard_zero(step: Step, guards: Callable):
+def first_guard_zero(step: Step, guards: Callable[..., Any]) -> tuple[float, Any]:
     """Find the first guard that falls to zero within a step.
 
     Returns its time and name, or the duration of the step and None. `guards(y)` is
@@ -283,20 +297,20 @@ def first_guard_zero(step: Step, guards: Callable):
     return step.duration, None
 
 
-def shift_arc(arc, origin):
+def shift_arc(arc: Arc, origin: Sequence[float]) -> Arc:
     """Return an arc with the offset `origin` added to its quadratures."""
     end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], origin[PRECESSION:])]
     arc.coefficients[:, 0] += origin
     return arc._replace(end=end)
 
 
-def initial_state(disk, release) -> list:
+def initial_state(disk: "Disk", release: "Release") -> list[Any]:
     """Return the initial state (7.4), with the disk centre above the origin."""
     r = math.sqrt(math.radians(release.inclination_deg))
     return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]
 
 
-def rolling_state(disk, columns) -> list:
+def rolling_state(disk: "Disk", columns: Any) -> list[Any]:
     """Return the state of a disk that rolls with the COLUMNS (11,) of a motion, without slip."""
     precession, inclination, spin, x, y = map(float, columns[:5])
     r = math.sqrt(inclination)

@@ -1,11 +1,18 @@
 """Dimensionless constants of the disk, friction and table of a scene."""
 
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from dynamics.equations import DiskConstants, disk_constants
 
+if TYPE_CHECKING:
+    from dynamics.compliant.law.sections import Contact
+    from dynamics.disk import Disk
+    from dynamics.sections import MotionScene
+    from modal.modes import Material
 
-def scene_constants(scene) -> DiskConstants:
+
+def scene_constants(scene: "MotionScene") -> DiskConstants:
     """Return the dimensionless constants of a scene.
 
     Raises ValueError if the fillet does not fit the disk, or if the scene does not
@@ -27,7 +34,9 @@ def scene_constants(scene) -> DiskConstants:
     )
 
 
-def _pivoting_polynomials(contact, disk, material, mu_dynamic) -> tuple[float, ...]:
+def _pivoting_polynomials(
+    contact: "Contact", disk: "Disk", material: "Material", mu_dynamic: float
+) -> tuple[float, ...]:
     if material is None:
         raise ValueError(
             "friction.arm_pivoting = 'contact': requires the section material"

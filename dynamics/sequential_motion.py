@@ -60,6 +60,11 @@ class SequentialMotion(MotionBase):
         return self.then.rolling_fillet
 
     @property
+    def lift_off_speed(self) -> float:
+        """`Motion.lift_off_speed` of the last part."""
+        return self.then.lift_off_speed
+
+    @property
     def integrator(self) -> str:
         """Names of the integrators of both parts."""
         return f"{self.first.integrator}, then {self.then.integrator}"

@@ -31,7 +31,7 @@ from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, initial_state, rolling_state
 from dynamics.sections import MotionScene
 from dynamics.solver_settings import resolved_integrator_name
-from dynamics.switching import ImpossibleContactError
+from dynamics.switching import ImpossibleContactError, NoContactAtReleaseError
 
 OUTCOMES = {
     guards.FLAT: Outcome.SETTLED,
@@ -69,7 +69,8 @@ def simulate(
       infinite plate. A rough contact on which the disk rolls is coupled if one-way
       coupling would change the A-weighted level of the table by more than 1 dB: its
       vibration by a linear filter with the receptance of the table, or the motion from
-      the release on where contact is lost.
+      the release on where contact is lost. The filter hands over to time steps below the
+      inclination at which the table acts on the motion, unless the film lifts the disk.
 
     If `surface.kind` is "modes", the scene contains the modes; those below 24 kHz are
     used, and the motion equals that of `sonify.solve(scene)`. A plate or a mesh
@@ -131,12 +132,19 @@ def solve_planned_motion(
     plan: MotionPlan, watch: Watch = lambda t, inclination, doing: None
 ) -> Motion:
     """Solve the motion of a plan; see `simulate`, which makes the plan from a scene."""
-    from dynamics.landing.after_rolling import landed  # SciPy is slow to import
+    from dynamics.landing.after_rolling import landed, landed_from_release
 
     require_surface_modes(plan)
-    has_rigid_contact = plan.contact.kind not in ("full", "many")
-    roll = partial(_solve_rolling_again, plan, watch) if has_rigid_contact else None
-    return landed(solve_rolling_motion(plan, watch), plan, roll)
+    roll = None
+    if plan.contact.kind != "full":
+        roll = partial(_solve_rolling_again, plan, watch)
+    try:
+        rolling = solve_rolling_motion(plan, watch)
+    except NoContactAtReleaseError:
+        if plan.scene.disk.shape != "solid":
+            raise
+        return landed_from_release(plan, roll)
+    return landed(rolling, plan, roll)
 
 
 def solve_rolling_motion(
@@ -152,17 +160,23 @@ def solve_rolling_motion(
 
 def _solve_rolling_again(
     plan: MotionPlan, watch: Watch, columns: np.ndarray, begin: float, limit: float
-) -> RigidMotion:
+) -> Motion:
     """Solve the motion of a disk that rolls in a state of COLUMNS (11,), up to a time limit [s].
 
     The motion starts at the time `begin` [s] of the whole motion.
     """
     numerics = replace(plan.scene.numerics, time_limit=limit)
-    return _solve_rigid_motion(
-        plan.part(numerics=numerics),
-        lambda t, *rest: watch(begin + t, *rest),
-        rolling_state(plan.scene.disk, columns),
-    )
+    part = plan.part(numerics=numerics)
+
+    def watch_whole(t: float, inclination: float, doing: str) -> None:
+        watch(begin + t, inclination, doing)
+
+    if plan.contact.kind == "many":
+        from dynamics.rattling.rattling_motion import solve_rattling_motion
+
+        return solve_rattling_motion(part, watch_whole, columns)
+    start = rolling_state(plan.scene.disk, columns)
+    return _solve_rigid_motion(part, watch_whole, start)
 
 
 def require_surface_modes(plan: MotionPlan) -> None:
@@ -204,6 +218,8 @@ def _solve_rigid_motion(
     time_limit = scene.numerics.time_limit / scene.disk.time_unit
     try:
         path, guard = run_events(system, start, time_limit, progress.record)
+    except NoContactAtReleaseError as error:
+        raise NoContactAtReleaseError(f"at t = {progress.t:.9g} s: {error}") from None
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
     outcome = outcome_after_guard(guard, progress.state, system)

@@ -15,6 +15,7 @@ Coordinate = Annotated[float, Ge(-100), Le(100)]
 YoungModulus = Annotated[float, Ge(1), Le(1e15)]
 PoissonRatio = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
+HoleDiameter = Annotated[float, Ge(0), Le(100)]
 LossFactor = Annotated[float, Ge(0), Le(1)]
 DEFAULT_LOSS_FACTOR = 0.02
 """Default loss factor of a table."""
@@ -26,6 +27,7 @@ class Tabletop:
     sag: float = 0.0
     diameter: float | None = None
     place: tuple[float, float] = (0.0, 0.0)
+    hole: float = 0.0
 
     @property
     def curvature(self) -> float:
@@ -67,6 +69,25 @@ class Tabletop:
                 f"{greatest:.3g} m is possible"
             )
 
+    def check_hole(self, flat_radius: float) -> None:
+        """Check that a hole is smaller than the flat face of the disk.
+
+        Parameters
+        ----------
+        flat_radius : float
+            Radius of the flat face [m].
+
+        Raises
+        ------
+        ValueError
+            If the hole reaches the edge of the flat face.
+        """
+        if self.hole and self.hole >= 2 * flat_radius:
+            raise ValueError(
+                f"surface.hole = {self.hole:g}: must not reach the diameter of the flat face of "
+                f"the disk, {2 * flat_radius:.4g} m, outside which it rolls"
+            )
+
 
 @dataclass(frozen=True, kw_only=True)
 class Surface(Tabletop):
@@ -81,6 +102,9 @@ class Surface(Tabletop):
 
     kind: Literal["rigid"] = "rigid"
     """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
+    hole: HoleDiameter = 0.0
+    """Diameter [m] of a hole in the table under the centre of the disk, over which the pressure is
+    ambient; the film of air is that of the ring around it."""
     sag: Annotated[float, Ge(0), Le(1)] = 0.0
     """Depth [m] of a concave table: distance of its middle below its rim."""
     diameter: Length | None = None
@@ -111,6 +135,9 @@ class PlateSurface(Tabletop):
 
     kind: Literal["plate"] = "plate"
     """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
+    hole: HoleDiameter = 0.0
+    """Diameter [m] of a hole in the table under the centre of the disk, over which the pressure is
+    ambient; the film of air is that of the ring around it."""
     action: Action = "auto"
     """Effect of the table: sound only, two-way coupled motion, or auto (set by the
     plan)."""
@@ -193,6 +220,9 @@ class ModesSurface(Tabletop):
 
     kind: Literal["modes"] = "modes"
     """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
+    hole: HoleDiameter = 0.0
+    """Diameter [m] of a hole in the table under the centre of the disk, over which the pressure is
+    ambient; the film of air is that of the ring around it."""
     action: Action = "auto"
     """Effect of the table: sound only, two-way coupled motion, or auto (set by the
     plan)."""
@@ -216,6 +246,9 @@ class InfiniteSurface(Tabletop):
 
     kind: Literal["infinite"] = "infinite"
     """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
+    hole: HoleDiameter = 0.0
+    """Diameter [m] of a hole in the table under the centre of the disk, over which the pressure is
+    ambient; the film of air is that of the ring around it."""
     action: Action = "auto"
     """Effect of the table: sound only, two-way coupled motion, or auto (set by the
     plan)."""
@@ -252,6 +285,9 @@ class MeshSurface(Tabletop):
 
     kind: Literal["mesh"] = "mesh"
     """Kind of table: rigid, round plate, list of modes, infinite plate, or mesh."""
+    hole: HoleDiameter = 0.0
+    """Diameter [m] of a hole in the table under the centre of the disk, over which the pressure is
+    ambient; the film of air is that of the ring around it."""
     action: Action = "auto"
     """Effect of the table: sound only, two-way coupled motion, or auto (set by the
     plan)."""

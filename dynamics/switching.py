@@ -6,6 +6,7 @@ a valid continuation if its accelerations and loads are consistent with it.
 """
 
 import math
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from itertools import product
 from typing import Any
@@ -18,7 +19,7 @@ from dynamics.equations import (
     DiskConstants,
     separation_acceleration,
 )
-from dynamics.guards import GuardKind
+from dynamics.guards import Guard, GuardKind
 from dynamics.hybrid import Arc, StalledError, Step
 from dynamics.incipient_slip import slip_acceleration
 from dynamics.regime import (
@@ -31,11 +32,16 @@ from dynamics.regime import (
     Branch,
     R,
     Regime,
+    StateVector,
     angular_velocity,
     describe_state,
     rotation_rates,
     slip_velocity,
 )
+
+AdvanceGrazing = Callable[[StateVector, float, Regime], "Arc | None"]
+"""Function that integrates a slide from rest along a direction [rad], see
+`slow_slides.advance_grazing_slide`."""
 
 CONSISTENCY_TOLERANCE = 1e-12
 """Relative tolerance of the consistency conditions, for rounding errors."""
@@ -62,8 +68,18 @@ class ImpossibleContactError(ValueError):
     """
 
 
+class NoContactAtReleaseError(ImpossibleContactError):
+    """The disk does not roll at its release: it leaves the table, or is too steep."""
+
+
 def next_regime(
-    y, constants: DiskConstants, loads, at_zero, fired, senses, advance_grazing
+    y: StateVector,
+    constants: DiskConstants,
+    loads: Any,
+    at_zero: frozenset[int],
+    fired: frozenset[int],
+    senses: tuple[float, float, float],
+    advance_grazing: AdvanceGrazing,
 ) -> tuple[Regime | None, Step | Arc | None]:
     """Return the next regime at state y, and its first step or arc from rest.
 
@@ -102,8 +118,12 @@ def next_regime(
 
 
 def state_after_reversal(
-    y, regime, branch, guard, constants: DiskConstants
-) -> tuple[list, Regime] | None:
+    y: StateVector,
+    regime: Regime,
+    branch: Branch,
+    guard: Guard,
+    constants: DiskConstants,
+) -> tuple[list[Any], Regime] | None:
     """Return state and regime after a rotation of a rolling disk reverses.
 
     `next_regime` would try this regime first. Returns None if it is not consistent, or
@@ -113,9 +133,10 @@ def state_after_reversal(
         return None
     y = with_rotation_zero(y, guard.axis)
     axis = guard.axis
-    senses = tuple(
-        [-sense if i == axis else sense for i, sense in enumerate(regime.senses)]
+    first, second, third = (
+        -sense if i == axis else sense for i, sense in enumerate(regime.senses)
     )
+    senses = (first, second, third)
     after = Regime(False, regime.stuck, senses)
     contact = FLOAT_FORMULAS.contact(y, branch, senses, constants)
     return (
@@ -125,7 +146,7 @@ def state_after_reversal(
     )
 
 
-def with_rotation_zero(y, i):
+def with_rotation_zero(y: StateVector, i: int) -> list[float]:
     """Return y with omega.a_(i+1) set to zero."""
     y = list(y)
     if i == 0:
@@ -140,7 +161,7 @@ def with_rotation_zero(y, i):
     return y
 
 
-def _leaves_table_plane(y, constants, loads) -> bool:
+def _leaves_table_plane(y: StateVector, constants: DiskConstants, loads: Any) -> bool:
     """Return True if a free disk would leave the plane, or just touch it."""
     beta = y[R] * y[R]
     omega = angular_velocity(y)
@@ -153,7 +174,13 @@ def _leaves_table_plane(y, constants, loads) -> bool:
     )
 
 
-def _candidate_regimes(y, constants, at_zero, leaving, senses):
+def _candidate_regimes(
+    y: StateVector,
+    constants: DiskConstants,
+    at_zero: frozenset[int],
+    leaving: frozenset[int],
+    senses: tuple[float, float, float],
+) -> list[Regime]:
     """Return the regimes to try, in order.
 
     Rolling precedes sliding. For a rotation at zero, the order is reversed sign,
@@ -172,7 +199,14 @@ def _candidate_regimes(y, constants, at_zero, leaving, senses):
 
 
 @lru_cache(1024)
-def _regime_combinations(turning, senses, resisted, can_slip, at_rest, leaving):
+def _regime_combinations(
+    turning: tuple[float, float, float],
+    senses: tuple[float, float, float],
+    resisted: tuple[bool, bool, bool],
+    can_slip: bool,
+    at_rest: bool,
+    leaving: frozenset[int],
+) -> list[Regime]:
     """Return the regimes to try for the new and old signs of the rotations."""
     contact = (
         [False]
@@ -197,7 +231,13 @@ def _regime_combinations(turning, senses, resisted, can_slip, at_rest, leaving):
     return regimes
 
 
-def _is_consistent(y, contact, regime, constants, at_zero) -> bool:
+def _is_consistent(
+    y: StateVector,
+    contact: ContactSolution,
+    regime: Regime,
+    constants: DiskConstants,
+    at_zero: frozenset[int] | tuple[int],
+) -> bool:
     """Return True if a contact presses and is consistent with its regime."""
     if not (contact.Phi > 0 and contact.inertia > 0):
         return False
@@ -223,7 +263,9 @@ def _is_consistent(y, contact, regime, constants, at_zero) -> bool:
     return True
 
 
-def rotation_accelerations(y, contact) -> tuple[float, float, float]:
+def rotation_accelerations(
+    y: StateVector, contact: ContactSolution
+) -> tuple[float, float, float]:
     """Return d(omega.a_i)/dtau, including the rotation of a_2 and a_3 about a_1."""
     r = y[R]
     sin_a = math.cos(r * r)
@@ -240,7 +282,7 @@ def rotation_accelerations(y, contact) -> tuple[float, float, float]:
 
 
 def contact_at_release(
-    y, regime: Regime, branch: Branch, constants: DiskConstants
+    y: list[float], regime: Regime, branch: Branch, constants: DiskConstants
 ) -> ContactSolution:
     """Solve the balance laws at the first state of a motion.
 
@@ -257,7 +299,13 @@ def contact_at_release(
     return FLOAT_FORMULAS.contact(y, branch, regime.senses, constants)
 
 
-def _contact_sliding_along(y, angle, regime, branch, constants):
+def _contact_sliding_along(
+    y: StateVector,
+    angle: float,
+    regime: Regime,
+    branch: Branch,
+    constants: DiskConstants,
+) -> ContactSolution:
     """Solve the balance laws for a contact that starts to slide along `angle` [rad]."""
     direction = (math.cos(angle), math.sin(angle))
     return FLOAT_FORMULAS.contact_with_friction_along(
@@ -265,7 +313,9 @@ def _contact_sliding_along(y, angle, regime, branch, constants):
     )
 
 
-def _slip_directions(y, regime, branch, constants):
+def _slip_directions(
+    y: StateVector, regime: Regime, branch: Branch, constants: DiskConstants
+) -> Iterator[float]:
     """Yield slip directions nu [rad] that are parallel to their own slip acceleration.
 
     The first is close to the direction in which static friction fails, if possible. All
@@ -290,7 +340,12 @@ def _slip_directions(y, regime, branch, constants):
 
 
 def _slide_from_rest(
-    y, regime, branch, constants, at_zero, advance_grazing
+    y: StateVector,
+    regime: Regime,
+    branch: Branch,
+    constants: DiskConstants,
+    at_zero: frozenset[int],
+    advance_grazing: AdvanceGrazing,
 ) -> Step | Arc | None:
     """Take the first step of a slide from rest; return None if it is inconsistent."""
     for nu in _slip_directions(y, regime, branch, constants):
@@ -298,7 +353,7 @@ def _slide_from_rest(
         if _is_consistent(y, first, regime, constants, at_zero):
             push = math.hypot(first.du1, first.du2)
             if push < MAX_GRAZING_ACCELERATION * constants.mu_dynamic * first.Phi:
-                step = advance_grazing(y, nu, regime)
+                step: Step | Arc | None = advance_grazing(y, nu, regime)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, constants)
             if step:
@@ -306,7 +361,14 @@ def _slide_from_rest(
     return None
 
 
-def _trapezoidal_step(y, nu, first, regime, branch, constants) -> Step:
+def _trapezoidal_step(
+    y: StateVector,
+    nu: float,
+    first: ContactSolution,
+    regime: Regime,
+    branch: Branch,
+    constants: DiskConstants,
+) -> Step:
     """Take one implicit trapezoidal step; the unknown is the slip direction at its end.
 
     This direction is that of the mean slip acceleration. Raises StalledError if there
@@ -322,7 +384,8 @@ def _trapezoidal_step(y, nu, first, regime, branch, constants) -> Step:
     ).aligned_direction_near(nu)
     if direction is None:
         raise StalledError(
-            f"{describe_state(y)}: the slide that starts here has no direction"
+            f"{describe_state(y)}: the direction of the slide that starts here cannot be "
+            "determined"
         )
     last = _contact_sliding_along(ahead, direction, regime, branch, constants)
     return _quadratic_step(
@@ -330,14 +393,21 @@ def _trapezoidal_step(y, nu, first, regime, branch, constants) -> Step:
     )
 
 
-def _first_step_length(y, slope) -> float:
+def _first_step_length(y: StateVector, slope: StateVector) -> float:
     """Return the step length, FIRST_SLIDE_STEP r, or less if y changes fast."""
     return FIRST_SLIDE_STEP / max(
         1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True))
     )
 
 
-def _heun_step(y, first, regime, branch, constants, length=None) -> Step:
+def _heun_step(
+    y: StateVector,
+    first: ContactSolution,
+    regime: Regime,
+    branch: Branch,
+    constants: DiskConstants,
+    length: float | None = None,
+) -> Step:
     """Take one step of Heun's method, in which a rotation that unsticks leaves zero."""
     slope = FLOAT_FORMULAS.rates(y, first, branch, constants)
     dt = length or _first_step_length(y, slope)
@@ -351,7 +421,9 @@ def _heun_step(y, first, regime, branch, constants, length=None) -> Step:
     return _quadratic_step(regime, dt, y, slope, after)
 
 
-def _quadratic_step(regime, dt, y, slope, after) -> Step:
+def _quadratic_step(
+    regime: Regime, dt: float, y: StateVector, slope: StateVector, after: StateVector
+) -> Step:
     return Step(
         regime,
         dt,
@@ -362,7 +434,7 @@ def _quadratic_step(regime, dt, y, slope, after) -> Step:
 
 
 def slide_to_rest(
-    y, regime: Regime, constants: DiskConstants, loads
+    y: StateVector, regime: Regime, constants: DiskConstants, loads: Any
 ) -> tuple[Step, bool]:
     """Return the last step of a slide, and True if it ends at rest.
 

@@ -170,7 +170,7 @@ def write_uff(modes: Modes, path: str | Path) -> None:
 def uff_element_dataset(body: Body) -> dict[str | int, Any]:
     """Return dataset 2412 of a body: solids of linear sides, and the faces of the
     surface."""
-    solids = linear_parts(body)
+    solids = linear_subcells(body)
     triangular = solids.shape[1] == 4
     cells_by_descriptor = {
         111 if triangular else 115: solids,
@@ -194,7 +194,7 @@ def uff_element_dataset(body: Body) -> dict[str | int, Any]:
     return dataset
 
 
-def linear_parts(body: Body) -> np.ndarray:
+def linear_subcells(body: Body) -> np.ndarray:
     """Return the cells (c, 4) or (c, 8) of a body with each quadratic cell divided into
     eight.
 

@@ -30,7 +30,7 @@ from modal.synthesis.clamped import HeldSymmetryClass
 from modal.synthesis.free_disk import FreeDisk
 from modal.synthesis.tractions import MAX_HALF_ANGLE_DEG, BasisSizes
 
-FREE_MODE_FREQUENCY_RATIO = 2.0
+FREE_MODE_CUTOFF_RATIO = 2.0
 """Ratio of the highest frequency of the free modes used to that of the requested
 modes."""
 
@@ -63,13 +63,13 @@ def synthesised_classes(
     is_low = patch_height(plate.thickness, support) < plate.thickness
     if is_low or support.half_angle_deg > MAX_HALF_ANGLE_DEG:
         return None
-    if FREE_MODE_FREQUENCY_RATIO * waves > max_cutoff:
+    if FREE_MODE_CUTOFF_RATIO * waves > max_cutoff:
         return None
     radial = max(min_sizes.size[0], 2 + first_basis_size(plate, below)[0])
     richness = replace(
         min_sizes,
         size=(radial, min_sizes.size[1]),
-        cutoff=max(min_sizes.cutoff, FREE_MODE_FREQUENCY_RATIO * waves),
+        cutoff=max(min_sizes.cutoff, FREE_MODE_CUTOFF_RATIO * waves),
     )
     full_height = replace(support, height=None)
     try:
@@ -96,7 +96,9 @@ def modes_with_synthesised_frequencies(
         plate,
         below,
     )
-    selections = [{"below": np.inf, "exact_count": len(k.frequency) + 1} for k in known]
+    selections: list[elements.Selection] = [
+        {"below": np.inf, "exact_count": len(k.frequency) + 1} for k in known
+    ]
     part, solid, solved = elements.solve_symmetry_classes(
         plate, support, size, selections
     )
@@ -104,12 +106,12 @@ def modes_with_synthesised_frequencies(
     rim = face_interpolation_pair(solid, part, points), points
     top_rims = [displacement_on_faces(*rim, part.quarter, c)[:, 1] for c in solved]
     limit = (2 * np.pi * below) ** 2
-    matched = [
-        match_modes_of_class(*three, limit)
-        for three in zip(solved, known, top_rims, strict=True)
-    ]
-    if None in matched:
-        return None
+    matched = []
+    for three in zip(solved, known, top_rims, strict=True):
+        element_class = match_modes_of_class(*three, limit)
+        if element_class is None:
+            return None
+        matched.append(element_class)
     error = np.concatenate([k.error for k in known])
     modes = whole_disk_modes(part, solid, matched, error, plate)
     return replace(modes, method="finite elements, their frequencies by synthesis")

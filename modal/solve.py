@@ -140,7 +140,7 @@ def eigenmodes(
     check_solvable(scene.disk, support)
     plate = free_plate(scene)
     highest = below * (
-        patch.FREE_MODE_FREQUENCY_RATIO if support.kind == "contact" else 1.0
+        patch.FREE_MODE_CUTOFF_RATIO if support.kind == "contact" else 1.0
     )
     count = estimated_mode_count(plate, highest)
     if count > MAX_MODE_COUNT:

@@ -18,7 +18,7 @@ from scipy.optimize import linear_sum_assignment
 from modal.elements.sample import polar_components, sample_points, strongest_order
 from modal.mesh.symmetry import rigid_fields
 from modal.modes import Modes, UnsolvableError
-from modal.patch import FREE_MODE_FREQUENCY_RATIO, synthesis_basis_sizes
+from modal.patch import FREE_MODE_CUTOFF_RATIO, synthesis_basis_sizes
 from modal.spectral.axisymmetric import plate_modes
 from modal.spectral.basis import Plate
 from modal.synthesis.free_disk import FreeDisk
@@ -105,9 +105,9 @@ def free_disk_rigid_elastic_modes(plate: Plate, below: float, accuracy: str) -> 
     """Return the `Modes` of the free disk, preceded by its six rigid-body modes.
 
     The rigid-body modes have the frequency 0 and unit modal mass. The elastic modes are
-    those below FREE_MODE_FREQUENCY_RATIO times `below` [Hz].
+    those below FREE_MODE_CUTOFF_RATIO times `below` [Hz].
     """
-    elastic = plate_modes(plate, FREE_MODE_FREQUENCY_RATIO * below, accuracy)
+    elastic = plate_modes(plate, FREE_MODE_CUTOFF_RATIO * below, accuracy)
     root = rigid_mass_roots(plate)
     rim, face = sample_points(plate.radius)
     edge = np.column_stack([rim, np.full(len(rim), -plate.thickness / 2)])

@@ -6,11 +6,13 @@ import gc
 import os
 import re
 import sys
+from collections.abc import Callable, Iterator
 from io import TextIOWrapper
 from math import inf
 from shutil import get_terminal_size
 from signal import SIGINT
 from tempfile import gettempdir
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import click
 
@@ -18,6 +20,12 @@ from sonify import __version__
 from sonify.chart_command import CHART_NAMES, load_chart_files
 from sonify.runtime.library_messages import hide_library_messages
 from sonify.runtime.signals import AbortedError, orderly_exit
+
+if TYPE_CHECKING:
+    from sonify.sound.pressure import Dynamics
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+"""Function of a command, or the command itself."""
 
 os.environ.setdefault(
     "OPENBLAS_NUM_THREADS", "1"
@@ -60,16 +68,18 @@ class OneLineErrorGroup(click.Group):
     `invoke` defines the exit status.
     """
 
-    def format_commands(self, context, formatter):
+    def format_commands(
+        self, context: click.Context, formatter: click.HelpFormatter
+    ) -> None:
         """Write the commands with their full summaries, wrapped to the terminal."""
         summaries = [
-            (name, " ".join(command.help.split("\n\n")[0].split()))
+            (name, " ".join((command.help or "").split("\n\n")[0].split()))
             for name, command in sorted(self.commands.items())
         ]
         with formatter.section("Commands"):
             formatter.write_dl(summaries)
 
-    def main(self, *arguments, **options):
+    def main(self, *arguments: Any, **options: Any) -> Any:
         """Run the command line.
 
         If a process that reads the output, such as `head`, exits early, the files and
@@ -82,7 +92,7 @@ class OneLineErrorGroup(click.Group):
         with orderly_exit():
             return super().main(*arguments, **options)
 
-    def invoke(self, context):
+    def invoke(self, context: click.Context) -> Any:
         """Run the command and convert expected errors to an exit status.
 
         The status is 1 for a full disk or an aborted computation, 2 for invalid input
@@ -115,12 +125,12 @@ class OneLineErrorGroup(click.Group):
 class AssignmentCommand(click.Command):
     """Command that accepts several assignments after one --set: `--set a=1 b=2`."""
 
-    def parse_args(self, context, arguments):
+    def parse_args(self, context: click.Context, arguments: list[str]) -> list[str]:
         """Parse the arguments after inserting --set before each further assignment."""
         return super().parse_args(context, list(_repeat_set_option(arguments)))
 
 
-def _repeat_set_option(arguments):
+def _repeat_set_option(arguments: list[str]) -> Iterator[str]:
     """Yield the arguments, with --set before each assignment that follows another
     assignment."""
     role = "other"
@@ -138,21 +148,27 @@ def _repeat_set_option(arguments):
         yield argument
 
 
-class NonEmptyText(click.ParamType):
+class NonEmptyText(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions of click alone
     """Parameter type for nonempty text.
 
     An empty value, e.g. from an unset shell variable, is an error and does not select
     the default."""
 
-    def __init__(self, name):
+    def __init__(self, name: str) -> None:
         self.name = name
 
-    def convert(self, value, parameter, context):
+    def convert(
+        self,
+        value: Any,
+        parameter: click.Parameter | None,
+        context: click.Context | None,
+    ) -> str:
         """Return the text. Raises InputError if it is empty."""
         from sonify.scene_errors import InputError
 
         if not value:
-            raise InputError(f"{parameter.opts[0]} = '': must not be empty")
+            name = parameter.opts[0] if parameter else self.name
+            raise InputError(f"{name} = '': must not be empty")
         return value
 
 
@@ -176,21 +192,33 @@ TO_OPTION = click.option(
     default=inf,
     help="End of the analysed part of the sound [s].",
 )
+ACCURACY_OPTION = click.option(
+    "--accuracy",
+    type=click.Choice(ACCURACY_LEVELS),
+    help="Accuracy level; overrides the scene.",
+)
+SET_OPTION = click.option(
+    "--set",
+    "assignments",
+    multiple=True,
+    metavar="KEY=VALUE ...",
+    help="Override values of the scene, e.g. friction.mu_static=0.3 audio.distance=1.0.",
+)
 
 
-def out_option(help_text, **attributes):
+def out_option(help_text: str, **attributes: Any) -> Callable[[Command], Command]:
     """Return the option --out of a command."""
     return click.option("--out", type=PATH, help=help_text, **attributes)
 
 
-def _exit_with_message(message, status):
+def _exit_with_message(message: object, status: int) -> NoReturn:
     lines = str(message).splitlines()
     line = " ".join(part.strip() for part in lines)  # names may have double spaces
     click.echo(f"sonify: {line}", err=True)
     sys.exit(status)
 
 
-def _usage_message(error):
+def _usage_message(error: click.UsageError) -> str:
     """Return the message of a usage error, with the replacement of a removed option."""
     if isinstance(error, click.NoSuchOption) and error.ctx:
         option = f"{error.ctx.info_name} {error.option_name}"
@@ -203,25 +231,15 @@ def _usage_message(error):
     cls=OneLineErrorGroup, context_settings={"help_option_names": ["-h", "--help"]}
 )
 @click.version_option(__version__, message="%(version)s")
-def main():
+def main() -> None:
     """Compute the motion and the sound of Euler's disk from a scene."""
 
 
 @main.command(cls=AssignmentCommand)
 @click.argument("scene", default="published", type=TEXT)
 @out_option("Output folder; default outputs/<scene name>.")
-@click.option(
-    "--accuracy",
-    type=click.Choice(ACCURACY_LEVELS),
-    help="Accuracy level; overrides the scene.",
-)
-@click.option(
-    "--set",
-    "assignments",
-    multiple=True,
-    metavar="KEY=VALUE ...",
-    help="Override values of the scene, e.g. friction.mu_static=0.3 audio.distance=1.0.",
-)
+@ACCURACY_OPTION
+@SET_OPTION
 @click.option(
     "--dynamics",
     type=click.Choice(["compressed", "natural"]),
@@ -232,7 +250,7 @@ def main():
 @click.option(
     "--findings",
     is_flag=True,
-    help="Print all checks and findings, and not only the answers.",
+    help="Print all checks and findings instead of the answers only.",
 )
 @click.option(
     "--ensemble",
@@ -240,7 +258,15 @@ def main():
     metavar="N",
     help="Also repeat the chaotic final part of the motion N times from perturbed states.",
 )
-def run(scene, out, accuracy, assignments, dynamics, findings, ensemble):
+def run(
+    scene: str,
+    out: str | None,
+    accuracy: str | None,
+    assignments: tuple[str, ...],
+    dynamics: "Dynamics",
+    findings: bool,
+    ensemble: int | None,
+) -> None:
     """Simulate SCENE and write its sound, pictures and report.
 
     SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run;
@@ -252,13 +278,13 @@ def run(scene, out, accuracy, assignments, dynamics, findings, ensemble):
         raise click.UsageError(
             f"scene = {scene!r}: not a scene; did you mean --set {scene}?"
         )
-    scene = load_scene(scene).replace(*assignments)
+    changed = load_scene(scene).replace(*assignments)
     from sonify.console import Console
 
     with Console() as stages:
         from sonify.entry_points import run as solve_and_write
 
-        result = solve_and_write(scene, out, accuracy, stages, dynamics)
+        result = solve_and_write(changed, out, accuracy, stages, dynamics)
         if ensemble:
             from sonify.report.write import write_ensemble
 
@@ -288,7 +314,13 @@ def run(scene, out, accuracy, assignments, dynamics, findings, ensemble):
 )
 @FROM_OPTION
 @TO_OPTION
-def listen(recordings, out, scene, begin, end):
+def listen(
+    recordings: tuple[str, ...],
+    out: str | None,
+    scene: str | None,
+    begin: float,
+    end: float,
+) -> None:
     """Detect settling disks or coins and spectral lines in RECORDINGS.
 
     RECORDINGS are sound files, phyphox exports, or folders of recordings.
@@ -313,14 +345,20 @@ def listen(recordings, out, scene, begin, end):
 @click.option(
     "--scene",
     type=TEXT,
-    help="Scene that provides radius, thickness and air (a name or a file; default toy). The sound "
-    "of a given scene is simulated and compared with the recordings.",
+    help="Scene that provides radius, thickness and air (a name or a file; default granite, the toy "
+    "on a slab). The sound of a given scene is simulated and compared with the recordings.",
 )
 @out_option("Output folder; default outputs/fit/<name of the first file>.")
 @FROM_OPTION
 @TO_OPTION
-def fit(recordings, scene, out, begin, end):
-    """Estimate the causes that slowed the disk in RECORDINGS.
+def fit(
+    recordings: tuple[str, ...],
+    scene: str | None,
+    out: str | None,
+    begin: float,
+    end: float,
+) -> None:
+    """Estimate what slowed the disk in RECORDINGS.
 
     RECORDINGS are sound files, phyphox exports, or folders of recordings.
     """
@@ -329,11 +367,11 @@ def fit(recordings, scene, out, begin, end):
     with Console() as stages:
         from sonify.fitting.comparison import simulated_numbers
         from sonify.fitting.report import comparison_sentences, sentences, write_fits
-        from sonify.fitting.result import fit
+        from sonify.fitting.result import DEFAULT_SCENE, fit
 
         with stages.stage("recordings") as watch:
             span = (begin, end)
-            fits = fit(recordings, scene or "toy", watch, span, stages.notice)
+            fits = fit(recordings, scene or DEFAULT_SCENE, watch, span, stages.notice)
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")
@@ -362,7 +400,7 @@ def fit(recordings, scene, out, begin, end):
     is_flag=True,
     help="Print the JSON schema of a scene, for completion in editors.",
 )
-def scenes(keys, schema):
+def scenes(keys: bool, schema: bool) -> None:
     """List the shipped scenes."""
     from sonify.scene import shipped_scenes
     from sonify.scene_keys import as_json, as_lines, as_table
@@ -391,8 +429,8 @@ def scenes(keys, schema):
     is_flag=True,
     help="Redraw pictures and pages from existing tables without measuring.",
 )
-def chart(name, quick, out, redraw):
-    """Measure speed against accuracy, and the conditions under which methods fail.
+def chart(name: str, quick: bool, out: str | None, redraw: bool) -> None:
+    """Measure the speed and accuracy of methods, and when they fail.
 
     A table, a picture and a page are written for each chart.
     """
@@ -458,7 +496,18 @@ def chart(name, quick, out, redraw):
     "Output file; default <scene name> with the suffix of the format. For sound, the output "
     "folder; default the current folder."
 )
-def export(what, scene, form, strike, rate, takes, seed, last, audible, out):
+def export(
+    what: str,
+    scene: str,
+    form: str | None,
+    strike: float | None,
+    rate: float | None,
+    takes: int | None,
+    seed: int | None,
+    last: float | None,
+    audible: bool | None,
+    out: str | None,
+) -> None:
     """Export modes, motion or sound of SCENE (default published) for other programs.
 
     Modes are written as a Faust program, a universal file (extra `uff`) or a ParaView
@@ -475,13 +524,15 @@ def export(what, scene, form, strike, rate, takes, seed, last, audible, out):
         if what == "modes":
             from sonify.export.modes import export_modes
 
+            assert form is not None, "checked above"
             click.echo(export_modes(scene, form, out, strike))
         elif what == "motion":
             from sonify.export.motion import export_motion
 
+            assert form is not None, "checked above"
             click.echo(export_motion(scene, form, out, rate, stages))
         else:
-            from sonify.export.takes import export_takes
+            from sonify.export.takes import TakeContent, export_takes
 
             seed = 1 if seed is None else seed
             export_takes(
@@ -492,12 +543,11 @@ def export(what, scene, form, strike, rate, takes, seed, last, audible, out):
                 out,
                 stages,
                 click.echo,
-                last,
-                bool(audible),
+                TakeContent(last, bool(audible)),
             )
 
 
-def _check_export_options(what, options):
+def _check_export_options(what: str, options: dict[str, Any]) -> None:
     """Raise UsageError for an inapplicable option, or a missing or unsuitable
     format."""
     for option, value in options.items():
@@ -523,10 +573,10 @@ def _check_export_options(what, options):
     type=TEXT,
     default="127.0.0.1",
     show_default=True,
-    help="Address to listen on; the default accepts connections from this machine only, "
-    "0.0.0.0 on all addresses of this machine.",
+    help="Address to listen on; the default accepts connections from this machine only; "
+    "0.0.0.0 accepts them from other machines.",
 )
-def serve(folder, port, host):
+def serve(folder: str, port: int, host: str) -> None:
     """Serve the finished runs in FOLDER (default outputs) to a browser, with a list and
     a comparison of two runs."""
     from sonify.studio.application import serve
@@ -544,7 +594,7 @@ def serve(folder, port, host):
 @click.option(
     "--port", default=8001, show_default=True, help="Port; 0 selects a free one."
 )
-def studio(folder, port):
+def studio(folder: str, port: int) -> None:
     """Edit, run and hear scenes in a browser; runs are written into FOLDER
     (default outputs)."""
     from sonify.studio.application import studio
@@ -578,8 +628,16 @@ def studio(folder, port):
     "--yes", is_flag=True, help="Start even if there are more than a million runs."
 )
 @click.option("--retry", is_flag=True, help="Repeat runs that ended with an error.")
-def sweep(sweep, scheduler, processes, out, planned, yes, retry):
-    """Run the missing scenes of SWEEP and draw its table.
+def sweep(
+    sweep: str,
+    scheduler: str | None,
+    processes: int | None,
+    out: str | None,
+    planned: bool,
+    yes: bool,
+    retry: bool,
+) -> None:
+    """Run the scenes of SWEEP that its table lacks, and draw the table.
 
     SWEEP is the name of a shipped sweep or a TOML file.
     """
@@ -598,6 +656,58 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     sys.exit(0 if passed else 1)
 
 
+@main.command(cls=AssignmentCommand)
+@click.argument("scene", type=TEXT)
+@out_option("Output folder; default outputs/ladders/<scene name>.")
+@ACCURACY_OPTION
+@SET_OPTION
+@click.option(
+    "--plan",
+    "planned",
+    is_flag=True,
+    help="Print the rungs and their predicted times, then exit.",
+)
+@click.option("--retry", is_flag=True, help="Repeat rungs that ended with an error.")
+def ladder(
+    scene: str,
+    out: str | None,
+    accuracy: str | None,
+    assignments: tuple[str, ...],
+    planned: bool,
+    retry: bool,
+) -> None:
+    """Solve SCENE with every applicable model; compare answers and CPU times.
+
+    Rungs that an earlier call has solved are not solved again. The cheapest rung with
+    the answers of the most complete one is marked.
+    """
+    from sonify.scene import load_scene, scene_with_accuracy
+
+    chosen = scene_with_accuracy(load_scene(scene).replace(*assignments), accuracy)
+    if planned:
+        from sonify.ladder.stretches import plan_lines
+
+        click.echo("\n".join(plan_lines(chosen)))
+        return
+    from sonify.console import Console
+    from sonify.extras import require_extra
+
+    require_extra("a ladder", "pyarrow", "sweep")
+    from sonify.ladder.command import ladder as solve_rungs
+
+    with Console() as stages:
+        solved = solve_rungs(chosen, out, retry, stages)
+        from sonify.ladder.conclusions import screen_lines
+        from sonify.ladder.files import write_ladder
+
+        with stages.stage("files"):
+            write_ladder(solved)
+    for line in screen_lines(solved):
+        click.echo(line)
+    click.echo(solved.folder / "ladder.md")
+    sys.exit(0 if solved.passed else 1)
+
+
 @main.command("map")
 @click.argument("table", type=PATH)
 @click.option("--x", type=TEXT, help="Column; default: the first axis.")
@@ -611,14 +721,14 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     help="Column to draw, e.g. t_end or outcome.",
 )
 @out_option("Output picture; default <of>.png in the folder of the table.")
-def draw(table, x, y, of, out):
+def draw(table: str, x: str | None, y: str | None, of: str, out: str | None) -> None:
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two axes."""
     from sonify.sweeps.maps import make_map
 
     click.echo(make_map(table, of, x, y, out))
 
 
-def start(name="sonify"):
+def start(name: str = "sonify") -> None:
     """Run the command line as a program.
 
     The exit skips the destruction of all objects, which takes 0.3 s. If the status
@@ -637,7 +747,7 @@ def start(name="sonify"):
         raise
 
 
-def _exit_with_status(statuses):
+def _exit_with_status(statuses: list[int]) -> None:
     """Exit at once with the status in the list; do nothing if it is empty."""
     for status in statuses:
         sys.stdout.flush()

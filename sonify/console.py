@@ -1,25 +1,27 @@
 """Print progress on standard error and results on standard output."""
 
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from threading import Event, Lock, Thread
 from time import perf_counter
+from typing import Any, Self
 
 import click
 from rich.console import Console as RichConsole
 from rich.progress import BarColumn, Progress, TaskID, TextColumn
 
-from sonify.runtime.progress import StageProgress, Stages, duration_in_words
+from sonify.runtime.progress import StageProgress, Stages, Watch, duration_in_words
 
 
-class Console(Stages, AbstractContextManager):
+class Console(Stages, AbstractContextManager[Any]):
     """Show the progress of running stages and the `times` of finished ones on standard
     error.
 
     A terminal shows one bar per stage; other outputs receive one line on all running
     stages every `interval` [s]."""
 
-    def __init__(self, interval: float = 10.0, times: bool = True):
+    def __init__(self, interval: float = 10.0, times: bool = True) -> None:
         super().__init__()
         self._shown = times
         self._console = RichConsole(stderr=True, highlight=False, emoji=False)
@@ -39,11 +41,11 @@ class Console(Stages, AbstractContextManager):
         )
         self._ticker = Thread(target=self._repeat, args=(show, period), daemon=True)
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         self._ticker.start()
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self._shown = False  # threads that still run print nothing more
         self._ended.set()
         if self._bars.live.is_started:
@@ -57,7 +59,7 @@ class Console(Stages, AbstractContextManager):
             return "; ".join(stage.line(now) for stage in self._running.values())
 
     @contextmanager
-    def stage(self, name: str):
+    def stage(self, name: str) -> Iterator[Watch]:
         """Time the block as stage `name`, and show its progress and then its
         duration."""
         self._bars.start()
@@ -66,7 +68,7 @@ class Console(Stages, AbstractContextManager):
         with self._lock:
             self._running[task] = progress
 
-        def watch(share, note=""):
+        def watch(share: float, note: str = "") -> None:
             with self._lock:
                 progress.report(perf_counter(), share, note)
 
@@ -80,33 +82,33 @@ class Console(Stages, AbstractContextManager):
         if self._shown:
             self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
-    def notice(self, line: str):
+    def notice(self, line: str) -> None:
         """Print a line on standard error."""
         self._console.print(line, markup=False, soft_wrap=True)
 
-    def expect(self, seconds: float):
+    def expect(self, seconds: float) -> None:
         """Print the predicted duration of a run."""
         duration = duration_in_words(
             float(f"{seconds:.1g}") if seconds < 10 else seconds
         )
         self.notice(f"takes about {duration} on two idle cores")
 
-    def sound_written(self, path: Path):
+    def sound_written(self, path: Path) -> None:
         """Print the path of a sound on standard output."""
         self._bars.stop()  # the next stage restarts them
         click.echo(path)
 
-    def _repeat(self, show, period):
+    def _repeat(self, show: Callable[[], None], period: float) -> None:
         """Call `show` every `period` [s] until the context ends."""
         while not self._ended.wait(period):
             show()
 
-    def _print_progress(self):
+    def _print_progress(self) -> None:
         """Print one line about all running stages."""
         if line := self.progress_line():
             self.notice(line)
 
-    def _redraw(self):
+    def _redraw(self) -> None:
         """Update the bars in the terminal."""
         now = perf_counter()
         with self._lock:

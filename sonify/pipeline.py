@@ -1,11 +1,11 @@
 """Run the stages of a scene: plan, table, modes, motion, sound, findings and files."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 from dynamics import Motion, MotionPlan
 from dynamics.simulation import compile_in_background
@@ -18,12 +18,21 @@ from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Finding, Findings
 from sonify.claims.landing import landing_findings
 from sonify.claims.literature import literature_findings
+from sonify.claims.loss_causes import loss_cause_findings
+from sonify.claims.pitch import pitch_findings
 from sonify.claims.rattling import rattling_findings
 from sonify.claims.rigid_motion import motion_and_mode_findings
 from sonify.claims.sound import analyse_sound, sound_findings
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as two_way_findings
 from sonify.claims.two_way import two_way_part
+from sonify.claims.vibration_level import (
+    FinalStems,
+    SoundingModes,
+    final_stems,
+    rendered_final_stems,
+    vibrations_make_sound,
+)
 from sonify.hearing.recording import Heard, listen_to_known_disk
 from sonify.plan.air import limits_of_film_law
 from sonify.plan.body_scene import body_scene
@@ -46,6 +55,7 @@ from sonify.runtime.files import claimed_folder
 from sonify.runtime.progress import Stages, background_threads
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
+from sonify.sound.audible_modes import modes_below_nyquist
 from sonify.sound.oscillators import compile_oscillators
 from sonify.sound.pressure import Dynamics, Sound, Track
 from sonify.sound.radiation import listener_of
@@ -59,8 +69,8 @@ class Tools:
     """What the stages of a run share besides their results.
 
     `begin` receives the results of each stage that pictures need, `eigenmodes` computes
-    the modes of the disk, and `listen` analyses the pressure. The `executor` runs the
-    stages that proceed at the same time as others.
+    the modes of the disk, `table_modes` those of the table, and `listen` analyses the
+    pressure. The `executor` runs the stages that proceed at the same time as others.
     """
 
     executor: Executor
@@ -69,6 +79,7 @@ class Tools:
     eigenmodes: Callable[..., Modes]
     listen: Callable[[Track, float], Heard]
     dynamics: Dynamics
+    table_modes: Callable[[Scene, MotionPlan], SurfaceModes | None] = solve_table
 
 
 def solve(
@@ -161,7 +172,7 @@ def solve_stages(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Result:
 def solved_motion(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> SolvedMotion:
     """Return the complete plan, the modes and the motion of a scene."""
     compile_in_background(motion_plan)
-    table = table_stage(scene, motion_plan, tools.stages)
+    table = table_stage(scene, motion_plan, tools)
     if motion_plan.surface_modes is None and table is not None:
         motion_plan = motion_plan.with_surface_modes(table)
     planned = tools.executor.submit(modes_stage, scene, motion_plan, table, tools)
@@ -171,13 +182,13 @@ def solved_motion(scene: Scene, motion_plan: MotionPlan, tools: Tools) -> Solved
 
 
 def table_stage(
-    scene: Scene, motion_plan: MotionPlan, stages: Stages
+    scene: Scene, motion_plan: MotionPlan, tools: Tools
 ) -> SurfaceModes | None:
     """Return the modes of the table, if it has any."""
     if not has_table_modes(scene):
         return None
-    with stages.stage("modes of the table") as watch, progress_reported_to(watch):
-        return solve_table(scene, motion_plan)
+    with tools.stages.stage("modes of the table") as watch, progress_reported_to(watch):
+        return tools.table_modes(scene, motion_plan)
 
 
 def modes_stage(
@@ -191,7 +202,9 @@ def modes_stage(
     return found
 
 
-def motion_stage(motion_plan: MotionPlan, planned: Future, stages: Stages) -> Motion:
+def motion_stage(
+    motion_plan: MotionPlan, planned: Future[Any], stages: Stages
+) -> Motion:
     """Return the motion of a plan; stop if the simultaneous stage `planned` fails."""
     with stages.stage("motion") as watch:
 
@@ -228,7 +241,22 @@ def sound_stage(solved: SolvedMotion, tools: Tools) -> Sound:
     return replace(sound, dynamics=tools.dynamics)
 
 
-def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Result:
+def final_stems_of_run(solved: SolvedMotion) -> FinalStems:
+    """Return the stems of the last second of a run.
+
+    Those of a rattling disk are computed again, because one rendered stem contains both
+    its rigid motion and its modes."""
+    scene, plan, motion = solved.scene, solved.plan, solved.motion
+    assert solved.sound is not None
+    if "rattling" not in motion.rolling.finding_groups:
+        return rendered_final_stems(solved.sound)
+    chosen = modes_below_nyquist(solved.modes, scene.audio.sample_rate, plan.sounding)
+    table = plan.rendered_table(solved.table)
+    sounding = SoundingModes(solved.modes, chosen, table, plan.max_contact_turn)
+    return final_stems(scene, motion, sounding)
+
+
+def findings_stage(solved: SolvedMotion, two_way: Future[Any], tools: Tools) -> Result:
     """Return the result of a run, with its checks and findings.
 
     `two_way` is the Future of the findings of `two_way_stage`."""
@@ -242,6 +270,8 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
         heard, silence = hearing.result()
         tone = heard.tone if heard else None
         findings += sound_findings(heard, motion, modes, sound, plan.error("sound"))
+        findings.append(vibrations_make_sound(final_stems_of_run(solved)))
+        findings += pitch_findings(scene, motion, sound, heard)
         findings += two_way.result()
         findings += table_findings(
             scene,
@@ -257,6 +287,7 @@ def findings_stage(solved: SolvedMotion, two_way: Future, tools: Tools) -> Resul
         findings += landing_findings(solved.motion)
         on_contact, contact_notes = contact_findings(scene, motion, sound, heard)
         findings += on_contact
+        findings += loss_cause_findings(scene, motion)
         findings += literature_findings(scene, motion, modes, sound, tone)
     notes = [*limits_of_film_law(scene, motion), *silence, *contact_notes]
     return Result(
@@ -405,3 +436,29 @@ class DiskModesCache:
     def __call__(self, scene: Scene, below: float) -> Modes:
         """Return the modes of the disk of a scene below a frequency [Hz]."""
         return self._modes(body_scene(scene), below=below)
+
+
+class TableModesCache:
+    """Modes of the last two tables; those of a mesh take half a minute.
+
+    Its owner keeps it as long as the modes may be needed again and meshes do not change.
+    """
+
+    def __init__(self) -> None:
+        self._modes: dict[Hashable, SurfaceModes | None] = {}
+
+    def __call__(self, scene: Scene, motion: MotionPlan) -> SurfaceModes | None:
+        """Return the modes of the table of a scene for the motion of a plan."""
+        max_tables = 2
+        key = (
+            scene.surface,
+            scene.disk.radius,
+            scene.numerics.accuracy,
+            scene.audio.sample_rate,
+            motion.lacks_surface_modes,
+        )
+        if key not in self._modes:
+            self._modes[key] = solve_table(scene, motion)
+        if len(self._modes) > max_tables:
+            del self._modes[next(iter(self._modes))]
+        return self._modes[key]

@@ -132,3 +132,12 @@ class Result:
 
     def _repr_html_(self) -> str:
         return self.display.html(self)
+
+
+def output_folder(result: Result) -> Path:
+    """Return the folder of the files of a result.
+
+    Raises ValueError for a result without a folder."""
+    if result.out is None:
+        raise ValueError("the result has no folder; write it with sonify.run")
+    return result.out

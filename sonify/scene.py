@@ -16,6 +16,7 @@ from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from dynamics.air import Air, dry_air_density
 from dynamics.disk import Disk
+from dynamics.film.wedge import flat_radius
 from dynamics.scene_constants import scene_constants
 from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
@@ -34,6 +35,8 @@ from sonify.suggestions import did_you_mean
 SHIPPED_SCENES_FOLDER = Path(__file__).parent / "scenes"
 KEYS_ALLOWED_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
 """Keys that may be infinite: with infinite friction the contact never slips."""
+FORMER_SCENE_NAMES = {"mirror-base": "toy"}
+"""Former name of a shipped scene -> its name."""
 SIZE_KEYS = {"thickness", "mass", "density"}
 """Keys of the disk, two of which determine the third."""
 
@@ -64,7 +67,7 @@ class ListenerPosition:
     ear_angle_deg: Annotated[float, Gt(0), Lt(180)] = 90.0
     """Angle of the ears from the nose, on both sides [degrees]."""
 
-    def check_clearance(self, key: str, disk: Disk, inclination: float):
+    def check_clearance(self, key: str, disk: Disk, inclination: float) -> None:
         """Raise ValueError if disk or table touch the listener.
 
         `inclination` [rad] is the greatest inclination of the disk."""
@@ -164,9 +167,9 @@ class Scene(MotionScene):
     """The air around the disk, and the treatment of the film below it."""
     audio: Audio = field(default_factory=Audio)
     """The sound file and the listener."""
-    _document: ClassVar[dict | None] = None
+    _document: ClassVar[dict[str, Any] | None] = None
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         inclination = radians(self.release.inclination_deg)
         self.audio.single_listener.check_clearance("audio", self.disk, inclination)
         for i, listener in enumerate(self.audio.listeners):
@@ -179,6 +182,7 @@ class Scene(MotionScene):
                 )
         self.contact.check_fillet(self.disk)
         self.surface.check_disk_fits_bowl(self.disk.radius)
+        self.surface.check_hole(flat_radius(self))
         scene_constants(self)
         grain = self.roughness is not None and self.roughness.grain
         if (
@@ -210,7 +214,7 @@ class Scene(MotionScene):
                 )
 
     @property
-    def document(self) -> dict:
+    def document(self) -> dict[str, Any]:
         """Copy of the TOML document of this scene, a dict of nested plain values."""
         return deepcopy(self._document) if self._document else _document(asdict(self))
 
@@ -284,12 +288,12 @@ class Scene(MotionScene):
 
 
 @cache
-def scene_adapter() -> TypeAdapter:
+def scene_adapter() -> TypeAdapter[Any]:
     """Return the pydantic adapter that validates a scene."""
     return TypeAdapter(Scene)
 
 
-def from_document(document: dict) -> Scene:
+def from_document(document: dict[str, Any]) -> Scene:
     """Return the scene of a TOML document given as nested plain values.
 
     Raises SceneError if a key or value is invalid, or its subclass ContradictionError
@@ -301,7 +305,7 @@ def from_document(document: dict) -> Scene:
         )
     complete = _with_density(document)
     table = _section(complete, "surface")
-    if table and table.keys() <= {"sag", "diameter", "place"}:
+    if table and table.keys() <= {"sag", "diameter", "place", "hole"}:
         complete = complete | {"surface": {"kind": "rigid"} | table}
     try:
         scene = scene_adapter().validate_json(json.dumps(complete, default=str))
@@ -315,7 +319,7 @@ def from_document(document: dict) -> Scene:
     return scene
 
 
-def _with_density(document):
+def _with_density(document: dict[str, Any]) -> dict[str, Any]:
     """Return the document with the density of its named material, if the disk has only
     one of thickness, mass and density."""
     name = _section(document, "material").get("name")
@@ -337,8 +341,8 @@ def load_scene(source: str | Path = "published") -> Scene:
     Parameters
     ----------
     source : str or Path
-        Name of a shipped scene, or path of a TOML file or of the run.json of an earlier
-        run.
+        Name of a shipped scene, also a former one, or path of a TOML file or of the
+        run.json of an earlier run.
 
     Returns
     -------
@@ -357,7 +361,8 @@ def load_scene(source: str | Path = "published") -> Scene:
     >>> load_scene("published").disk.mass  # kg
     0.4387
     """
-    file = find_file(source, SHIPPED_SCENES_FOLDER, "scene", SceneError)
+    named = source if Path(source).is_file() else present_scene_name(str(source))
+    file = find_file(named, SHIPPED_SCENES_FOLDER, "scene", SceneError)
     document = read_toml(file, SceneError)
     if file.suffix == ".json":
         try:
@@ -369,7 +374,12 @@ def load_scene(source: str | Path = "published") -> Scene:
     return from_document(_with_mesh(document, file.parent))
 
 
-def _with_mesh(document, folder):
+def present_scene_name(name: str) -> str:
+    """Return the name of the shipped scene that had a former name; any other name itself."""
+    return FORMER_SCENE_NAMES.get(name, name)
+
+
+def _with_mesh(document: dict[str, Any], folder: Path) -> dict[str, Any]:
     """Return the document with its mesh file as a path in `folder`, if the file exists
     there."""
     surface = _section(document, "surface")
@@ -379,7 +389,7 @@ def _with_mesh(document, folder):
     return document
 
 
-def _section(document, name):
+def _section(document: dict[str, Any], name: str) -> dict[str, Any]:
     """Return a section of a document; empty if it is missing or not a section."""
     section = document.get(name)
     return section if isinstance(section, dict) else {}
@@ -414,7 +424,7 @@ def shipped_scenes() -> dict[str, str]:
     return summaries
 
 
-def _document(sections):
+def _document(sections: Mapping[str, Any]) -> dict[str, Any]:
     """Return the document of a scene from its sections, without None and derived
     values."""
     document = _plain_value(sections)
@@ -431,7 +441,7 @@ def _document(sections):
     return document
 
 
-def _remove_typical_values(disk, material):
+def _remove_typical_values(disk: dict[str, Any], material: dict[str, Any]) -> None:
     """Remove from the sections the values that the name of the material implies."""
     if "name" not in material:
         return
@@ -445,7 +455,7 @@ def _remove_typical_values(disk, material):
                 del section[key]
 
 
-def _scene_of_record(record):
+def _scene_of_record(record: Any) -> dict[str, Any]:
     """Return the document of the scene in a run.json, which stores infinity as a
     string."""
     document = _document(record["scene"])
@@ -455,7 +465,9 @@ def _scene_of_record(record):
     return document
 
 
-def differing_values(one: dict, other: dict) -> dict[str, tuple[Any, Any]]:
+def differing_values(
+    one: dict[str, Any], other: dict[str, Any]
+) -> dict[str, tuple[Any, Any]]:
     """Return the values that differ between two nested documents, by key path."""
     here = _flat_keys(one)
     there = _flat_keys(other)
@@ -466,7 +478,7 @@ def differing_values(one: dict, other: dict) -> dict[str, tuple[Any, Any]]:
     }
 
 
-def _flat_keys(section, path=""):
+def _flat_keys(section: dict[str, Any], path: str = "") -> dict[str, Any]:
     """Return the values of nested sections by their key paths."""
     flat: dict[str, Any] = {}
     for key, value in section.items():
@@ -477,7 +489,7 @@ def _flat_keys(section, path=""):
     return flat
 
 
-def _plain_value(value):
+def _plain_value(value: Any) -> Any:
     """Return a value with tuples converted to lists and sections without None
     values."""
     if isinstance(value, tuple):
@@ -506,14 +518,14 @@ def _values_by_path(assignment: str | Mapping[str, Any]) -> dict[str, Any]:
     return {path: _parsed_value(path, text.strip())}
 
 
-def _checked_path(path, assignment):
+def _checked_path(path: Any, assignment: Any) -> str:
     """Return a key path. Raises SceneError if it is not text, or a part is empty."""
     if not isinstance(path, str) or not all(path.split(".")):
         raise SceneError(f"{assignment!r}: expected section.key=value")
     return path
 
 
-def _value_from_python(path, value):
+def _value_from_python(path: str, value: Any) -> Any:
     """Return a value as in a TOML document; raises SceneError for other types."""
     if isinstance(value, np.generic | np.ndarray):
         return value.tolist()
@@ -531,7 +543,7 @@ def _value_from_python(path, value):
     )
 
 
-def _assign(document, path, value):
+def _assign(document: dict[str, Any], path: str, value: Any) -> None:
     """Set the value at a key path of a document, or remove the key if it is None."""
     *sections, key = path.split(".")
     for section in sections:
@@ -544,7 +556,7 @@ def _assign(document, path, value):
         document[key] = value
 
 
-def _parsed_value(path, text):
+def _parsed_value(path: str, text: str) -> Any:
     """Return the value of a TOML text, or the text itself if it is a bare word."""
     try:
         value, *more = tomllib.loads(f"value = {text}").values()
@@ -561,14 +573,14 @@ def _parsed_value(path, text):
     return value
 
 
-def _number(text):
+def _number(text: str) -> Any:
     try:
         return float(text)
     except ValueError:
         return None
 
 
-def _refuse_non_finite(value, path=""):
+def _refuse_non_finite(value: Any, path: str = "") -> None:
     if isinstance(value, dict):
         for key, item in value.items():
             _refuse_non_finite(item, f"{path}.{key}" if path else key)

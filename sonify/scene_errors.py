@@ -3,12 +3,13 @@
 from copy import deepcopy
 from dataclasses import fields, is_dataclass
 from difflib import get_close_matches
-from functools import reduce
-from operator import getitem
 from types import UnionType
-from typing import Annotated, Union, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, Union, get_args, get_origin
 
 from sonify.suggestions import did_you_mean, did_you_mean_question
+
+if TYPE_CHECKING:
+    from pydantic import ValidationError
 
 UNKNOWN_KEY_ERRORS = {"unexpected_keyword_argument", "extra_forbidden"}
 ERROR_SENTENCES = {
@@ -67,7 +68,7 @@ class ContradictionError(SceneError):
     """Two keys of a scene contradict each other, although each value is allowed."""
 
 
-def is_contradiction(error) -> bool:
+def is_contradiction(error: "ValidationError") -> bool:
     """Return True if all faults of a pydantic ValidationError are contradictions
     between values."""
     return all(
@@ -75,7 +76,9 @@ def is_contradiction(error) -> bool:
     )
 
 
-def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
+def with_whole_numbers(
+    document: dict[str, Any], error: "ValidationError", schema: type
+) -> dict[str, Any] | None:
     """Return a copy of a document with floats such as 44.1e3 as integers where keys
     require them.
 
@@ -89,12 +92,15 @@ def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
         whole = isinstance(value, float) and value.is_integer() and abs(value) <= exact
         if fault["type"] == "int_type" and whole:
             *sections, key = _key_at_location(schema, fault["loc"])[0]
-            reduce(getitem, sections, given)[key] = int(value)
+            section: Any = given
+            for step in sections:
+                section = section[step]
+            section[key] = int(value)
             changed = True
     return given if changed else None
 
 
-def error_sentence(error, schema: type) -> str:
+def error_sentence(error: "ValidationError", schema: type) -> str:
     """Return a one-line message on the first fault of a pydantic ValidationError.
 
     Unknown keys come first, because they may have caused the other faults.
@@ -128,7 +134,7 @@ def error_sentence(error, schema: type) -> str:
     return f"{path} = {value!r}: {sentence}"
 
 
-def _meant_key(path, siblings, schema):
+def _meant_key(path: str, siblings: list[str], schema: type[Any]) -> str:
     """Return a question that suggests a key of the same name in another section, or a
     similar key."""
     keys = key_paths(schema)
@@ -143,7 +149,7 @@ def _meant_key(path, siblings, schema):
     )
 
 
-def _meant_name(name, keys):
+def _meant_name(name: str, keys: list[str]) -> str:
     """Return a question that suggests a key with a similar last word in any section."""
     by_name = {key.rpartition(".")[2]: key for key in reversed(keys)}
     closest = get_close_matches(name, by_name, n=1)
@@ -164,11 +170,13 @@ def key_paths(schema: type) -> list[str]:
     return list(dict.fromkeys(paths))
 
 
-def _key_at_location(schema, location):
+def _key_at_location(
+    schema: type[Any], location: tuple[int | str, ...]
+) -> tuple[list[int | str], list[Any]]:
     """Return the steps of an error location without union tags, and the type at each
     step."""
-    steps = []
-    kinds = [schema]
+    steps: list[int | str] = []
+    kinds: list[Any] = [schema]
     for step in location:
         options = section_types(kinds[-1])
         if len(options) > 1:  # the step is the tag
@@ -185,13 +193,15 @@ def _key_at_location(schema, location):
             not options and get_origin(kinds[-1]) is Union
         ):  # the step is the tag of a number or word
             continue
-        inner = {f.name: f.type for f in fields(options[0])} if options else {}
+        inner: dict[int | str, Any] = (
+            {f.name: f.type for f in fields(options[0])} if options else {}
+        )
         steps.append(step)
         kinds.append(inner.get(step, kinds[-1]))
     return steps, kinds
 
 
-def section_types(kind):
+def section_types(kind: Any) -> list[Any]:
     """Return the dataclasses of `Section | None`, `Annotated[A | B, ...]` or
     `list[Section]`."""
     if get_origin(kind) is Annotated:

@@ -2,10 +2,11 @@
 
 import json
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from textwrap import wrap
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from pydantic import ConfigDict, TypeAdapter
 
@@ -46,7 +47,7 @@ class DocumentedScene(Scene):  # its schema contains the docstrings of the keys
 
 
 @cache
-def schema() -> dict:
+def schema() -> dict[str, Any]:
     """Return the JSON schema of a scene, which editors use to complete and check scene
     files."""
     dialect = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
@@ -92,7 +93,7 @@ def as_lines(width: int) -> str:
     return "\n".join(lines)
 
 
-def _keys(section, sections, path):
+def _keys(section: Any, sections: dict[str, Any], path: str) -> Iterator[SceneKey]:
     for name, key in section["properties"].items():
         options = [
             option
@@ -115,7 +116,7 @@ def _keys(section, sections, path):
             yield SceneKey(f"{path}{name}", unit or "-", span, default, meaning)
 
 
-def _keys_by_section_kind(sections):
+def _keys_by_section_kind(sections: list[list[SceneKey]]) -> list[SceneKey]:
     """Return each key of all kinds of a section once, with the kinds that contain
     it."""
     if len(sections) == 1:
@@ -144,7 +145,7 @@ def meaning_and_unit(description: str) -> tuple[str, str]:
     return (meaning.replace(unit[0], "", 1), unit[1]) if unit else (meaning, "")
 
 
-def _range(key):
+def _range(key: dict[str, Any]) -> str:
     """Return a description of the allowed values of a JSON schema type."""
     if "enum" in key or "const" in key:
         return ", ".join(map(str, key.get("enum", [key.get("const")])))
@@ -167,7 +168,7 @@ def _range(key):
     return ", ".join(bounds) or TYPE_NAMES[key["type"]]
 
 
-def _default(name, key, section):
+def _default(name: str, key: dict[str, Any], section: dict[str, Any]) -> str:
     if name in section.get("required", ()):
         return "required"
     default = key.get("default")

@@ -52,5 +52,10 @@ def scene():
 
 
 @pytest.fixture(scope="session")
+def elastic(scene):
+    return scene.replace("contact.law=elastic", "contact.fillet=1.6e-3")
+
+
+@pytest.fixture(scope="session")
 def motion(scene):
     return simulate(scene)

@@ -33,10 +33,16 @@ def public_api() -> dict[str, str]:
             thing = getattr(module, name)
             found[f"{package}.{name}"] = signature_of(thing)
             if inspect.isclass(thing):
-                for own, member in sorted(vars(thing).items()):
+                for own, member in sorted(members_of(thing).items()):
                     if own[0] != "_" and callable(member):
                         found[f"{package}.{name}.{own}"] = signature_of(member)
     return found
+
+
+def members_of(kind: type) -> dict[str, object]:
+    """Return the members of a class, with those inherited within its module."""
+    bases = [base for base in kind.__mro__ if base.__module__ == kind.__module__]
+    return {name: own for base in bases[::-1] for name, own in vars(base).items()}
 
 
 def signature_of(thing) -> str:

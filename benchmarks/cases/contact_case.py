@@ -12,7 +12,7 @@ from scipy.integrate import trapezoid
 from scipy.interpolate import CubicSpline
 from scipy.signal import welch
 
-from benchmarks.cases.table_halt import steady_state
+from benchmarks.cases.elastic_steady_motion import steady_state
 from benchmarks.timed_runs import Answer, Failure
 from dynamics.compliant.law.linear_response import (
     MIN_VIBRATION_FREQUENCY,
@@ -36,8 +36,8 @@ from dynamics.compliant.state_conversion import (
 )
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import STATE
-from dynamics.compliant.stepping.time_loop import EndReason
 from dynamics.disk import Friction
+from dynamics.stepping_core.end_reasons import EndReason
 from sonify.scene import load_scene
 
 IMPACT_SPEED = 0.02

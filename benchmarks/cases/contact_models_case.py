@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.signal import welch
 
-from benchmarks.cases.table_halt import steady_state
+from benchmarks.cases.elastic_steady_motion import steady_state
 from benchmarks.timed_runs import Answer, Failure
 from dynamics import simulate
 from dynamics.compliant.compliant_motion import (

@@ -13,7 +13,7 @@ import numpy as np
 from numba import njit
 
 from benchmarks.cases.contact_case import without_creep
-from benchmarks.cases.table_halt import steady_state
+from benchmarks.cases.elastic_steady_motion import steady_state
 from benchmarks.timed_runs import Answer, Failure
 from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law

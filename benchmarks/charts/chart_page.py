@@ -7,7 +7,8 @@ from pathlib import Path
 
 from benchmarks.timed_runs import Record, most_accurate
 from sonify.report.write import run_git, version_of
-from sonify.runtime.files import atomic_write
+from sonify.runtime.files import write_text
+from sonify.runtime.markdown import markdown_table
 
 PACKAGES = (
     "heyoka",
@@ -51,10 +52,10 @@ def write_page(
         *(
             part
             for heading, rows in tables(records).items()
-            for part in (f"## {heading}", table(rows))
+            for part in (f"## {heading}", markdown_table(rows))
         ),
         "## Failures",
-        table([["case", "method", "setting", "how", "seconds"], *failed])
+        markdown_table([["case", "method", "setting", "how", "seconds"], *failed])
         if failed
         else "None.",
         ENVIRONMENT_HEADING,
@@ -62,14 +63,7 @@ def write_page(
         f"Made by `{command}` in a checkout; with `--redraw` it makes picture and page from "
         f"`{name}.csv` again.",
     ]
-    with atomic_write(path) as temporary:
-        temporary.write_text("\n\n".join(sections) + "\n", encoding="utf-8")
-
-
-def table(rows: list[list]) -> str:
-    """Return a Markdown table; the first row is the header."""
-    head, *rest = (f"| {' | '.join(map(str, row))} |" for row in rows)
-    return "\n".join([head, "|---" * len(rows[0]) + "|", *rest])
+    write_text("\n\n".join(sections) + "\n", path)
 
 
 def methods(records: list[Record]) -> dict[str, list[list]]:

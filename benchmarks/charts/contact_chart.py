@@ -6,7 +6,7 @@ from math import degrees
 
 from benchmarks.cases import contact_case as case
 from benchmarks.cases.contact_case import explicit_euler, leap_frog
-from benchmarks.cases.table_halt import steady_state
+from benchmarks.cases.elastic_steady_motion import steady_state
 from benchmarks.charts import error_time_picture
 from benchmarks.charts.chart_page import milliseconds, number
 from benchmarks.timed_runs import (

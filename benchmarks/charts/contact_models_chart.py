@@ -75,10 +75,6 @@ MAX_EQUIVALENT_ERROR = 0.01
 MAX_EQUIVALENT_TIME_RATIO = 2.0
 """Ratio of processor times up to which a model could replace a faster one."""
 
-MAX_POLYGON_SPECTRUM_ERROR = 0.5
-"""Error of the spectrum on a smooth flexible table that shows the interpolation of the
-table along the rim."""
-
 QUICK_CASES = ("smooth, 0", "rough, long waves, 0.1", "rough, short waves, 0.05")
 
 
@@ -271,13 +267,8 @@ def _lacks_sentence(records):
     one_way = _percent(motion_error(records, "filter", name))
     two_way = _percent(motion_error(records, "full, tracked", name))
     sentence += (
-        f"; on a flexible table the filter is wrong by {one_way} and `full, tracked` agrees "
-        f"with `many` within {two_way}"
+        f"; on a smooth flexible table the filter is wrong by {one_way}, and `full, tracked` "
+        f"agrees with `many`: the motion within {two_way}"
     )
-    spectrum = finest(records, "full, tracked", name)[SPECTRUM].error
-    if spectrum > MAX_POLYGON_SPECTRUM_ERROR:
-        sentence += (
-            ", but not in the spectrum, since `many` interpolates the table between 64 "
-            "points of the rim"
-        )
-    return sentence + "."
+    spectrum = _percent(finest(records, "full, tracked", name)[SPECTRUM].error)
+    return f"{sentence}, the force spectrum within {spectrum}."

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from sonify.claims.finding import Finding
-from sonify.runtime.files import atomic_write
+from sonify.runtime.files import write_text
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -353,8 +353,7 @@ def save_numbers(numbers: Numbers, path: Path = NUMBERS_FILE) -> None:
         for name in ("numbers", "curves", "words"):
             if not record[name]:
                 record.pop(name) if name != "numbers" else None
-    with atomic_write(path) as temporary:
-        temporary.write_text(one_line_each(stored), "utf-8")
+    write_text(one_line_each(stored), path)
 
 
 def one_line_each(stored: dict[str, dict]) -> str:

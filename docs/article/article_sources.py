@@ -36,6 +36,13 @@ from sonify.plan.preflight import solvable_scene, solve_motion
 from sonify.result import Result
 from sonify.sound.radiation import listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
+from sonify.sweeps.store import read_table
+from sonify.sweeps.sweep import load_sweep
+from sonify.sweeps.verdict import (
+    unit_of,
+    verdict_in_words,
+    verdicts_of_sweep,
+)
 from sonify.sweeps.version import version
 
 sys.path += [str(ROOT), str(ROOT / "tests" / "helpers"), str(ROOT / "docs")]
@@ -587,7 +594,7 @@ LIMITS = {
     "deflection_ratio": ("sonify.plan.table", "MAX_DEFLECTION_RATIO", ""),
     "turning_power": ("dynamics.film.wedge", "ROTATION_POWER_COEFFICIENT", ""),
     "moving_modes": (
-        "dynamics.compliant.stepping.rim_modes",
+        "dynamics.stepping_core.rim_modes",
         "MAX_MOVING_MODE_FREQUENCY",
         "Hz",
     ),
@@ -637,12 +644,7 @@ def share_number(count: int, total: int) -> Number:
 
 def sweep_record(folder: Path) -> Record:
     """Read the shares and medians of the table of a sweep."""
-    rows = pq.read_table(folder / "runs.parquet").to_pydict()
-    widths = rows.get("width", [1.0] * len(rows["run"]))
-    chosen = [
-        k for k, width in enumerate(widths) if width == 1.0
-    ]  # the ranges themselves
-    table = {key: [values[k] for k in chosen] for key, values in rows.items()}
+    table = pq.read_table(folder / "runs.parquet").to_pydict()
     total = len(table["run"])
     numbers = {"runs": Number(value=float(total))}
     for outcome, count in Counter(filter(None, table["outcome"])).items():
@@ -666,6 +668,10 @@ def sweep_record(folder: Path) -> Record:
                 value=float(middle), low=float(low), high=float(high), unit="s"
             )
     versions = sorted({str(found) for found in table["version"] if found})
+    words = {}
+    if folder.name.startswith("verdict-"):
+        words, thresholds = verdict_words(folder)
+        numbers |= thresholds
     return Record(
         command=f"python -m sonify sweep {folder.name}",
         inputs=file_digest(folder / "runs.parquet"),
@@ -673,7 +679,27 @@ def sweep_record(folder: Path) -> Record:
         seconds=0.0,
         numbers=numbers,
         curves=sweep_curves(folder.name, table),
+        words=words,
     )
+
+
+def verdict_words(folder: Path) -> tuple[dict[str, str], dict[str, Number]]:
+    """Return the verdicts of a sweep in words, and the values at which answers change."""
+    sweep = load_sweep(folder.name)
+    rows, _ = read_table(folder / "runs.parquet")
+    words = {}
+    thresholds = {}
+    for key, verdict in verdicts_of_sweep(rows, sweep).items():
+        words[f"verdict.{key}"] = verdict_in_words(verdict, sweep)
+        if (found := verdict.threshold) is not None:
+            assert verdict.dependence is not None
+            thresholds[f"threshold.{key}"] = Number(
+                value=found.value,
+                low=found.low,
+                high=found.high,
+                unit=unit_of(verdict.dependence.axis).strip(),
+            )
+    return words, thresholds
 
 
 DRAWN_COLUMNS = {

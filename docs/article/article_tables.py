@@ -7,7 +7,6 @@ from typing import Any
 
 from article_numbers import (
     ROOT,
-    Number,
     Numbers,
     percent,
     references,
@@ -16,11 +15,11 @@ from article_numbers import (
     with_powers,
 )
 
-from sonify.claims.finding_texts import texts_with
 from sonify.runtime.toml_files import read_toml
 from sonify.scene import shipped_scenes
 from sonify.scene_errors import InputError
 from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER
+from sonify.sweeps.verdict import OUTCOME_WORDS, PAPER_CLAIM_NUMBERS, claim_head
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,13 +79,19 @@ def decay_laws(numbers: Numbers) -> str:
         cited = f" [@{CITATION_OF_LAW[key]}]" if key in CITATION_OF_LAW else ""
         rows.append([author + cited, what, power, exponent, f"{number.value:.3f}"])
     for scene, what in (
-        ("toy", "scene `toy`: contour friction and pivoting, without its air"),
-        ("granite", "scene `granite`: the same on granite"),
-        ("published", "scene `published`: all arms of the paper"),
+        ("thorne", "scene `thorne` without air: contour friction and pivoting"),
+        ("granite", "scene `granite` without air: the same causes"),
+        ("published", "scene `published`: all resisting moments of the paper"),
     ):
         number = numbers.number(f"{scene}.friction_exponent")
         rows.append(["this work", what, "", "", f"{number.value:.3f}"])
-    header = ["who", "what slows the disk", "$P \\sim$", "$n$, formula", "$n$, program"]
+    header = [
+        "author",
+        "cause that slows the disk",
+        "$P \\sim$",
+        "$n$, formula",
+        "$n$, program",
+    ]
     return rows_as_markdown(header, rows, [24, 40, 10, 12, 12])
 
 
@@ -140,7 +145,7 @@ def sweep_document(name: str) -> dict[str, Any]:
 
 CLAIM_WORDS = {
     "what_ends": "One cause takes most of the last tenth of the energy",
-    "carried_by_air": "The air carries the disk at the end, or would if it were included",
+    "carried_by_air": "The air lifts the disk at the end, or would lift it if it were included",
 }
 """Claims whose words depend on the run -> general words."""
 
@@ -155,8 +160,6 @@ def claim_in_words(numbers: Numbers, key: str) -> str:
     return key.replace("_", " ")
 
 
-VERDICT_CLAIMS: dict[str, str] = texts_with("short")
-"""Claim of the verdict sweeps -> its short form."""
 VERDICT_PREFIX = "verdict-"
 
 
@@ -169,33 +172,28 @@ def subject_of_sweep(name: str) -> str:
     return subject.replace("its disk", "the disk of the paper")
 
 
-def share_with_interval(number: Number) -> str:
-    """Return a share of draws and its interval, in percent."""
-    low, high = (0.0 if end is None else end for end in (number.low, number.high))
-    return f"{100 * number.value:.0f} ({100 * low:.0f} to {100 * high:.0f})"
-
-
 def verdicts(numbers: Numbers) -> str:
-    """Return the share of draws in which each claim holds on each surface."""
-    rows = []
-    for name in sweep_names(numbers):
-        if not name.startswith(VERDICT_PREFIX):
-            continue
-        found = numbers[f"sweep-{name}"].numbers
-        cells = []
-        for key in VERDICT_CLAIMS:
-            number = found.get(f"holds.{key}")
-            cells.append("-" if number is None else share_with_interval(number))
-        draws = f"{found['runs'].value:.0f}"
-        rows.append([f"{subject_of_sweep(name)} (`{name}`)", draws, *cells])
-    if not rows:
+    """Return the verdict on each surface and each claim of the paper that is judged on one
+    of them; docs/verdict.md has the others."""
+    words = {
+        name: numbers[f"sweep-{name}"].words
+        for name in sweep_names(numbers)
+        if name.startswith(VERDICT_PREFIX)
+    }
+    if not words:
         return ""
-    header = [
-        "disk and surface",
-        "draws",
-        *(f"{claim}, %" for claim in VERDICT_CLAIMS.values()),
+    keys = [
+        key
+        for key, number in PAPER_CLAIM_NUMBERS.items()
+        if (number or key == "contact_breaks_before_end")
+        and any(f"verdict.{key}" in found for found in words.values())
     ]
-    return rows_as_markdown(header, rows, [30, 8, 16, 16, 16, 16, 16])
+    rows = []
+    for name, found in words.items():
+        cells = [with_powers(found.get(f"verdict.{key}", "")) or "-" for key in keys]
+        rows.append([f"{subject_of_sweep(name)} (`{name}`)", *cells])
+    header = ["disk and surface", *map(claim_head, keys)]
+    return rows_as_markdown(header, rows, [20, *(14 for _ in keys)])
 
 
 def shares(numbers: Numbers) -> str:
@@ -305,7 +303,7 @@ def recordings(numbers: Numbers) -> str:
     header = [
         "take",
         "$n$ (95 %)",
-        "bursts per second, 1 s before the end or at first",
+        "bursts per second, 1 s before the end (or at the start)",
         "score",
     ]
     return rows_as_markdown(header, rows, [40, 26, 26, 8])
@@ -316,13 +314,14 @@ def gallery(numbers: Numbers) -> str:
     rows = []
     for name, sentence in shipped_scenes().items():
         record = numbers[name]
-        outcome = record.words["outcome"].lower().replace("_", " ")
-        end = f"{outcome} after {record.numbers['t_end'].value:.2f} s"
+        outcome = record.words["outcome"]
+        words = OUTCOME_WORDS.get(outcome, outcome)
+        end = f"{words} after {record.numbers['t_end'].value:.2f} s"
         file = f"outputs/shown/{name}/last_seconds.flac"
         sound = f"[listen](../{file})" if (ROOT / file).is_file() else "-"
         rows.append([f"`{name}`", sentence, end, sound])
     return rows_as_markdown(
-        ["scene", "what it is", "end", "sound"], rows, [16, 60, 20, 10]
+        ["scene", "description", "end", "sound"], rows, [16, 60, 20, 10]
     )
 
 
@@ -342,12 +341,13 @@ def radiation(numbers: Numbers) -> str:
 TABLES = {
     "decay_laws": Table(
         subject="decay laws",
-        caption="Exponent of the precession rate against the time left.",
+        caption="Exponent of the precession rate as a power of the remaining time.",
         markdown=decay_laws,
     ),
     "verdicts": Table(
         subject="verdicts",
-        caption="Share of draws in which each claim holds, with its 95 % interval.",
+        caption="Verdict on each claim over stated ranges: the same in all draws, or the value at which "
+        "it changes, with its 95 % interval.",
         markdown=verdicts,
     ),
     "shares": Table(
@@ -355,12 +355,10 @@ TABLES = {
         caption="Share of the runs of the other sweeps in which each claim holds.",
         markdown=shares,
     ),
-    "ranges": Table(
-        subject="ranges", caption="Assumed ranges of the sweeps.", markdown=ranges
-    ),
+    "ranges": Table(subject="ranges", caption="Ranges of the sweeps.", markdown=ranges),
     "recordings": Table(
         subject="recordings",
-        caption="Coins in recordings, as `sonify listen` hears them.",
+        caption="Coins that `sonify listen` detects in recordings.",
         markdown=recordings,
     ),
     "references": Table(

@@ -27,6 +27,8 @@ UNIT_SPACE = re.compile(
     r"(?<=[\d%)⁰¹²³⁴⁵⁶⁷⁸⁹]) (?=(?:s|m|mm|µm|kg|Hz|kHz|rad|dB|Pa|%|degrees|cents)\b|%|±|×)|(?<=[±×]) (?=\d)"
 )
 """Space inside a quantity, where no line may end."""
+MARKDOWN_PICTURE = re.compile(r"^!\[[^]]*\]\((?P<path>[^)]+)\)\n\n\*", re.MULTILINE)
+"""Picture of a page, up to the beginning of its caption."""
 
 
 def assembled(text: str) -> str:
@@ -53,22 +55,27 @@ def page_text(text: str, numbers: Numbers, figure_folder: str) -> str:
     text = PLACE.sub(
         partial(page_place, numbers=numbers, folder=figure_folder), assembled(text)
     )
-    text = REFERENCE.sub(page_reference, text)
+    pictures = [match["path"] for match in MARKDOWN_PICTURE.finditer(text)]
+    text = MARKDOWN_PICTURE.sub(
+        lambda match: f"{match[0]}Figure {pictures.index(match['path']) + 1}. ", text
+    )
+    text = REFERENCE.sub(partial(page_reference, pictures=pictures), text)
     return CITATION.sub(
         lambda match: page_citation(match[1]), with_numbers(text, numbers)
     )
 
 
-def page_reference(match: re.Match) -> str:
-    """Return a reference to a figure or table in Markdown."""
+def page_reference(match: re.Match, pictures: list[str]) -> str:
+    """Return a reference to a figure or table in Markdown, from the pictures of the page in
+    order."""
     if match[1] == "fig":
-        return f"figure {figure_number(match[2])}"
+        numbers = [
+            number
+            for number, path in enumerate(pictures, 1)
+            if path.endswith(f"/{match[2]}.svg")
+        ]
+        return f"figure {numbers[0]}"
     return f"the table of {TABLES[match[2]].subject}"
-
-
-def figure_number(name: str) -> int:
-    """Return the number of a figure in the article."""
-    return list(FIGURES).index(name) + 1
 
 
 def page_place(match: re.Match, numbers: Numbers, folder: str) -> str:
@@ -77,8 +84,7 @@ def page_place(match: re.Match, numbers: Numbers, folder: str) -> str:
     if kind == "table":
         return TABLES[name].markdown(numbers)
     figure = FIGURES[name]
-    caption = f"Figure {figure_number(name)}. {figure.full_caption(numbers)}"
-    return f"![{figure.title}]({folder}/{name}.svg)\n\n*{caption}*"
+    return f"![{figure.title}]({folder}/{name}.svg)\n\n*{figure.full_caption(numbers)}*"
 
 
 def page_citation(keys: str) -> str:

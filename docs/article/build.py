@@ -16,7 +16,7 @@ from article_sources import sources
 from article_tables import hayagriva
 from article_text import article_text, page_text
 
-from sonify.runtime.files import atomic_write
+from sonify.runtime.files import write_text
 from sonify.sweeps.version import version
 
 PAGES = ("results", "theory", "references", "gallery")
@@ -115,8 +115,7 @@ def main(check, only_pages):
         save_numbers(numbers)
     for path, text in pages(numbers).items():
         if not check:
-            with atomic_write(path) as temporary:
-                temporary.write_text(text, "utf-8")
+            write_text(text, path)
         elif path.read_text("utf-8") != text:
             sys.exit(
                 f"{path.relative_to(ROOT)} is out of date: python docs/article/build.py --pages"

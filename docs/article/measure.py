@@ -31,7 +31,7 @@ MAX_VERIFIED_SECONDS = 20.0
 """Longest time of a source that `--verify` measures again."""
 TESTED_SOURCES = ("laws", "limits", "scene", "theory")
 """Sources without a motion, which a test measures again."""
-TYPICAL_RUN_SECONDS = 4.0
+TYPICAL_RUN_SECONDS = 15.0
 """Expected time of a run of a sweep without a table: that of a rough contact or a moving table."""
 TYPICAL_CHART_SECONDS = 600.0
 """Expected time of a chart without a table."""

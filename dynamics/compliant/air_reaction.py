@@ -8,18 +8,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.integrate import trapezoid
-from scipy.special import jv
+from scipy.special import jve
 
 from dynamics.air import Air
 from dynamics.compliant.law.linear_response import force_per_height
-from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.two_way_criterion import (
     level_weight,
     table_acceleration,
 )
 from dynamics.compliant.model_selection import steady_precession_rate
-from dynamics.disk import Disk
+from dynamics.disk import Disk, inertias
 
 if TYPE_CHECKING:
     from dynamics.motion_plan import MotionPlan
@@ -68,8 +67,8 @@ def film_inertia(radius: float, gap: float, air: Air, omega: np.ndarray) -> Film
     flow = 1 - np.tanh(q) / q
     x = omega / (air.sound_speed * np.sqrt(flow)) * radius
     stiffness = air.density * air.sound_speed**2 * np.pi / gap
-    heave = radius**2 * (2 * jv(1, x) / (x * jv(0, x)) - 1)
-    tilt = radius**4 * (jv(2, x) / (x * jv(1, x)) - 1 / 4)
+    heave = radius**2 * (2 * jve(1, x) / (x * jve(0, x)) - 1)
+    tilt = radius**4 * (jve(2, x) / (x * jve(1, x)) - 1 / 4)
     return FilmInertia(stiffness * heave / omega**2, stiffness * tilt / omega**2)
 
 
@@ -82,37 +81,72 @@ def disk_receptance(
     return -(1 / mass + lever**2 / moment) / omega**2
 
 
+class _ContactInSteadyMotion(NamedTuple):
+    """Spectrum of the heights in the contact at one inclination.
+
+    Attributes
+    ----------
+    omega : ndarray, (f,)
+        Angular frequencies [rad/s] of the waves with wave numbers `k` [1/m].
+    heights : ndarray, (f,)
+        Spectral density [m^3] of the heights, averaged over the contact ellipse.
+    compliance : ndarray, (f,)
+        Compliance [m/N] of the contact with the disk above it.
+    """
+
+    k: np.ndarray
+    omega: np.ndarray
+    heights: np.ndarray
+    compliance: np.ndarray
+
+
+def _contact_at(
+    plan: "MotionPlan", inclination: float, lever: float, rate: float
+) -> _ContactInSteadyMotion:
+    """Return the contact at an inclination [rad], a lever [m] and a precession rate [rad/s]."""
+    law = plan.tabulated_law
+    roughness = plan.scene.roughness
+    assert law is not None  # the contact is elastic
+    assert roughness is not None
+    disk = plan.scene.disk
+    k, heights = spectral_density(roughness, disk.radius)
+    omega = k * rate * lever
+    beta = np.array([inclination])
+    half_length = law.springs(beta, disk.weight)[1]
+    system = law.linear_contact(beta, disk.weight, rate * lever)
+    return _ContactInSteadyMotion(
+        k,
+        omega,
+        heights * ellipse_window(k * half_length) ** 2,
+        1 / force_per_height(system, omega),
+    )
+
+
 def film_level_change(plan: "MotionPlan", inclination: float) -> float:
     """Return the change [dB] of the A-weighted level of the table by the reaction of
     the air, at an inclination [rad] in steady motion.
 
     The air changes the receptance of the disk, and its force acts on the table below.
     """
-    law = plan.tabulated_law
-    roughness = plan.scene.roughness
-    assert law is not None  # the contact is elastic
-    assert roughness is not None
+    assert plan.tabulated_law is not None  # the contact is elastic
     disk = plan.scene.disk
-    lever = abs(float(law.law.place(inclination).f))
+    lever = abs(float(plan.tabulated_law.law.place(inclination).f))
     rate = steady_precession_rate(plan.scene, inclination)
-    k, heights = spectral_density(roughness, disk.radius)
-    omega = k * rate * lever
-    beta = np.array([inclination])
-    half_length = law.springs(beta, disk.weight)[1]
-    own = 1 / force_per_height(
-        law.linear_contact(beta, disk.weight, rate * lever), omega
-    )
-    air = plan.scene.air
-    film = film_inertia(disk.radius, disk.radius * np.sin(inclination), air, omega)
+    contact = _contact_at(plan, inclination, lever, rate)
+    omega = contact.omega
+    gap = disk.radius * np.sin(inclination)
+    film = film_inertia(disk.radius, gap, plan.scene.air, omega)
     nothing = FilmInertia(0 * film.mass, 0 * film.moment)
     changed = disk_receptance(disk, lever, omega, film)
     changed = changed - disk_receptance(disk, lever, omega, nothing)
-    yielding = plan.contact_receptance(omega, rate)
-    weight = level_weight(omega / (2 * np.pi))
-    weight *= heights * ellipse_window(k * half_length) ** 2
-    weight *= table_acceleration(plan.contact_receptance, omega)
+    without = contact.compliance + plan.contact_receptance(omega, rate)
     pressed = 1 - film.mass / (disk.mass + film.mass)
-    without = np.mean(1 / np.abs(own + yielding) ** 2, axis=0)
-    with_air = np.mean(np.abs(pressed / (own + changed + yielding)) ** 2, axis=0)
-    levels = [trapezoid(weight * part, k) for part in (with_air, without)]
-    return float(10 * np.log10(levels[0] / levels[1]))
+    weight = level_weight(omega / (2 * np.pi))
+    weight *= contact.heights
+    weight *= table_acceleration(plan.contact_receptance, omega)
+    shares = (
+        np.mean(np.abs(pressed / (without + changed)) ** 2, axis=0),
+        np.mean(1 / np.abs(without) ** 2, axis=0),
+    )
+    with_air, without_air = (trapezoid(weight * part, contact.k) for part in shares)
+    return float(10 * np.log10(with_air / without_air))

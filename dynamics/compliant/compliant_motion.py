@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,14 +21,8 @@ from dynamics.compliant.state_conversion import (
     preloaded_compliant_state,
 )
 from dynamics.compliant.stepping.model import END_REASONS, CompliantModel
-from dynamics.compliant.stepping.rim_modes import (
-    MAX_MOVING_MODE_FREQUENCY,
-    NO_RIM_MODES,
-    moving_rim_modes,
-)
-from dynamics.compliant.stepping.row_store import RowStore, interpolate_rows
 from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
-from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
+from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.contact_losses import ContactLosses
 from dynamics.disk import Disk
 from dynamics.dissipation import power_laws
@@ -37,7 +31,6 @@ from dynamics.film.wedge import Film
 from dynamics.motion import (
     CAUSES,
     COLUMNS,
-    ForceJumps,
     MotionBase,
     MotionEvent,
     Outcome,
@@ -47,6 +40,20 @@ from dynamics.motion import (
 )
 from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
+from dynamics.stepping_core.end_reasons import OUTCOME_OF_END, EndReason
+from dynamics.stepping_core.ledger import (
+    DISK_ENERGY_COLUMN,
+    ENERGY_COLUMN,
+    LOSS_COLUMNS,
+    TABLE_ENERGY_COLUMN,
+    motion_rows,
+)
+from dynamics.stepping_core.rim_modes import (
+    MAX_MOVING_MODE_FREQUENCY,
+    NO_RIM_MODES,
+    moving_rim_modes,
+)
+from dynamics.stepping_core.row_store import RowStore, interpolate_rows
 from dynamics.switching import ImpossibleContactError
 
 if TYPE_CHECKING:
@@ -56,24 +63,6 @@ FORCE_SAMPLE_RATE = 1e5
 """Number of mean forces stored per second of motion."""
 FORCES_PER_ROW = 4
 """Number of mean forces stored per row."""
-OUTCOME_OF_END = {
-    EndReason.LIES_FLAT: Outcome.SETTLED,
-    EndReason.STANDS_UPRIGHT: Outcome.UPRIGHT,
-    EndReason.UNSOLVED: Outcome.STALLED,
-    EndReason.CONTINUES: Outcome.ROLLING_ON,
-    EndReason.IS_AIRBORNE: Outcome.AIRBORNE,
-}
-"""Outcome of a motion for each end reason of `step_motion`."""
-
-# columns of a row after COLUMNS
-ENERGY_COLUMN = len(COLUMNS)
-"""Index of the total energy [J]."""
-TABLE_ENERGY_COLUMN = len(COLUMNS) + 1 + len(CAUSES)
-"""Index of the energy of the table modes [J]."""
-DISK_ENERGY_COLUMN = len(COLUMNS) + 2 + len(CAUSES)
-"""Index of the energy of the disk modes [J]."""
-LOSS_COLUMNS = slice(ENERGY_COLUMN + 1, TABLE_ENERGY_COLUMN)
-"""Indices of the energies lost to each of CAUSES [J]."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -103,6 +92,9 @@ class CompliantMotion(MotionBase):
         Largest excess of the friction over its cone [N].
     rolling_outcome : Outcome
         Outcome of the motion.
+    lift_off_speed : float
+        Velocity [m/s] at which the low point of the rim leaves the table at the end,
+        relative to the table.
     """
 
     plan: "MotionPlan"
@@ -114,6 +106,7 @@ class CompliantMotion(MotionBase):
     contact_losses: ContactLosses
     max_friction_excess: float
     rolling_outcome: Outcome
+    lift_off_speed: float = 0.0
 
     def __repr__(self) -> str:
         """Return a one-line summary."""
@@ -346,11 +339,6 @@ class CompliantMotion(MotionBase):
         return tuple(Transition(*change) for change in zip(*columns, strict=True))
 
     @cached_property
-    def jumps(self) -> ForceJumps:
-        """No jumps, because the force of an elastic contact is continuous."""
-        return ForceJumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
-
-    @cached_property
     def t_end(self) -> float:
         """Time [s] at which a settled disk would be flat; the end of any other motion.
 
@@ -508,6 +496,7 @@ def simulate_from(
     impulses = RowStore(impulse)
     slides = RowStore(np.empty((0, 2)))
     losses = RowStore(np.empty((0, 3)))
+    rises = RowStore(y[None, [STATE.velocity + 2, STATE.table_rise]])
     for piece in model.run(
         y,
         steps_per_row,
@@ -524,37 +513,129 @@ def simulate_from(
         impulses.append(impulse[1:])
         slides.append(piece.slips)
         losses.append(piece.losses.array)
+        rises.append(piece.state[:, [STATE.velocity + 2, STATE.table_rise]])
         if len(piece.t):
             watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
     written = rows.rows()
-    flights = losses.rows()
     if len(written) < 2:
         why = END_REASONS[piece.end_reason]
         if model.modes is not None:
             why = "the table bends so far that the disk touches it elsewhere"
-        raise ImpossibleContactError(f"no first step: {why}")
-    end = np.flatnonzero(written[:, 1] >= final_inclination)[-1]
-    if piece.end_reason == EndReason.IS_AIRBORNE:
-        # the motion ends at the loss of contact
-        end = int(flights[-1, 0] / row_duration)
-        flights = flights[:-1]
-    written = written[: max(end, 1) + 1]
-    last = len(written) - 1
+        raise ImpossibleContactError(f"the first step cannot be solved: {why}")
+    end = int(np.flatnonzero(written[:, 1] >= final_inclination)[-1])
+    reason = piece.end_reason
+    lift_off_speed = 0.0
+    if model.film is not None:
+        past = StoredMotion(
+            row_duration,
+            losses.rows(),
+            impulses.rows()[::FORCES_PER_ROW, 2],
+            rises.rows(),
+        )
+        end, reason = end_over_film(plan.scene.disk, past, end, reason)
+        if reason == EndReason.IS_AIRBORNE:
+            lift_off_speed = separation_speed(
+                model, written[: end + 2][-1], past.rise[: end + 2][-1]
+            )
+    end = min(max(end, 1), len(written) - 1)
     motion = CompliantMotion(
         plan=plan,
         model=model,
         dt=dt,
-        impulses=impulses.rows()[: FORCES_PER_ROW * last + 1],
-        rows=written,
+        impulses=impulses.rows()[: FORCES_PER_ROW * end + 1],
+        rows=written[: end + 1],
         slides=slides.rows(),
-        contact_losses=ContactLosses(flights[flights[:, 0] < last * row_duration]),
+        contact_losses=losses_until(end * row_duration, losses.rows()),
         max_friction_excess=float(y[STATE.friction_excess]),
-        rolling_outcome=OUTCOME_OF_END[piece.end_reason],
+        rolling_outcome=OUTCOME_OF_END[reason],
+        lift_off_speed=lift_off_speed,
     )
     if motion.rolling_outcome is Outcome.SETTLED:
-        outcome = outcome_when_flat(motion, motion.final_turn)
-        return replace(motion, rolling_outcome=outcome)
+        return replace(
+            motion, rolling_outcome=outcome_when_flat(motion, motion.final_turn)
+        )
     return motion
+
+
+class StoredMotion(NamedTuple):
+    """What decides where a motion over a film of air ends.
+
+    Attributes
+    ----------
+    row_duration : float
+        Time [s] between rows.
+    losses : ndarray, (k, 3)
+        Losses of contact in their order, each with start [s], duration [s] and height [m].
+    impulse : ndarray, (n,)
+        Vertical impulse [N s] of the contact until each row.
+    rise : ndarray, (n, 2)
+        Upward velocities [m/s] of the centre of the disk and of the table below the contact.
+    """
+
+    row_duration: float
+    losses: np.ndarray
+    impulse: np.ndarray
+    rise: np.ndarray
+
+
+def end_over_film(
+    disk: Disk, past: StoredMotion, row: int, reason: EndReason
+) -> tuple[int, EndReason]:
+    """Return the last row of a motion over a film, and the reason for its end.
+
+    A disk that has left the table, or floats down with its low point at the table, ends where
+    its contact is lost first after the film has begun to bear more than the contact for good.
+    """
+    begun = past.losses[:, 0]
+    if reason == EndReason.IS_AIRBORNE:
+        return int(begun[-1] / past.row_duration), reason
+    before = last_row_before_flight(past.losses, past.row_duration, row)
+    if reason != EndReason.LIES_FLAT:
+        return before, reason
+    if before < row:  # it becomes flat in flight
+        return before, EndReason.IS_AIRBORNE
+    contact = np.diff(past.impulse) / past.row_duration
+    inertia = disk.mass * np.diff(past.rise[:, 0]) / past.row_duration
+    lift = disk.weight + inertia - contact
+    floats_from = row_since(lift[:row] > contact[:row]) * past.row_duration
+    late = begun[(begun >= floats_from) & (begun < row * past.row_duration)]
+    if not len(late):
+        return row, reason
+    return int(late[0] / past.row_duration), EndReason.IS_AIRBORNE
+
+
+def row_since(holds: np.ndarray) -> int:
+    """Return the row since which a condition (k,) holds until the end; k if it does not."""
+    fails = np.flatnonzero(~holds)
+    return int(fails[-1]) + 1 if len(fails) else 0
+
+
+def last_row_before_flight(losses: np.ndarray, row_duration: float, row: int) -> int:
+    """Return a row, or the last one before the loss of contact during which it is stored.
+
+    `losses` (k, 3) are sorted, with start [s], duration [s] and height [m].
+    """
+    t = row * row_duration
+    begun = losses[losses[:, 0] < t]
+    if not len(begun) or t > begun[-1, 0] + begun[-1, 1]:
+        return row
+    return int(begun[-1, 0] / row_duration)
+
+
+def separation_speed(model: CompliantModel, row: np.ndarray, rise: np.ndarray) -> float:
+    """Return the vertical velocity [m/s] of the low point of the rim relative to the table,
+    in a stored row (21,) in which centre and table rise by `rise` (2,) [m/s]."""
+    place = model.tabulated_law.law.place(row[1])
+    return float(rise[0] - place.f * row[5] - rise[1])
+
+
+def losses_until(end: float, losses: np.ndarray) -> ContactLosses:
+    """Return the losses of contact (k, 3) that begin before a time [s], cut off there.
+
+    Each has its start [s], duration [s] and height [m]."""
+    begun = losses[losses[:, 0] < end]
+    begun[:, 1] = np.minimum(begun[:, 1], end - begun[:, 0])
+    return ContactLosses(begun)
 
 
 def compliant_model(plan: "MotionPlan") -> CompliantModel:
@@ -595,15 +676,12 @@ def _stored_columns(model: CompliantModel, y: np.ndarray) -> np.ndarray:
 
     The precession is in (-pi, pi].
     """
-    lost = y[:, ENERGY_LOSSES]
-    return np.column_stack(
-        [
-            columns(model, y),
-            energy(model, y),
-            lost,
-            y[:, STATE.table_mode_energy],
-            y[:, STATE.disk_mode_energy],
-        ]
+    return motion_rows(
+        columns(model, y),
+        energy(model, y),
+        y[:, ENERGY_LOSSES],
+        y[:, STATE.table_mode_energy],
+        y[:, STATE.disk_mode_energy],
     )
 
 

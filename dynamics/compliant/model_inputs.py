@@ -64,7 +64,8 @@ def min_step_rate(scene: "MotionScene", final_inclination: float) -> float:
     It is determined by the last inclination. On a coupled or wavy table, the disk
     passes through all inclinations before it comes to rest.
     """
-    moves = scene.surface.action == "motion" or scene.imperfection
+    in_steps = scene.numerics.contact != "filter"
+    moves = (scene.surface.action == "motion" and in_steps) or scene.imperfection
     min_inclination = (
         MIN_CONTACT_INCLINATION
         if moves
@@ -77,6 +78,11 @@ def reason_against_rattling(scene: "MotionScene") -> str:
     """Return the reason why the disk of a scene cannot be solved as rattling, or ""."""
     if scene.contact.law == "rigid":
         return "requires contact.law = 'elastic'"
+    if scene.surface.hole:
+        return "surface.hole is not supported; its film is that of a rolling disk"
+    ring_in_air = scene.disk.inner_radius > 0 and scene.air.pressure > 0
+    if ring_in_air and scene.air.film != "none" and scene.numerics.contact != "many":
+        return "the film of a ring is that of a rolling disk; it requires air.film = 'none'"
     others = [
         name
         for name, value in vars(scene.dissipation).items()

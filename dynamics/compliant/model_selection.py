@@ -1,6 +1,6 @@
 """Selection of the contact model: a linear filter, or the full compliant motion."""
 
-from math import radians
+from math import radians, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,12 +9,13 @@ from scipy.integrate import trapezoid
 from dynamics.compliant.law.linear_response import predicted_power, predicted_rms
 from dynamics.compliant.law.table_receptance import RIGID_TABLE, TableReceptance
 from dynamics.compliant.law.unevenness import unevenness
+from dynamics.compliant.model_errors import motion_error
 from dynamics.compliant.model_inputs import (
     contact_law,
     final_contact_inclination,
     reason_against_rattling,
 )
-from dynamics.disk import Disk
+from dynamics.disk import Disk, inertias
 from dynamics.quasi_steady import steady_power
 from dynamics.regime import Branch
 from dynamics.rolling import RollingDisk, initial_state
@@ -66,7 +67,7 @@ def choose_contact_model(
         obstacle = reason_against_rattling(scene)
         if scene.numerics.contact == "auto" and not obstacle:
             return "many", bumpy
-    if scene.surface.action == "motion":
+    if scene.surface.action == "motion" and scene.numerics.contact != "filter":
         return "full", "surface.action = 'motion': the table is coupled to the disk"
     beta, share = predicted_force_rms(basis, tabulated, receptance)
     above = share > LIFT_OFF_FORCE_RMS
@@ -103,9 +104,40 @@ def choose_contact_model(
         reason += f"; WARNING: {bumpy}" + f" (contact anywhere: {obstacle})" * bool(
             obstacle
         )
-    elif kind == "full" and predicted > MAX_FORCE_RMS_FOR_ONE_CONTACT:
-        reason += f"; WARNING: one contact is inaccurate above {MAX_FORCE_RMS_FOR_ONE_CONTACT:g}"
+    else:
+        reason += limit_warning(kind, beta, share, kappa)
     return kind, reason
+
+
+def limit_warning(
+    kind: "ContactModel", beta: np.ndarray, share: np.ndarray, kappa: float
+) -> str:
+    """Return a warning that the vibration exceeds the limit of a contact model, or "".
+
+    Parameters
+    ----------
+    kind : ContactModel
+        The model.
+    beta, share : ndarray, shape (k,)
+        Inclinations [rad], and the predicted rms of N'/weight at these.
+    kappa : float
+        Largest curvature number.
+    """
+    limits = {
+        "filter": LIFT_OFF_FORCE_RMS,
+        "full": MAX_FORCE_RMS_FOR_ONE_CONTACT,
+    }
+    outside = share > limits.get(kind, np.inf)
+    if not outside.any():
+        return ""
+    error = motion_error(kind, float(share.max()), kappa)
+    highest = f"{beta[outside].max():.2g}"
+    lowest = f"{beta[outside].min():.2g}"
+    where = lowest if highest == lowest else f"from {highest} to {lowest}"
+    return (
+        f"; WARNING: at {where} rad it exceeds {limits[kind]:g}, the limit of this model; "
+        f"the predicted error of the motion is {error:.1%}"
+    )
 
 
 def greatest_curvature_number(basis: "MotionBasis") -> tuple[float, float]:
@@ -213,8 +245,11 @@ def steady_precession_rate(scene: "MotionScene", beta: float) -> float:
 
 
 def flat_precession_rate(disk: Disk, beta: float) -> float:
-    """Return the steady precession rate [rad/s] in the limit of small inclinations."""
-    return (4.0 / np.sin(beta)) ** 0.5 / disk.time_unit
+    """Return the steady precession rate [rad/s] in the limit of small inclinations.
+
+    The moment of the weight about the centre, m g R, balances I Omega^2 sin(beta)."""
+    about_diameter, _ = inertias(disk)
+    return sqrt(disk.weight * disk.radius / (about_diameter * sin(beta)))
 
 
 def friction_utilisation(basis: "MotionBasis") -> float:

@@ -4,7 +4,7 @@ The criterion and the limits of the linear filter are evaluated in steady motion
 inclinations that the selection of the contact model samples anyway.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -78,15 +78,16 @@ class RoughTable(NamedTuple):
         )
 
 
-def scene_receptance(scene: "MotionScene", surface_modes: object) -> TableReceptance:
+def scene_receptance(scene: "MotionScene", surface_modes: Any) -> TableReceptance:
     """Return the receptance of the table of a scene at its contact.
 
-    `surface_modes` are those of a table that is neither rigid nor infinite.
+    `surface_modes` are those of a table that is neither rigid nor infinite. A table
+    without modes is rigid.
     """
     surface = scene.surface
     if isinstance(surface, InfiniteSurface):
         return InfinitePlateReceptance(infinite_plate_mobility(surface))
-    if surface_modes is None:
+    if surface_modes is None or not len(surface_modes.frequency):
         return RIGID_TABLE
     disk = scene.disk
     radius = disk.radius - scene.contact.rolling_fillet(disk)
@@ -135,7 +136,7 @@ def linear_range(
     """
     if not isinstance(receptance, ModalReceptance):
         return 0.0, ""
-    lowest = receptance.lowest_frequencies
+    lowest = receptance.lowest_frequency_by_order
     for beta in inclination:
         rate = steady_precession_rate(plan.scene, float(beta))
         for order, frequency in lowest.items():
@@ -164,7 +165,7 @@ def bent_table_ratio(
     still = np.zeros(1)
     ratios = [
         order**2 * abs(receptance.of_order(order, still, rate)[0])
-        for order in receptance.components[0]
+        for order in receptance.orders_and_squares[0]
     ]
     # orders n and -n are the two directions of the same waves
     return 2 * disk.weight * max(ratios, default=0.0) / (disk.radius * inclination)

@@ -6,7 +6,6 @@ import numpy as np
 
 from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
-from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.state_layout import (
     ENERGY_LOSSES,
@@ -15,6 +14,13 @@ from dynamics.compliant.stepping.state_layout import (
     STATE_SLICES,
 )
 from dynamics.film.forces import squeezed_air_energy
+from dynamics.stepping_core.body import (
+    angular_momentum,
+    body_axes,
+    kinetic_and_bowl_energy,
+    relative_columns,
+    rolling_velocity,
+)
 from dynamics.switching import ImpossibleContactError
 
 if TYPE_CHECKING:
@@ -50,11 +56,10 @@ def preloaded_compliant_state(
         force = np.array([0.0, 0.0, law.disk.weight])
     N = force[2]
     place = law.place(beta)
-    J1, J2 = inertias(law.disk)
     c = model.tabulated_law.columns(np.array([beta]))[0]
-    a1, a2, n, e3 = _axes(state[0], beta)
-    w1, w2, w3 = state[5:8]
-    speed = abs(place.radius * (w2 - w3 / np.tan(beta)) + slip[0])
+    axes = body_axes(state[0], beta)
+    omega = state[5:8]
+    speed = abs(place.radius * (omega[1] - omega[2] / np.tan(beta)) + slip[0])
     deflection = np.array(
         [-force[0] / c[LAW_COLUMNS.stiffness_1], -force[1] / c[LAW_COLUMNS.stiffness_2]]
     )  # along a_1, a_2
@@ -78,12 +83,11 @@ def preloaded_compliant_state(
         - delta
         + y[STATE_SLICES.roughness_heights].sum()
     )
-    y[STATE_SLICES.velocity] = slip @ [a1, a2] + np.cross(
-        w1 * a1 + w2 * n + w3 * e3,
-        place.depth * n + place.radius * e3,
-    )
-    y[STATE_SLICES.axis] = n
-    y[STATE_SLICES.angular_momentum] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    lever = place.depth * axes[2] + place.radius * axes[3]
+    rolling = rolling_velocity(omega, axes, lever)
+    y[STATE_SLICES.velocity] = slip @ axes[:2] + rolling
+    y[STATE_SLICES.axis] = axes[2]
+    y[STATE_SLICES.angular_momentum] = angular_momentum(fixed, omega, axes)
     y[STATE_SLICES.spring_stretch] = deflection * [-1, 1]  # along t = -a_1, d = a_2
     y[STATE_SLICES.spring_stiffness] = c[
         LAW_COLUMNS.stiffness_1 : LAW_COLUMNS.stiffness_2 + 1
@@ -94,23 +98,13 @@ def preloaded_compliant_state(
     y[[STATE.table_path, STATE.edge_path]] = -law.disk.radius * state[2]
     y[STATE.squeezed_air_energy] = squeezed_air_energy(
         np.sin(beta),
-        w3 / np.sin(beta),
+        omega[2] / np.sin(beta),
         fixed.film.number,
         fixed.film.ambient,
         fixed.film.slip,
         fixed.film.bowl,
     )
     return y
-
-
-def _axes(theta: float, beta: float) -> tuple[np.ndarray, ...]:
-    """Return the unit vectors a_1, a_2, e_2 and e_3 (3,) at precession theta and inclination
-    beta [rad]."""
-    a1 = np.array([np.cos(theta), np.sin(theta), 0.0])
-    a2 = np.array([-np.sin(theta), np.cos(theta), 0.0])
-    n = np.sin(beta) * a2 + [0, 0, np.cos(beta)]
-    e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
-    return a1, a2, n, e3
 
 
 def limit_energy(model: "CompliantModel", y: np.ndarray, max_energy: float) -> None:
@@ -150,15 +144,14 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     modes, disk modes and squeezed air. It is zero for a disk at rest flat on the table.
     """
     y = np.ascontiguousarray(y.T)
-    disk = model.tabulated_law.law.disk
     fixed = model.constants
-    v = y[STATE_SLICES.velocity]
     n = y[STATE_SLICES.axis]
-    L = y[STATE_SLICES.angular_momentum]
-    moved = (
-        disk.mass * (v * v).sum(axis=0)
-        + (L * L).sum(axis=0) / fixed.diametral_inertia
-        + fixed.inverse_inertia_excess * (L * n).sum(axis=0) ** 2
+    moved = 2 * kinetic_and_bowl_energy(
+        fixed,
+        y[STATE_SLICES.position],
+        y[STATE_SLICES.velocity],
+        n,
+        y[STATE_SLICES.angular_momentum],
     )
     x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
     moved += (
@@ -169,12 +162,9 @@ def energy(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
     moved += (
         y[STATE_SLICES.spring_stiffness] * y[STATE_SLICES.spring_stretch] ** 2
     ).sum(axis=0)
-    offset = (y[0] + fixed.bowl_x) ** 2 + (y[1] + fixed.bowl_y) ** 2
-    bowl_energy = fixed.bowl_stiffness / 2 * offset
     return (
         moved / 2
         + fixed.weight * y[2]
-        + bowl_energy
         + y[STATE.table_mode_energy]
         + y[STATE.disk_mode_energy]
         + y[STATE.squeezed_air_energy]
@@ -186,34 +176,24 @@ def columns(model: "CompliantModel", y: np.ndarray) -> np.ndarray:
 
     The precession is in (-pi, pi].
     """
-    disk = model.tabulated_law.law.disk
-    J1, J2 = inertias(disk)
     beta = inclination(y)
     y = np.ascontiguousarray(y.T)
-    place = model.tabulated_law.law.place(beta)
-    s = np.sin(beta)
-    c = np.cos(beta)
-    d0 = y[STATE.axis] / s
-    d1 = y[STATE.axis + 1] / s
-    L = y[STATE_SLICES.angular_momentum]
-    w1 = (L[0] * d1 - L[1] * d0) / J1
-    w2 = (y[STATE_SLICES.axis] * L).sum(axis=0) / J2
-    w3 = (L[2] * s - (L[0] * d0 + L[1] * d1) * c) / J1
-    u1 = y[3] * d1 - y[4] * d0 - place.radius * w2 + place.depth * w3
-    u2 = y[3] * d0 + y[4] * d1 + place.e * w1
-    lost = y[ENERGY_LOSSES].sum(axis=0)
+    n = y[STATE_SLICES.axis]
+    relative = relative_columns(
+        model.constants,
+        model.tabulated_law.law.place(beta),
+        y[STATE_SLICES.velocity],
+        n,
+        y[STATE_SLICES.angular_momentum],
+    )
     return np.column_stack(
         [
-            np.arctan2(-d0, d1),
+            np.arctan2(-n[0], n[1]),
             beta,
-            -y[STATE.edge_path] / disk.radius,
+            -y[STATE.edge_path] / model.constants.radius,
             y[0],
             y[1],
-            w1,
-            w2,
-            w3,
-            u1,
-            u2,
-            lost,
+            *relative,
+            y[ENERGY_LOSSES].sum(axis=0),
         ]
     )

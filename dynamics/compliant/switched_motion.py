@@ -26,8 +26,10 @@ def solve_switched(
     """Solve a motion with two-way coupling below the inclination of its plan.
 
     Above it, `solve_passive(plan, watch)` solves the motion, which is returned unchanged
-    if it does not reach this inclination. A rigid contact becomes elastic at the switch.
-    If the release is not above the inclination, the whole motion is coupled.
+    if it does not reach this inclination. A rigid contact becomes elastic at the switch. A
+    rough contact keeps its heights; there the modes of the table are at rest under the
+    force of the passive motion, without the vibration that the filter adds to it. If the
+    release is not above the inclination, the whole motion is coupled.
     """
     numerics = plan.scene.numerics
     inclination = plan.two_way.inclination
@@ -67,29 +69,9 @@ class SwitchedMotion(SequentialMotion):
         return f"Motion({self.t[-1]:.6g} s, {self.outcome.name}, switched at {self.switch_time:.6g} s)"
 
     @property
-    def passive_part(self) -> Motion:
-        """The part on a passive table."""
-        return self.first
-
-    @property
-    def coupled_part(self) -> CompliantMotion:
-        """The part with two-way coupling."""
-        return self.then
-
-    @property
     def events(self) -> tuple[MotionEvent, ...]:
         """The contact of the face with the table, if it ends the motion."""
         return face_events(self)
-
-    @property
-    def solves_contact(self) -> bool:
-        """False, because the passive part may have a rigid contact."""
-        return False
-
-    @property
-    def moves_table(self) -> bool:
-        """False, because the table moves only in the coupled part."""
-        return False
 
     @cached_property
     def vibration_crossover(self) -> float | None:

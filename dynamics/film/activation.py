@@ -7,9 +7,9 @@ import numpy as np
 
 from dynamics.air import Air
 from dynamics.disk import Disk, Release
-from dynamics.dissipation import Dissipation, resistance_of
+from dynamics.dissipation import resistance_of
 from dynamics.equations import DiskConstants
-from dynamics.film.wedge import Film, film_under
+from dynamics.film.wedge import NO_FLAT_FACE_MESSAGE, Film, film_of_scene, hole_share
 from dynamics.kinematics import energy
 from dynamics.quasi_steady import steady_power
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
@@ -25,6 +25,12 @@ ends.
 It is the upper limit of the tables of the kinetic theory of Fukui & Kaneko (1990).
 There, a model with wall slip alone underestimates the air flow by a factor of 3.4.
 """
+
+
+RATTLING_RING = (
+    "the film of a ring is that of a rolling disk, without contacts anywhere on the rim"
+)
+"""Reason against a film under a ring that rattles."""
 
 
 class FilmDecision(NamedTuple):
@@ -63,8 +69,9 @@ def decide_film(scene: "MotionScene", constants: DiskConstants) -> FilmDecision:
         return FilmDecision(None, "air.film = 'none'")
     acts = air.film == "acts"
     disk = scene.disk
-    dissipation = scene.dissipation
-    why = "" if acts else _film_free_reason(disk, air, dissipation)
+    if acts and is_rattling_ring(scene):
+        raise ValueError(f"air.film = 'acts': {RATTLING_RING}")
+    why = "" if acts else reason_against_film(scene)
     why = why or _rarefaction_warning(disk, air, scene.release)
     if why and acts:
         raise ValueError(
@@ -72,7 +79,7 @@ def decide_film(scene: "MotionScene", constants: DiskConstants) -> FilmDecision:
         )
     if why:
         return FilmDecision(None, why)
-    film = film_under(disk, air, scene.surface.curvature)
+    film = film_of_scene(scene)
     descent = _quasi_steady_descent(scene, film, constants)
     time, inclination = _film_onset(descent, disk, scene.release, constants)
     onset = time, inclination, _airborne_inclination(descent, film, constants)
@@ -123,15 +130,23 @@ def rarefied_inclination(disk: Disk, air: Air, knudsen: float) -> float:
     return asin(min(1.0, air.mean_free_path / (knudsen * disk.radius)))
 
 
-def _film_free_reason(disk: Disk, air: Air, dissipation: Dissipation) -> str:
+def reason_against_film(scene: "MotionScene") -> str:
     """Return the reason why air.film = 'auto' excludes the film, or "" if it does not."""
-    if not air.pressure:
+    dissipation = scene.dissipation
+    if not scene.air.pressure:
         return "there is no film in a vacuum"
-    if disk.shape != "solid":
-        return "the model of the film is limited to solid disks"
+    if hole_share(scene) >= 1:
+        return NO_FLAT_FACE_MESSAGE
+    if is_rattling_ring(scene):
+        return RATTLING_RING
     if dissipation.air_viscosity or dissipation.boundary_layer_viscosity:
         return "the scene already includes a dissipation law for the air"
     return ""
+
+
+def is_rattling_ring(scene: "MotionScene") -> bool:
+    """Return True if a ring is to have contacts anywhere on its rim."""
+    return scene.disk.inner_radius > 0 and scene.numerics.contact == "many"
 
 
 class _Descent(NamedTuple):

@@ -16,6 +16,7 @@ Since Q = 1 + a^2 rho^2 - 2 a rho cos(phi), it couples only neighbouring Fourier
 components: a block tridiagonal system, with Chebyshev collocation in rho.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -140,7 +141,11 @@ def film_resistance(tilt: float, depth: float = 0.0) -> FilmResistance:
     )
 
 
-def _solve_block_tridiagonal(blocks, sources: np.ndarray, start: int) -> np.ndarray:
+def _solve_block_tridiagonal(
+    blocks: Callable[[int], tuple[np.ndarray, np.ndarray, np.ndarray]],
+    sources: np.ndarray,
+    start: int,
+) -> np.ndarray:
     """Return the harmonics (radii, m) from `start` on, zero at the rim.
 
     `blocks(n)` returns the operators from the harmonic n to the equations n - 1, n, n + 1.

@@ -8,6 +8,12 @@ divided by the factor by which wall slip increases the mobility. All fits are fi
 the solutions of reynolds.py; tests/film/test_film_constants.py measures their errors.
 """
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dynamics.equations import NumberOrExpression
+    from dynamics.film.wedge import Film
+
 COMPRESSION_ONSET_NUMBER = 0.2
 """Compressibility number Lam above which the air is compressed rather than displaced."""
 SLIP_MOBILITY_PER_KNUDSEN = 12.3
@@ -15,28 +21,42 @@ SLIP_MOBILITY_PER_KNUDSEN = 12.3
 
 For a falling film the increase is half as large.
 """
+HOLE_COEFFICIENTS = 6
+"""Number of coefficients of each of the three polynomials for a table with a hole."""
+NO_HOLE = (0.0,) * (3 * HOLE_COEFFICIENTS)
+"""Constants of a film over a table without a hole."""
 
 
-def film_forces(s, nutation, rate, film):
+def film_forces(
+    s: "NumberOrExpression",
+    nutation: "NumberOrExpression",
+    rate: "NumberOrExpression",
+    film: "Film",
+) -> "tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression]":
     """Return three dimensionless moments of the film at sin(beta) = s.
 
     They are the moment against e_3, the moment against e_1 about the contact, and the
     lift times R. `nutation` is omega_1 and `rate` is Omega; `film` is that of
     `film_moment_parts`.
     """
-    drag, fall, lever, tip, lift = film_moment_parts(s, rate, film)
+    parts = film_moment_parts(s, rate, film)
+    if film[-1][0] != 0:
+        parts = moment_parts_over_hole(parts, s, film)
+    drag, fall, lever, tip, lift = parts
     return drag, fall * nutation + tip, lever * fall * nutation + lift
 
 
-def film_moment_parts(s, rate, film):
-    """Return the parts of the moments that do not depend on omega_1.
+def film_moment_parts(
+    s: "NumberOrExpression", rate: "NumberOrExpression", film: "Film"
+) -> "tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression]":
+    """Return the parts of the moments that do not depend on omega_1, without a hole.
 
     Parameters
     ----------
     s, rate : float
         sin(beta) and Omega.
     film : tuple
-        The following seven constants.
+        The following constants, and those of a hole (`moment_parts_over_hole`).
     turning, falling : float
         12 mu R^3 times I and I_n.
     inertia : float
@@ -65,9 +85,7 @@ def film_moment_parts(s, rate, film):
     lift : float
         Lift of this air, times R.
     """
-    # added to (S/6.3)^4, because a fractional power has no series at zero
-    series_offset = 1e-12
-    turning, falling, inertia, number, ambient, slip, bowl = film
+    turning, falling, inertia, number, ambient, slip, bowl, _ = film
     square = s * s
     x = 0.0
     if bowl != 0:
@@ -81,7 +99,8 @@ def film_moment_parts(s, rate, film):
         slip = slip * share**0.65
     drag = rate / (square + slip * s)
     lam = number * drag
-    heavy = inertia * (square * rate) * (square * rate) + series_offset
+    # 1e-12, because a fractional power has no series at zero
+    heavy = inertia * (square * rate) * (square * rate) + 1e-12
     heavy = (1.0 + heavy**0.625) ** 0.4
     u = ((1.0 + lam * lam) ** 0.5) ** 0.5 - 1.0
     u2 = u * u
@@ -95,7 +114,59 @@ def film_moment_parts(s, rate, film):
     return turning * drag * heavy * share, fall, lever, ambient * tip, ambient * lift
 
 
-def squeezed_air_energy(s, rate, number, ambient, slip, bowl):
+def moment_parts_over_hole(
+    parts: "tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression]",
+    s: "NumberOrExpression",
+    film: "Film",
+) -> "tuple[NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression, NumberOrExpression]":
+    """Return the results of `film_moment_parts` for a hole in table or disk.
+
+    The air flows out at both edges of the ring between rim and hole. The resistances are
+    polynomials of w = 1/(1 + x), where x is the gap that the bowl adds in the middle, which
+    `annular_film.closed_film_polynomials` fits to the solution for the ring. The air in the
+    ring is incompressible: its lift by compression, which is up to 0.13 of the weight
+    without a hole, is neglected.
+
+    Parameters
+    ----------
+    parts : tuple
+        Results of `film_moment_parts`.
+    s : float
+        sin(beta).
+    film : tuple
+        The constants of `film_moment_parts`; the last one contains those of the hole.
+
+    Returns
+    -------
+    tuple
+        The parts in the same order.
+    """
+    drag, fall, _, _, _ = parts
+    bowl = film[6]
+    hole = film[7]
+    x = bowl / s
+    w = 1.0 / (1.0 + x)
+    turning = 0.0
+    closing = 0.0
+    lifting = 0.0
+    for k in range(HOLE_COEFFICIENTS - 1, -1, -1):
+        turning = w * (turning + hole[k])
+        closing = w * (closing + hole[k + HOLE_COEFFICIENTS])
+        lifting = w * (lifting + hole[k + 2 * HOLE_COEFFICIENTS])
+    # without the resistance to the bowl in `film_moment_parts`, which the polynomials contain
+    turning = turning * (1.0 + x * (2.241 + x * (1.028 + x * 0.0703)))
+    return (
+        drag * turning,
+        fall * closing * (1.0 + 1.515 * x),
+        lifting / closing,
+        0.0,
+        0.0,
+    )
+
+
+def squeezed_air_energy(
+    s: float, rate: float, number: float, ambient: float, slip: float, bowl: float
+) -> float:
     """Return the energy of the compressed air of a rotating film.
 
     It is s p pi R^3 times the mean of h (P ln P - P + 1), with P in units of the

@@ -9,8 +9,8 @@ the rim, where the flow of a stiff film is concentrated.
 tests/film/test_film_constants.py compares the results with known solutions.
 """
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.sparse import csc_array, csr_array
@@ -20,7 +20,7 @@ from skfem import Basis, ElementQuad2, MeshQuad
 from dynamics.air import HEAT_CAPACITY_RATIO
 
 
-def wedge_gap(x, y):
+def wedge_gap(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Return the gap between disk and plane table, divided by the mean gap."""
     return 1 + x
 
@@ -71,11 +71,11 @@ class FilmMesh:
     def __init__(
         self,
         cells: int,
-        height: Callable = wedge_gap,
+        height: Callable[..., Any] = wedge_gap,
         *,
         nearest: float,
         parity: int = 0,
-    ):
+    ) -> None:
         across = nearest * np.linspace(0, 1, cells + 1) ** 2
         along = np.linspace(-nearest, nearest, 2 * cells + 1)
         along = along[cells:] if parity else along
@@ -83,24 +83,36 @@ class FilmMesh:
         self.basis = Basis(MeshQuad.init_tensor(across, along), ElementQuad2())
         a, b = np.asarray(self.basis.global_coordinates())
         t = np.exp(a) + 1j * np.sinh(b)
-        dX = np.exp(a)
-        dY = np.cosh(b)
-        self._dx = (2 if parity else 1) * self.basis.dx
-        self.points = 2 / t - 1
-        self.area = 4 / np.abs(t) ** 4 * dX * dY * self._dx
-        self._metric = (dY / dX, dX / dY)
-        self._measure = 4 / np.abs(t) ** 4 * dX * dY
+        self._place_points(2 / t - 1, 4 / np.abs(t) ** 4, (np.exp(a), np.cosh(b)))
         self.height = height(self.points.real, self.points.imag)
-        each = [shape[0] for shape in self.basis.basis]
-        parts = [np.hstack([*s.grad, np.asarray(s)]) for s in each]
-        self._shapes = np.array(parts, complex).swapaxes(0, 1).copy()
         a, b = self.basis.doflocs
         self.nodes = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1
-        self._wave_cache: dict = {}
         self._inner = np.flatnonzero((a > 1e-9) & ((b > 1e-9) | (parity != -1)))
         self._find_sparsity_pattern()
 
-    def _find_sparsity_pattern(self):
+    def _place_points(
+        self,
+        points: np.ndarray,
+        scale: np.ndarray,
+        stretch: tuple[np.ndarray, np.ndarray],
+    ) -> None:
+        """Set the quadrature points x + i y of a mesh that a conformal map takes to the film.
+
+        `scale` is the square of the scale of the map, and `stretch` the two derivatives of
+        its arguments by the coordinates of the mesh.
+        """
+        first, second = stretch
+        self._dx = (2 if self.parity else 1) * self.basis.dx
+        self.points = points
+        self._measure = scale * first * second
+        self.area = self._measure * self._dx
+        self._metric = (second / first, first / second)
+        each = [shape[0] for shape in self.basis.basis]
+        parts = [np.hstack([*s.grad, np.asarray(s)]) for s in each]
+        self._shapes = np.array(parts, complex).swapaxes(0, 1).copy()
+        self._wave_cache: dict[int, np.ndarray] = {}
+
+    def _find_sparsity_pattern(self) -> None:
         """Compute the sparsity pattern, the positions of the pairs (e, i, j) in it, and
         the matrix that sums element contributions at the nodes."""
         count = len(self._inner)
@@ -123,8 +135,8 @@ class FilmMesh:
 
     def linear_responses(
         self,
-        velocities,
-        shapes,
+        velocities: list[np.ndarray],
+        shapes: list[np.ndarray],
         sigma: float = 0.0,
         inertia: complex = 0.0,
         orders: int = 0,
@@ -177,7 +189,11 @@ class FilmMesh:
         return [FilmResponse(*answer) for answer in zip(p @ works.T, rim, strict=True)]
 
     def rim_flow_matrices(
-        self, mobility, storage, velocities, orders: int
+        self,
+        mobility: np.ndarray,
+        storage: np.ndarray,
+        velocities: Sequence[np.ndarray],
+        orders: int,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return two matrices of the outflow int q W ds at the rim.
 
@@ -198,7 +214,7 @@ class FilmMesh:
             pairs, p
         )
 
-    def _waves(self, orders):
+    def _waves(self, orders: int) -> np.ndarray:
         """Return nodal values (n, 2 k + 1) of exp(-i n theta), extended inwards as z^n."""
         if orders in self._wave_cache:
             return self._wave_cache[orders]
@@ -212,7 +228,9 @@ class FilmMesh:
         self._wave_cache[orders] = waves
         return waves
 
-    def _stiffness(self, mobility, storage):
+    def _stiffness(
+        self, mobility: np.ndarray, storage: np.ndarray
+    ) -> tuple[np.ndarray, csc_array]:
         """Assemble the bilinear form int m grad p . grad q + storage p q dA.
 
         Returns the element matrices (e, i, j) and the sparse matrix of the inner nodes.
@@ -226,22 +244,22 @@ class FilmMesh:
         pairs = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2)
         return pairs, self._inner_matrix(pairs)
 
-    def _inner_matrix(self, pairs):
+    def _inner_matrix(self, pairs: np.ndarray) -> csc_array:
         """Assemble the sparse matrix of the inner nodes from element matrices (e, i, j)."""
         row, start = self._sparse
         summed = np.zeros(self._slot.max() + 1, pairs.dtype)
         np.add.at(summed, self._slot.ravel(), pairs.ravel())
         return csc_array((summed[: len(row)], row, start))
 
-    def _matrix_product(self, pairs, p):
+    def _matrix_product(self, pairs: np.ndarray, p: np.ndarray) -> np.ndarray:
         """Return the product (n, k) of element matrices (e, i, j) with nodal values p (n, k)."""
         return self._sum_at_nodes(pairs @ p[self.basis.element_dofs.T])
 
-    def _sum_at_nodes(self, parts):
+    def _sum_at_nodes(self, parts: np.ndarray) -> np.ndarray:
         """Return the sums (n, k) at the nodes of element contributions (e, i, k)."""
         return self._gather @ parts.reshape(self._gather.shape[1], parts.shape[2])
 
-    def _load_vectors(self, shapes):
+    def _load_vectors(self, shapes: Sequence[np.ndarray]) -> np.ndarray:
         """Return the load vectors int q W dA (s, n) of shapes W (s, e, q)."""
         values = self._shapes[:, :, -self.area.shape[1] :].real
         parts = values @ (
@@ -250,7 +268,7 @@ class FilmMesh:
         return self._sum_at_nodes(parts).T
 
 
-def film_mobility(height, inertia: complex):
+def film_mobility(height: float | np.ndarray, inertia: complex) -> complex | np.ndarray:
     """Return the mobility of the air in a gap of height h.
 
     It is 12/k^2 (h - 2/k tanh(k h/2)) with k = `inertia`, and h^3 for k = 0.

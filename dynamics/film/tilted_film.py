@@ -103,6 +103,8 @@ class TiltedFilm(NamedTuple):
     mean_free_path : float
         Mean free path of the air [m]. Its first-order wall slip acts like a table that is
         deeper by six of these lengths, which is exact for a level disk.
+    hole : float
+        Diameter [m] of a hole in table or disk, about the centre of the disk, 0 without one.
     """
 
     viscosity: float
@@ -110,8 +112,14 @@ class TiltedFilm(NamedTuple):
     fillet: float = 0.0
     depth: float = 0.0
     mean_free_path: float = 0.0
+    hole: float = 0.0
 
-    def sealing_radius(self, gap: float) -> float:
+    @property
+    def hole_share(self) -> float:
+        """Radius of the hole over that of the flat face."""
+        return self.hole / (2 * self.radius)
+
+    def ambient_pressure_radius(self, gap: float) -> float:
         """Return the radius [m] at which the pressure is ambient, for a gap [m].
 
         The film ends within the rounding of the edge; the error is 0.01 %.
@@ -133,13 +141,25 @@ class TiltedFilm(NamedTuple):
         FilmResistance
             `heave` [N s/m], `coupling` [N s], `along` and `across` [N m s].
         """
-        R = self.sealing_radius(gap)
+        R = self.ambient_pressure_radius(gap)
         depth = (self.depth + 6 * self.mean_free_path) / gap
-        heave, coupling, along, across = tabulated_resistance(R * slope / gap, depth)
+        heave, coupling, along, across = self._relative_resistance(
+            R * slope / gap, depth
+        )
         k = 12 * self.viscosity * R**4 / gap**3
         return FilmResistance(
             k * heave, k * R * coupling, k * R**2 * along, k * R**2 * across
         )
+
+    def _relative_resistance(self, tilt: float, depth: float) -> FilmResistance:
+        """Return the dimensionless resistances; a hole keeps its share of the radius."""
+        if not self.hole:
+            return tabulated_resistance(tilt, depth)
+        from dynamics.film.annular_film import tabulated_ring  # imports scikit-fem
+
+        ring = tabulated_ring(self.hole_share, tilt, depth)
+        heave, about, fall, across = ring.tolist()
+        return FilmResistance(heave, about - heave, fall - 2 * about + heave, across)
 
     def sink_rate(self, gap: float, weight: float) -> float:
         """Return the speed [m/s] at which a level disk sinks under its weight [N]."""
@@ -153,9 +173,21 @@ class TiltedFilm(NamedTuple):
         """
         a = self.depth + 6 * self.mean_free_path
         scale = 3 * pi * self.viscosity * self.radius**4 / (2 * weight)
+        if self.hole:
+            return self._integrated_sink_time(gap, final_gap, weight)
         if a == 0.0:
             return scale * (1 / final_gap**2 - 1 / gap**2) / 2
         return scale * (_sink_integral(final_gap, a) - _sink_integral(gap, a))
+
+    def _integrated_sink_time(
+        self, gap: float, final_gap: float, weight: float
+    ) -> float:
+        """Return `sink_time` by quadrature in log(z), with the sealing radius of each gap."""
+        nodes, weights = np.polynomial.legendre.leggauss(24)
+        half = np.log(gap / final_gap) / 2
+        z = final_gap * np.exp(half * (nodes + 1))
+        times = [v / self.sink_rate(float(v), weight) for v in z]
+        return float(half * (weights @ times))
 
 
 def _sink_integral(gap: float, a: float) -> float:
@@ -167,7 +199,7 @@ def _sink_integral(gap: float, a: float) -> float:
 
 
 def film_below(
-    radius: float, fillet: float, air: Air, curvature: float = 0.0
+    radius: float, fillet: float, air: Air, curvature: float = 0.0, hole: float = 0.0
 ) -> TiltedFilm:
     """Return the film under a disk with a rounded edge in air.
 
@@ -179,6 +211,8 @@ def film_below(
         The air.
     curvature : float
         Curvature of a concave table [1/m].
+    hole : float
+        Diameter [m] of a hole in table or disk, about the centre of the disk.
 
     Returns
     -------
@@ -192,6 +226,7 @@ def film_below(
         fillet=fillet,
         depth=curvature * flat**2 / 2,
         mean_free_path=air.mean_free_path,
+        hole=hole,
     )
 
 

@@ -7,7 +7,7 @@ closed-form fits to the results, and tests/film/test_film_constants.py compares 
 
 from collections.abc import Iterable
 from itertools import islice, repeat
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,11 +18,15 @@ from dynamics.dissipation import laws_of
 from dynamics.equations import DiskConstants, Loads
 from dynamics.film.forces import (
     COMPRESSION_ONSET_NUMBER,
+    NO_HOLE,
     SLIP_MOBILITY_PER_KNUDSEN,
     film_forces,
 )
 from dynamics.kinematics import contact_arms, precession_rate
 from dynamics.regime import ARRAY_FORMULAS
+
+if TYPE_CHECKING:
+    from dynamics.sections import MotionScene
 
 ROTATION_POWER_COEFFICIENT = 0.1067607949
 """I in the power of a rotating film, 12 mu R^3 I Omega^2/sin(beta).
@@ -31,6 +35,10 @@ I = pi/3 - (32/pi) int_0^inf k^2 K0(k)/K1(k) F(k) dk with F(k) = int_k^inf K0 K1
 """
 FALL_POWER_COEFFICIENT = 0.3808
 """I_n in the power of a falling film, 12 mu R^3 I_n omega_1^2/sin(beta)^3."""
+NO_FLAT_FACE_MESSAGE = (
+    "disk.wall must exceed the rounded edge of the shell, so that it has a flat face"
+)
+"""What a disk lacks under which there is no film."""
 
 
 class Film(NamedTuple):
@@ -49,6 +57,7 @@ class Film(NamedTuple):
     ambient: Any
     slip: Any
     bowl: Any = 0.0
+    hole: Any = NO_HOLE
 
     @property
     def nonsmooth_at_zero_precession(self) -> bool:
@@ -95,24 +104,30 @@ class Film(NamedTuple):
 
     @property
     def runtime_parameters(self) -> tuple[float, ...]:
-        """The six constants, followed by `bowl` if the table is concave."""
-        return tuple(self) if self.bowl else tuple(self[:6])
+        """The six constants, followed by `bowl` if the table is concave or has a hole, and by
+        the constants of the hole."""
+        if self.hole[0]:
+            return (*self[:7], *self.hole)
+        return tuple(self[:7]) if self.bowl else tuple(self[:6])
 
     def with_parameters(self, parameters: Iterable[Any]) -> "Film":
         """Return a film with `parameters`, scalars of any type, as its constants."""
-        return Film(*islice(parameters, 6 if self.bowl == 0 else 7))
+        values = iter(parameters)
+        if self.hole[0] != 0:
+            first = tuple(islice(values, 7))
+            return Film(*first)._replace(hole=tuple(islice(values, len(NO_HOLE))))
+        return Film(*islice(values, 6 if self.bowl == 0 else 7))
 
 
-def film_under(disk: Disk, air: Air, curvature: float = 0.0) -> Film:
-    """Return the film under a solid disk in air.
+def film_under(disk: Disk, air: Air, curvature: float = 0.0, hole: float = 0.0) -> Film:
+    """Return the film under a disk in air.
 
-    `curvature` is that of a concave table [1/m]. Raises ValueError for a shell or in a
-    vacuum.
+    `curvature` is that of a concave table [1/m], and `hole` the radius of a hole in table
+    or disk, about the axis, over the radius of the flat face. Raises ValueError if the
+    hole leaves no face, or in a vacuum.
     """
-    if disk.shape != "solid":
-        raise ValueError(
-            "air.film = 'acts': requires a solid disk, but disk.shape = 'shell'"
-        )
+    if hole >= 1:
+        raise ValueError(f"air.film = 'acts': {NO_FLAT_FACE_MESSAGE}")
     if not air.pressure:
         raise ValueError(
             "air.film = 'acts': requires air, but air.pressure = 0 (vacuum)"
@@ -132,7 +147,46 @@ def film_under(disk: Disk, air: Air, curvature: float = 0.0) -> Film:
         ambient=air.pressure * np.pi * R**3 / unit,
         slip=SLIP_MOBILITY_PER_KNUDSEN * air.mean_free_path / R,
         bowl=curvature * R / 2,
+        hole=_hole_constants(hole) if hole else NO_HOLE,
     )
+
+
+def _hole_constants(hole: float) -> tuple[float, ...]:
+    """Return the constants of `moment_parts_over_hole`, relative to a film without a hole.
+
+    They are polynomials for drag, fall and lift.
+    """
+    from dynamics.film.annular_film import (  # imports scikit-fem
+        closed_film_polynomials,
+    )
+
+    turning, closing, lifting = closed_film_polynomials(hole)
+    turning = turning / ROTATION_POWER_COEFFICIENT
+    resistances = np.concatenate([closing, lifting]) / FALL_POWER_COEFFICIENT
+    return (*turning.tolist(), *resistances.tolist())
+
+
+def film_of_scene(scene: "MotionScene") -> Film:
+    """Return the film under the disk of a scene, whether or not it acts.
+
+    Raises ValueError if the disk has no flat face, or in a vacuum.
+    """
+    return film_under(scene.disk, scene.air, scene.surface.curvature, hole_share(scene))
+
+
+def hole_share(scene: "MotionScene") -> float:
+    """Return the radius of the hole in table or disk over that of the flat face.
+
+    Of two holes about the same axis, the larger one counts. The ratio is at least 1 for a
+    shell without a flat face.
+    """
+    hole = max(scene.surface.hole / 2, scene.disk.inner_radius)
+    return hole / flat_radius(scene)
+
+
+def flat_radius(scene: "MotionScene") -> float:
+    """Return the radius [m] of the flat face of the disk of a scene, inside its rounded edge."""
+    return scene.disk.radius - scene.contact.rolling_fillet(scene.disk)
 
 
 def film_in_si_units(film: Film | None, disk: Disk) -> Film:
@@ -144,7 +198,9 @@ def film_in_si_units(film: Film | None, disk: Disk) -> Film:
     chi = disk.time_unit
     energy = disk.mass * disk.radius**2 / chi**2
     units = energy * chi, energy * chi, chi**2, chi, energy, 1.0, 1.0
-    return Film(*np.multiply(film or np.zeros(len(units)), units).tolist())
+    if film is None:
+        return Film(*(0.0,) * len(units))
+    return Film(*np.multiply(film[:7], units).tolist())._replace(hole=film.hole)
 
 
 def film_powers(disk: Disk, film: Film, state: np.ndarray) -> np.ndarray:

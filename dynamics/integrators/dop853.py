@@ -1,5 +1,7 @@
 """Integration by DOP853, compiled by numba, as the portable alternative to heyoka."""
 
+from typing import Any
+
 import numpy as np
 
 from dynamics.equations import DiskConstants
@@ -7,14 +9,14 @@ from dynamics.hybrid import Arc, StalledError
 from dynamics.integrators.branch_formulas import compiled_flow_and_constants
 from dynamics.integrators.codegen import compile_branch, compiled_function
 from dynamics.integrators.runge_kutta import INTEGRATE_SIGNATURE, integrate_dop853
-from dynamics.regime import Regime, describe_state
+from dynamics.regime import Regime, StateVector, describe_state
 
 
 def advance(
-    y,
+    y: StateVector,
     regime: Regime,
     constants: DiskConstants,
-    loads,
+    loads: Any,
     r_end: float,
     span: float,
     tolerance: float,
@@ -38,5 +40,7 @@ def advance(
         max(tolerance, 1e-15),
     )
     if not len(times):
-        raise StalledError(f"{describe_state(y)}: no step is short enough in {regime}")
+        raise StalledError(
+            f"{describe_state(y)}: even the shortest step fails in the regime {regime}"
+        )
     return Arc(times, coefficients, end.tolist(), names[fired] if fired >= 0 else None)

@@ -13,17 +13,19 @@ from numba import types
 from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
 
 from dynamics.equations import DiskConstants
+from dynamics.guards import STOP_SLIP_SPEED
 from dynamics.integrators import slow_slide_criterion
 from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.integrators.runge_kutta import (
     BISECTION_COUNT,
     MAX_GUARDS,
+    Flow,
     copy_into,
     evaluate_polynomial,
     guard_crossing_between,
 )
-from dynamics.numba_kernels import njit
-from dynamics.regime import DISSIPATED, STOP_SLIP_SPEED, V1, V2, W1, R
+from dynamics.numba_kernels import cached
+from dynamics.regime import DISSIPATED, V1, V2, W1, R
 
 ORDER = 14
 COLLOCATION_NODES = (1 + chebpts1(ORDER)) / 2
@@ -62,13 +64,17 @@ REST_SLIP_SPEED = 1e-13
 """Slip speed divided by r below which a slow slide is considered at rest."""
 
 
-is_slow_slide = njit(cache=True, error_model="numpy")(
-    slow_slide_criterion.is_slow_slide
-)
+is_slow_slide = cached(slow_slide_criterion.is_slow_slide)
 
 
-@njit(cache=True, error_model="numpy")
-def slip_direction_jacobian(flow, p, states, rates, guard_values):
+@cached
+def slip_direction_jacobian(
+    flow: Flow,
+    p: np.ndarray,
+    states: np.ndarray,
+    rates: np.ndarray,
+    guard_values: np.ndarray,
+) -> np.ndarray:
     """Return d(rates)/d(direction) (ORDER, STATE_SIZE) from difference quotients."""
     out = np.empty((ORDER, STATE_SIZE))
     tilted = states.copy()
@@ -78,8 +84,10 @@ def slip_direction_jacobian(flow, p, states, rates, guard_values):
     return (out - rates) / DIFFERENCE_ANGLE
 
 
-@njit(cache=True, error_model="numpy")
-def inverse_newton_matrix(states, dt, steer):
+@cached
+def inverse_newton_matrix(
+    states: np.ndarray, dt: float, steer: np.ndarray
+) -> np.ndarray:
     """Return the inverse (ORDER, ORDER) of Newton's matrix for the rates of the direction."""
     matrix = np.empty((ORDER, ORDER))
     for j in range(ORDER):
@@ -89,8 +97,16 @@ def inverse_newton_matrix(states, dt, steer):
     return np.ascontiguousarray(np.linalg.inv(matrix))
 
 
-@njit(cache=True, error_model="numpy")
-def solve_collocation(flow, p, y, dt, states, rates, guards):
+@cached
+def solve_collocation(
+    flow: Flow,
+    p: np.ndarray,
+    y: np.ndarray,
+    dt: float,
+    states: np.ndarray,
+    rates: np.ndarray,
+    guards: np.ndarray,
+) -> bool:
     """Solve the collocation equations from guessed states; return True if converged.
 
     The equations are states = y + dt INTEGRAL_WEIGHTS rates(states) for states (ORDER,
@@ -150,8 +166,17 @@ def solve_collocation(flow, p, y, dt, states, rates, guards):
     return False
 
 
-@njit(cache=True, error_model="numpy")
-def collocation_step(flow, p, y, slope, dt, states, rates, guards):
+@cached
+def collocation_step(
+    flow: Flow,
+    p: np.ndarray,
+    y: np.ndarray,
+    slope: np.ndarray,
+    dt: float,
+    states: np.ndarray,
+    rates: np.ndarray,
+    guards: np.ndarray,
+) -> tuple[np.ndarray, float]:
     """Return the powers of a step from y, and its error divided by STEP_TOLERANCE.
 
     The powers (ORDER + 1, STATE_SIZE) are those of x in [0, 1]. The initial guess
@@ -176,8 +201,10 @@ def collocation_step(flow, p, y, slope, dt, states, rates, guards):
     return c, dt * np.max(np.abs(series[ORDER])) / STEP_TOLERANCE + 1e-30
 
 
-@njit(cache=True, error_model="numpy")
-def first_step_length(flow, p, y, slope):
+@cached
+def first_step_length(
+    flow: Flow, p: np.ndarray, y: np.ndarray, slope: np.ndarray
+) -> float:
     """Return the length, in units of r, of a first step that resolves the relaxation."""
     # largest number of relaxation times in a step that the nodes resolve
     relaxation_times_per_step = 12.0
@@ -195,8 +222,8 @@ def first_step_length(flow, p, y, slope):
     )
 
 
-@njit(cache=True, error_model="numpy")
-def slip_times_acceleration(y, slope):
+@cached
+def slip_times_acceleration(y: np.ndarray, slope: np.ndarray) -> float:
     """Return slip speed times slip acceleration at a polar state (STATE_SIZE,).
 
     The speed is divided by r; `slope` contains the rates at the state.
@@ -204,8 +231,8 @@ def slip_times_acceleration(y, slope):
     return (y[R] * slope[V1] - y[W1] * y[V1] / 2) * y[V1]
 
 
-@njit(cache=True, error_model="numpy")
-def cartesian_slip(y):
+@cached
+def cartesian_slip(y: np.ndarray) -> np.ndarray:
     """Return a polar state (STATE_SIZE,) with its slip components along a_1, a_2."""
     out = y.copy()
     out[V1] = y[V1] * np.cos(y[V2])
@@ -213,8 +240,15 @@ def cartesian_slip(y):
     return out
 
 
-@njit(cache=True, error_model="numpy")
-def write_cartesian_powers(c, states, rates, dt, place, out):
+@cached
+def write_cartesian_powers(
+    c: np.ndarray,
+    states: np.ndarray,
+    rates: np.ndarray,
+    dt: float,
+    place: float,
+    out: np.ndarray,
+) -> None:
     """Write the powers of time of a step c, with slip along a_1, a_2, into `out`.
 
     The slip is exact at 0 and at `place`.
@@ -242,8 +276,8 @@ def write_cartesian_powers(c, states, rates, dt, place, out):
         copy_into(out[j] / dt**j, out[j])
 
 
-@njit(cache=True, error_model="numpy")
-def min_slip_speed_position(c, low, high):
+@cached
+def min_slip_speed_position(c: np.ndarray, low: float, high: float) -> float:
     """Return the position in [low, high] of the minimum speed on the curve c.
 
     The speed falls at `low` and rises at `high`.
@@ -257,8 +291,8 @@ def min_slip_speed_position(c, low, high):
     return low
 
 
-@njit(cache=True, error_model="numpy")
-def speed_derivative(c, x):
+@cached
+def speed_derivative(c: np.ndarray, x: float) -> float:
     """Return the derivative at x of the speed on the curve c."""
     slope = 0.0
     for j in range(ORDER, 0, -1):
@@ -266,8 +300,15 @@ def speed_derivative(c, x):
     return slope
 
 
-@njit(cache=True, error_model="numpy")
-def first_guard_crossing(flow, p, c, count, before, guards):
+@cached
+def first_guard_crossing(
+    flow: Flow,
+    p: np.ndarray,
+    c: np.ndarray,
+    count: int,
+    before: np.ndarray,
+    guards: np.ndarray,
+) -> tuple[float, int]:
     """Return position and index of the first guard that falls in [0, 1] on the curve c.
 
     If none of the `count` guards falls, return 1, -1. `before` contains the guards at
@@ -306,8 +347,16 @@ def first_guard_crossing(flow, p, c, count, before, guards):
     return place, fired
 
 
-@njit(cache=True, error_model="numpy")
-def reverse_nutation(flow, p, y, slope, before, count, turn):
+@cached
+def reverse_nutation(
+    flow: Flow,
+    p: np.ndarray,
+    y: np.ndarray,
+    slope: np.ndarray,
+    before: np.ndarray,
+    count: int,
+    turn: int,
+) -> bool:
     """Reverse the nutation; return True if it clearly continues without another event.
 
     The sign of nutation in p changes, and its rate in y is set to zero. `slope` and the
@@ -324,8 +373,10 @@ def reverse_nutation(flow, p, y, slope, before, count, turn):
     return p[NUTATION_SENSE_INDEX] * slope[W1] > min_reversal_acceleration
 
 
-@njit(cache=True, error_model="numpy")
-def step_enters_slide(before, guards, count, grip):
+@cached
+def step_enters_slide(
+    before: np.ndarray, guards: np.ndarray, count: int, grip: int
+) -> bool:
     """Return True if a step from rest enters the slide.
 
     Each guard must be positive `before` the step or at its first node.
@@ -338,15 +389,15 @@ def step_enters_slide(before, guards, count, grip):
     return leads
 
 
-@njit(cache=True, error_model="numpy")
-def reduced_length(length, error):
+@cached
+def reduced_length(length: float, error: float) -> float:
     """Return the length of the next attempt after a step that does not converge."""
     reduction = 0.3  # if the error is unknown
     return length * (0.8 * error ** (-1 / ORDER) if 1 <= error < np.inf else reduction)
 
 
-@njit(cache=True, error_model="numpy")
-def next_length(length, error):
+@cached
+def next_length(length: float, error: float) -> float:
     """Return the length of the step after a successful one."""
     min_growth = 2.5  # factor within which transients decay
     return min(max(min_growth, error ** (-1 / 3)) * length, MAX_STEP)
@@ -382,7 +433,15 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 """Signature of `integrate_slow_slide`."""
 
 
-def integrate_slow_slide(flow, y, p, indices, mu, span, max_steps):
+def integrate_slow_slide(
+    flow: Flow,
+    y: np.ndarray,
+    p: np.ndarray,
+    indices: GuardIndices,
+    mu: float,
+    span: float,
+    max_steps: int,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, int, np.ndarray]:
     """Integrate a slow slide from y (STATE_SIZE,) until a guard falls, or for `span`.
 
     It takes at most `max_steps` steps and ends early if the slide is no longer slow or

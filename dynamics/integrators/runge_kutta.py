@@ -4,14 +4,19 @@ See Hairer, Norsett & Wanner (1993), II.5 and II.6; the coefficients are those o
 A flow (FLOW_SIGNATURE in codegen.py) computes the rates and the guards of a state.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numba import types
 from scipy.integrate import DOP853
 
 from dynamics.hybrid import MAX_STEPS_PER_ARC
 from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
-from dynamics.numba_kernels import njit
+from dynamics.numba_kernels import cached
 from dynamics.regime import V1, V2, W1, W2, W3, R
+
+Flow = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], None]
+"""Compiled flow (state, constants, output for rates, output for guards)."""
 
 STAGE_WEIGHTS = np.zeros((16, 16))
 """Weights of the preceding rates for 12 stages, the end of the step, and three stages
@@ -26,7 +31,7 @@ MAX_GUARDS = 16
 """Array size that is sufficient for the guards of any branch."""
 
 
-def dense_output_coefficients():
+def dense_output_coefficients() -> np.ndarray:
     """Return the matrix (8, 16) from stage rates to the powers of the dense output.
 
     On [0, 1] the dense output is F_0 x + F_1 x (1 - x) + F_2 x^2 (1 - x) + F_3 x^2 (1 -
@@ -49,16 +54,16 @@ def dense_output_coefficients():
 DENSE_OUTPUT = dense_output_coefficients()
 
 
-@njit(cache=True, error_model="numpy")
-def max_step(y):
+@cached
+def max_step(y: np.ndarray) -> float:
     """Return the step of 1/4 rad of rotation, in which no guard has two roots."""
     turning = max(abs(y[W1]), abs(y[W2]), abs(y[W3]))
     slipping = max(abs(y[V1]), abs(y[V2]))
     return 0.25 * y[R] / (1e-3 + max(turning, slipping))
 
 
-@njit(cache=True, error_model="numpy")
-def copy_into(values, out):
+@cached
+def copy_into(values: np.ndarray, out: np.ndarray) -> None:
     """Copy values (k,) into out (k,).
 
     The statement `out[:] = values` would add seconds to the compilation time of numba.
@@ -67,8 +72,8 @@ def copy_into(values, out):
         out[a] = values[a]
 
 
-@njit(cache=True, error_model="numpy")
-def evaluate_polynomial(c, x, y):
+@cached
+def evaluate_polynomial(c: np.ndarray, x: float, y: np.ndarray) -> None:
     """Write the values of polynomials c (order + 1, k) at x into y (k,)."""
     copy_into(c[-1], y)
     for j in range(len(c) - 2, -1, -1):
@@ -76,8 +81,16 @@ def evaluate_polynomial(c, x, y):
             y[a] = y[a] * x + c[j, a]
 
 
-@njit(cache=True, error_model="numpy")
-def step_and_error(flow, y, p, h, rates, y_end, guards):
+@cached
+def step_and_error(
+    flow: Flow,
+    y: np.ndarray,
+    p: np.ndarray,
+    h: float,
+    rates: np.ndarray,
+    y_end: np.ndarray,
+    guards: np.ndarray,
+) -> float:
     """Fill the rates (16, k) and the end (k,) of a step of length h; return its error.
 
     The first row of the rates must be given. The error norm is that of SciPy for
@@ -94,8 +107,10 @@ def step_and_error(flow, y, p, h, rates, y_end, guards):
     return h * fifth / np.sqrt((fifth + 0.01 * third) * len(y)) if fifth > 0 else fifth
 
 
-@njit(cache=True, error_model="numpy")
-def guard_root(flow, p, c, i, low, high):
+@cached
+def guard_root(
+    flow: Flow, p: np.ndarray, c: np.ndarray, i: int, low: float, high: float
+) -> float:
     """Return the position in [low, high] on the curve c at which guard i falls to zero.
 
     The result is rounded to the side on which the guard is not positive.
@@ -114,8 +129,17 @@ def guard_root(flow, p, c, i, low, high):
     return high
 
 
-@njit(cache=True, error_model="numpy")
-def guard_crossing_between(flow, p, c, count, before, now, low, high):
+@cached
+def guard_crossing_between(
+    flow: Flow,
+    p: np.ndarray,
+    c: np.ndarray,
+    count: int,
+    before: np.ndarray,
+    now: np.ndarray,
+    low: float,
+    high: float,
+) -> tuple[float, int]:
     """Return position and index of the first guard that falls in [low, high].
 
     If none of the `count` guards falls on the curve c, return 1, -1. `before` and `now`
@@ -132,8 +156,10 @@ def guard_crossing_between(flow, p, c, count, before, now, low, high):
     return place, fired
 
 
-@njit(cache=True, error_model="numpy")
-def first_guard_crossing(flow, p, c, count, before):
+@cached
+def first_guard_crossing(
+    flow: Flow, p: np.ndarray, c: np.ndarray, count: int, before: np.ndarray
+) -> tuple[float, int]:
     """Return position and index of the first guard that falls in [0, 1] on the curve c.
 
     If none of the `count` guards falls, return 1, -1. `before` contains the guards at 0
@@ -179,7 +205,9 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 """Signature of `integrate_dop853`."""
 
 
-def integrate_dop853(flow, y, p, count, span, tolerance):
+def integrate_dop853(
+    flow: Flow, y: np.ndarray, p: np.ndarray, count: int, span: float, tolerance: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Integrate from y (k,) until one of `count` guards falls through zero, for at most
     `span`.
 

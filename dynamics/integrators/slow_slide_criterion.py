@@ -1,11 +1,15 @@
 """Criterion for slow slides, in which the equation for the slip direction is stiff."""
 
 import math
+from typing import TYPE_CHECKING
 
-from dynamics.regime import V1, V2
+from dynamics.regime import V1, V2, StateVector
+
+if TYPE_CHECKING:
+    from dynamics.equations import ContactSolution, DiskConstants
 
 
-def is_slow_slide(speed, product, friction):
+def is_slow_slide(speed: float, product: float, friction: float) -> bool:
     """Return True if a slide is slow and its speed changes slowly.
 
     `speed` is the slip speed divided by r; `product` is this speed times its time
@@ -22,7 +26,11 @@ def is_slow_slide(speed, product, friction):
     )
 
 
-def is_stiff(y, contact, constants) -> bool:
+def is_stiff(
+    y: StateVector,
+    contact: "ContactSolution",
+    constants: "DiskConstants",
+) -> bool:
     """Return True if the slide at state y is slow and its speed changes slowly."""
     product = contact.du1 * y[V1] + contact.du2 * y[V2]
     return is_slow_slide(

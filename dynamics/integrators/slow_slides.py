@@ -9,10 +9,11 @@ locates the end of a slide.
 """
 
 import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dynamics.guards import GRIP, LIFT_OFF, guard_named
+from dynamics.guards import GRIP, LIFT_OFF, Guard, guard_named
 from dynamics.hybrid import Arc, StalledError
 from dynamics.integrators.branch_formulas import compiled_flow_and_constants
 from dynamics.integrators.codegen import compile_branch, compiled_function
@@ -22,7 +23,19 @@ from dynamics.integrators.gauss_collocation import (
     GuardIndices,
     integrate_slow_slide,
 )
-from dynamics.regime import V1, V2, FlowFormulas, R, describe_state
+from dynamics.regime import (
+    V1,
+    V2,
+    Branch,
+    FlowFormulas,
+    R,
+    Regime,
+    StateVector,
+    describe_state,
+)
+
+if TYPE_CHECKING:
+    from dynamics.equations import ContactSolution, DiskConstants, NumberOrExpression
 
 NUTATION_REVERSAL = guard_named("nutation reverses")
 MAX_SLIDE_STEPS = 40
@@ -37,7 +50,9 @@ class PolarSlipFormulas(FlowFormulas):
     rest.
     """
 
-    def contact(self, y, branch, senses, constants):
+    def contact(
+        self, y: StateVector, branch: Branch, senses: Any, constants: "DiskConstants"
+    ) -> "ContactSolution":
         """Solve the balance laws at state y with its slip direction."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
@@ -47,7 +62,13 @@ class PolarSlipFormulas(FlowFormulas):
             y, slip, (along, across), branch, senses, constants
         )
 
-    def rates(self, y, contact, branch, constants):
+    def rates(
+        self,
+        y: StateVector,
+        contact: "ContactSolution",
+        branch: Branch,
+        constants: "DiskConstants",
+    ) -> "list[NumberOrExpression]":
         """Return dy/dtau for the solved contact."""
         along = self.cos(y[V2])
         across = self.sin(y[V2])
@@ -63,12 +84,12 @@ class PolarSlipFormulas(FlowFormulas):
         rates[V2] = dv2 * along - dv1 * across
         return rates
 
-    def excess_slip_speed(self, y):
+    def excess_slip_speed(self, y: StateVector) -> "NumberOrExpression":
         """Return slip speed/r minus REST_SLIP_SPEED, the value of the guard GRIP."""
         return y[V1] - REST_SLIP_SPEED
 
 
-def compile_polar_slip(branch):
+def compile_polar_slip(branch: Branch) -> tuple[Any, tuple[Guard, ...], GuardIndices]:
     """Return the compiled flow of a slow slide, its guards, and their `GuardIndices`."""
     flow, names = compile_branch(branch, PolarSlipFormulas)
     indices = GuardIndices(
@@ -80,7 +101,14 @@ def compile_polar_slip(branch):
     return flow, names, indices
 
 
-def advance_slow_slide(y, regime, constants, loads, r_end, span) -> Arc | None:
+def advance_slow_slide(
+    y: StateVector,
+    regime: Regime,
+    constants: "DiskConstants",
+    loads: Any,
+    r_end: float,
+    span: float,
+) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for at most `span`.
 
     It ends early if the slide is no longer stiff, and continues through clear reversals
@@ -95,7 +123,13 @@ def advance_slow_slide(y, regime, constants, loads, r_end, span) -> Arc | None:
 
 
 def advance_grazing_slide(
-    y, nu, regime, constants, loads, r_end, single_step: bool
+    y: StateVector,
+    nu: float,
+    regime: Regime,
+    constants: "DiskConstants",
+    loads: Any,
+    r_end: float,
+    single_step: bool,
 ) -> Arc | None:
     """Integrate a slide that starts along nu [rad] with almost no acceleration.
 
@@ -116,8 +150,15 @@ def advance_grazing_slide(
 
 
 def _integrate_slide(
-    y, slip, regime, constants, loads, r_end, span, max_steps=MAX_SLIDE_STEPS
-):
+    y: StateVector,
+    slip: tuple[float, float],
+    regime: Regime,
+    constants: "DiskConstants",
+    loads: Any,
+    r_end: float,
+    span: float,
+    max_steps: int = MAX_SLIDE_STEPS,
+) -> Arc:
     """Integrate a slide with a slip speed and direction [rad] for a few steps."""
     (flow, names, indices), parameters = compiled_flow_and_constants(
         compile_polar_slip, regime, constants, loads, r_end
@@ -129,7 +170,7 @@ def _integrate_slide(
     guard = names[fired] if fired >= 0 else None
     regime_changes = []
     for steps in turns.tolist():
-        sense, *others = regime.senses
-        regime = regime._replace(senses=(-sense, *others))
+        nutation, axial, in_plane = regime.senses
+        regime = regime._replace(senses=(-nutation, axial, in_plane))
         regime_changes.append((steps, NUTATION_REVERSAL, regime))
     return Arc(times, powers, end.tolist(), guard, tuple(regime_changes))

@@ -3,7 +3,7 @@
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import heyoka
 import numpy as np
@@ -18,8 +18,17 @@ from dynamics.integrators.branch_formulas import (
     compiled_flow_and_constants,
     rates_and_guards,
 )
-from dynamics.regime import Branch, FlowFormulas, Regime, restart_quadratures
+from dynamics.regime import (
+    Branch,
+    FlowFormulas,
+    Regime,
+    StateVector,
+    restart_quadratures,
+)
 from dynamics.switching import state_after_reversal
+
+if TYPE_CHECKING:
+    from concurrent.futures._base import Future
 
 SYMBOLIC_FORMULAS = FlowFormulas(
     heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent
@@ -54,7 +63,7 @@ class CompiledTaylor:
     all branches on disk.
     """
 
-    def __init__(self, branch: Branch, tolerance: float):
+    def __init__(self, branch: Branch, tolerance: float) -> None:
         # smallest tolerance for which a Taylor series has at most 14 terms
         min_short_series_tolerance = 1e-11
         y = heyoka.make_vars(*STATE_SYMBOLS)
@@ -86,7 +95,7 @@ class CompiledTaylor:
             ],
         )
 
-    def borrow(self):
+    def borrow(self) -> tuple[Any, np.ndarray, np.ndarray, np.ndarray]:
         """Return an idle integrator and its parameters, state and Taylor series."""
         try:
             return self._idle.pop()
@@ -94,16 +103,18 @@ class CompiledTaylor:
             own = deepcopy(self._integrator)
             return own, own.pars, own.state, own.tc
 
-    def guard(self, outcome) -> Guard | None:
+    def guard(self, outcome: Any) -> Guard | None:
         """Return the guard for an outcome, or None; guard i has the code -i - 1."""
         return self.guards[-int(outcome) - 1] if int(outcome) > int(SUCCESS) else None
 
-    def give_back(self, borrowed) -> None:
+    def give_back(
+        self, borrowed: tuple[Any, np.ndarray, np.ndarray, np.ndarray]
+    ) -> None:
         """Return an integrator that was obtained from `borrow`."""
         self._idle.append(borrowed)
 
 
-def has_standard_loads_only(loads) -> bool:
+def has_standard_loads_only(loads: Any) -> bool:
     """Return True if there are no loads, or only an air film and perhaps a Resistance."""
     return loads is None or (
         bool(find_film(loads))
@@ -115,23 +126,23 @@ _compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
 
 
 @lru_cache(64)  # one scene needs about a tenth of them
-def compiled_taylor_future(branch: Branch, tolerance: float):
+def compiled_taylor_future(branch: Branch, tolerance: float) -> "Future[Any]":
     """Return the Future of a `CompiledTaylor`; heyoka releases the GIL to compile it."""
     return _compilers.submit(CompiledTaylor, branch, tolerance)
 
 
 def compile_in_background(
-    regime: Regime, constants: DiskConstants, loads, tolerance: float
+    regime: Regime, constants: DiskConstants, loads: Any, tolerance: float
 ) -> None:
     """Start a background thread that compiles the flow of a regime."""
     compiled_taylor_future(branch_to_compile(regime, constants, loads), tolerance)
 
 
 def advance(
-    y,
+    y: StateVector,
     regime: Regime,
     constants: DiskConstants,
-    loads,
+    loads: Any,
     r_end: float,
     span: float,
     tolerance: float,
@@ -155,7 +166,7 @@ def advance(
     t = 0.0
     times = []
     kept = []
-    regime_changes = []
+    regime_changes: list[tuple[int, Any, Regime]] = []
     lost = [[0.0] * len(STATE_SYMBOLS)]
     for _ in range(MAX_STEPS_PER_ARC):
         outcome = integrator.step(span - t, True)[0]
@@ -204,8 +215,12 @@ def advance(
 
 
 def _flow_and_constants(
-    regime: Regime, constants: DiskConstants, loads, r_end, tolerance
-):
+    regime: Regime,
+    constants: DiskConstants,
+    loads: Any,
+    r_end: float,
+    tolerance: float,
+) -> tuple[CompiledTaylor, np.ndarray]:
     """Return the compiled flow of a regime, after waiting for it, and its constants."""
     future, parameters = compiled_flow_and_constants(
         compiled_taylor_future, regime, constants, loads, r_end, tolerance
@@ -213,7 +228,11 @@ def _flow_and_constants(
     return future.result(), parameters
 
 
-def _add_origins(coefficients, lost, regime_changes) -> np.ndarray:
+def _add_origins(
+    coefficients: np.ndarray,
+    lost: list[list[float]],
+    regime_changes: list[tuple[int, Any, Regime]],
+) -> np.ndarray:
     """Add the offsets `lost` at changes of regime to coefficients (n, ORDER + 1, k).
 
     Returns the sum of all offsets (k,).

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.contact_losses import ContactLosses
+from dynamics.film.wedge import Film
 from dynamics.landing import MAX_BOUNCE_ENERGY_ERROR
 from dynamics.landing.landing_motion import LandingMotion
 from dynamics.motion import FindingGroup, Motion, MotionEvent, Outcome
 from dynamics.sequential_motion import SequentialMotion
 
 if TYPE_CHECKING:
-    from dynamics.compliant.stepping.rim_modes import RimModes
+    from dynamics.stepping_core.rim_modes import RimModes
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +61,21 @@ class ContinuedMotion(SequentialMotion):
     def max_energy_error(self) -> float | None:
         """Largest relative error of the energy balance of the rolling motion."""
         return self.first.max_energy_error
+
+    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
+        """Return the vibration (k, 3, m) of the `rim_modes` at times t (k,) [s].
+
+        They are at rest in a landing, whose disk is rigid.
+        """
+        t = np.atleast_1d(np.asarray(t, dtype=float))
+        modes = self.rim_modes
+        out = np.zeros((len(t), 3, 0 if modes is None else len(modes.order)))
+        late = self._is_late(t)
+        if self.first.rim_modes is not None:
+            out[~late] = self.first.rim_vibration(t[~late])
+        if self.then.rim_modes is not None:
+            out[late] = self.then.rim_vibration(self._time_since_switch(t[late]))
+        return out
 
     @property
     def solves_contact(self) -> bool:
@@ -124,13 +140,28 @@ class LandedMotion(ContinuedMotion):
 
 @dataclass(frozen=True, eq=False)
 class ResumedMotion(ContinuedMotion):
-    """A `Motion` of a disk that loses its contact and rolls again.
+    """A `Motion` of a disk that loses its contact, or is released without it, and then rolls.
 
     Where it rolls again, the creep of the contact and its vibration end. Their energy
     remains part of the energy, so that it is continuous.
     """
 
-    first: LandedMotion
+    first: LandedMotion | LandingMotion
+
+    @property
+    def film(self) -> Film | None:
+        """The air film that acts on the disk as it rolls, or None."""
+        return self.then.film
+
+    @property
+    def rim_modes(self) -> "RimModes | None":
+        """Modes of the disk that are part of the last rolling motion, or None."""
+        return self.then.rim_modes
+
+    @property
+    def vibration_crossover(self) -> float | None:
+        """Frequency [Hz] above which the force of the rolling contact is vibration."""
+        return self.then.vibration_crossover
 
     @property
     def rolling_outcome(self) -> Outcome:
@@ -148,18 +179,27 @@ class ResumedMotion(ContinuedMotion):
 
     @cached_property
     def _column_offset(self) -> np.ndarray:
-        """Offset of the dissipated energy; the second part begins with the other columns."""
-        offset = np.zeros_like(super()._column_offset)
+        """Offset of the dissipated energy, and of the angles if the second part begins at 0."""
+        landing = (
+            self.first if isinstance(self.first, LandingMotion) else self.first.landing
+        )
+        begin = self.then.at(0.0)[0]
+        offset = np.zeros(len(begin))
+        offset[[0, 2]] = (landing.rolling_columns() - begin)[[0, 2]]
         offset[-1] = super()._column_offset[-1]
         return offset
 
     @cached_property
     def contact_losses(self) -> ContactLosses:
         """Losses of contact, with those of the landings between the rolling motions."""
-        parts = (self.first.rolling, self.first.landing, self.then)
-        begins = (0.0, self.first.switch_time, self.switch_time)
+        parts: list[tuple[float, Motion]] = [(self.switch_time, self.then)]
+        first = self.first
+        if isinstance(first, LandedMotion):
+            parts = [(0.0, first.rolling), (first.switch_time, first.landing), *parts]
+        else:
+            parts = [(0.0, first), *parts]
         losses = [
             np.reshape(list(part.contact_losses), (-1, 3)) + np.array([begin, 0.0, 0.0])
-            for part, begin in zip(parts, begins, strict=True)
+            for begin, part in parts
         ]
         return ContactLosses(np.concatenate(losses))

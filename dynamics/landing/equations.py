@@ -16,19 +16,24 @@ turn the disk about its axis.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from math import pi, sqrt
 from typing import NamedTuple
 
-from dynamics.disk import GRAVITY, Disk
+from dynamics.disk import GRAVITY, Disk, inertias
 from dynamics.film.conformal_reynolds import FilmResistance
 from dynamics.film.tilted_film import TiltedFilm
-from dynamics.landing.rim_friction import RimFriction, RimLoads
+from dynamics.landing.rim_friction import NO_FRICTION, RimFriction, RimLoads
 from dynamics.landing.stop import NO_STOP_FORCES, Stop, StopForces
 
 MIN_FILM_GAP = 1e-9
 """Smallest gap [m] of the film, which compressed asperities keep open."""
 MAX_FILM_SLOPE = 0.3
 """Slope above which the film is neglected: its forces are below 1e-3 of the weight."""
+OTHER_FACE_COSINE = -1e-3
+"""Cosine of the inclination below which the other face is the lower one. It is not 0, so that
+the frame of a disk that rolls upright does not turn round in each step."""
 NO_RESISTANCE = FilmResistance(0.0, 0.0, 0.0, 0.0)
 
 
@@ -50,7 +55,8 @@ class LandingState(NamedTuple):
     speed_x, speed_y : float
         Its velocity [m/s].
     turned : float
-        Spin plus precession since the start [rad].
+        Spin plus precession since the start [rad]; minus the precession while the disk is
+        turned over.
     axial_rate : float
         Angular velocity about the axis [rad/s].
     squeezing, swirling, striking, shearing : float
@@ -92,7 +98,8 @@ class Geometry(NamedTuple):
     Attributes
     ----------
     slope, cosine : float
-        sin(beta) and cos(beta) of the inclination, at most pi/2, of the lower face.
+        sin(beta) and cos(beta) of the inclination of the lower face. It is at most pi/2, or
+        slightly more, see OTHER_FACE_COSINE.
     side : float
         1 if the lower face is that of the start, -1 if it is the other one.
     direction_x, direction_y : float
@@ -143,10 +150,11 @@ class LandingLoads(NamedTuple):
     upper_stop: StopForces
 
 
-class LandingModel(NamedTuple):
+@dataclass(frozen=True)
+class LandingModel:
     """A disk above a film and a stop.
 
-    Attributes
+    Parameters
     ----------
     disk : Disk
         The disk.
@@ -161,25 +169,29 @@ class LandingModel(NamedTuple):
     disk: Disk
     film: TiltedFilm | None
     stop: Stop
-    friction: RimFriction = RimFriction()
+    friction: RimFriction = NO_FRICTION
 
-    @property
+    @cached_property
     def diametral_inertia(self) -> float:
         """Moment of inertia about a diameter [kg m^2]."""
-        disk = self.disk
-        return disk.mass * (disk.gyration * disk.radius**2 / 4 + disk.thickness**2 / 12)
+        return inertias(self.disk)[0]
 
-    @property
+    @cached_property
+    def radius_of_gyration(self) -> float:
+        """Radius of gyration [m] about a diameter."""
+        return sqrt(self.diametral_inertia / self.disk.mass)
+
+    @cached_property
     def axial_inertia(self) -> float:
         """Moment of inertia about the axis [kg m^2]."""
-        return self.disk.mass * self.disk.gyration * self.disk.radius**2 / 2
+        return inertias(self.disk)[1]
 
-    @property
+    @cached_property
     def fillet(self) -> float:
         """Radius [m] of the rounded edge."""
         return self.disk.radius - self.stop.radius
 
-    @property
+    @cached_property
     def lever(self) -> float:
         """Distance [m] of the circles on which the disk rolls from its middle plane."""
         return self.disk.thickness / 2 - self.fillet
@@ -187,7 +199,7 @@ class LandingModel(NamedTuple):
     def geometry(self, y: Sequence[float]) -> Geometry:
         """Return inclination and gaps of a state (20,), whose order is that of `LandingState`."""
         height, dx, dy, dz, rise, ex, ey, ez = y[:8]
-        side = 1.0 if dz >= 0 else -1.0
+        side = 1.0 if dz >= OTHER_FACE_COSINE else -1.0
         lean = sqrt(dx * dx + dy * dy)
         ux, uy = (-side * dx / lean, -side * dy / lean) if lean > 0 else (1.0, 0.0)
         length = sqrt(
@@ -220,7 +232,7 @@ class LandingModel(NamedTuple):
     def loads(self, at: Geometry) -> LandingLoads:
         """Return the loads of the film and of the stop."""
         R = self.stop.radius
-        gyration = sqrt(self.diametral_inertia / self.disk.mass)
+        gyration = self.radius_of_gyration
         outwards, inwards = R * at.cosine, self.lever * at.slope
         lever = (outwards - inwards) / gyration
         stop = self.stop.forces(at.gap, at.slope, at.opening, at.tip, at.turn, lever)
@@ -291,7 +303,7 @@ class LandingModel(NamedTuple):
             vy,
             push_x / mass,
             push_y / mass,
-            at.spin - at.E_q * at.slope / (1 + at.cosine),
+            side * (at.spin - at.E_q * at.slope / (1 + at.cosine)),
             side * turning / self.axial_inertia,
             -film * at.opening - film_along * at.tip,
             -film_across * at.turn,
@@ -304,15 +316,15 @@ class LandingModel(NamedTuple):
     def _shear(self, at: Geometry) -> tuple[float, float]:
         """Return the drag coefficients [N s/m, N m s] of gliding and of spinning.
 
-        They are those of Couette flow under a level disk.
+        They are those of Couette flow between a level disk and the table around a hole.
         """
         if self.film is None or at.slope > MAX_FILM_SLOPE:
             return 0.0, 0.0
-        R = self.film.radius
-        drag = (
-            pi * self.film.viscosity * R**2 / (self.film_gap(at) + self.film.depth / 2)
-        )
-        return drag, drag * R**2 / 2
+        film = self.film
+        outer, inner = film.radius**2, film.hole**2 / 4
+        mean_gap = self.film_gap(at) + film.depth / 2
+        drag = pi * film.viscosity * (outer - inner) / mean_gap
+        return drag, drag * (outer + inner) / 2
 
     def energy(self, y: Sequence[float]) -> float:
         """Return kinetic, potential and stored energy [J]; zero at rest on rigid asperities."""

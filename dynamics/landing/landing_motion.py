@@ -1,5 +1,6 @@
 """Motion of a disk from the loss of its rolling contact to rest, or to rolling again."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,7 +10,13 @@ from numpy.typing import ArrayLike
 
 from dynamics.contact_losses import ContactLosses
 from dynamics.disk import Disk
-from dynamics.kinematics import ContactPlace, centre_velocity, contact_place
+from dynamics.kinematics import (
+    ContactPlace,
+    centre_velocity,
+    contact_place_in_metres,
+    turned_over,
+)
+from dynamics.landing import MAX_BOUNCE_ENERGY_ERROR
 from dynamics.landing.equations import (
     LOSSES,
     Geometry,
@@ -22,7 +29,7 @@ from dynamics.motion import (
     CAUSES,
     COLUMNS,
     FILM_COLUMNS,
-    ForceJumps,
+    FindingGroup,
     MotionBase,
     MotionEvent,
     Outcome,
@@ -91,6 +98,16 @@ class LandingMotion(MotionBase):
         return self.outcome
 
     @property
+    def finding_groups(self) -> tuple[FindingGroup, ...]:
+        """No findings on the rolling contact apply to a motion that begins without it."""
+        return ()
+
+    @property
+    def max_energy_error(self) -> float:
+        """Largest relative error of the energy balance, that of a disk which bounces."""
+        return MAX_BOUNCE_ENERGY_ERROR
+
+    @property
     def rolls_on(self) -> bool:
         """True if the disk rolls steadily on one rim at the end."""
         return self.solution.end is LandingEnd.ROLLS
@@ -104,16 +121,6 @@ class LandingMotion(MotionBase):
     def film(self) -> None:
         """None: the wedge of a rolling disk has ended; `model.film` acts."""
         return None
-
-    @property
-    def solves_contact(self) -> bool:
-        """False, because the contact no longer vibrates."""
-        return False
-
-    @property
-    def moves_table(self) -> bool:
-        """False, because the table does not move."""
-        return False
 
     @property
     def transitions(self) -> tuple[Transition, ...]:
@@ -130,11 +137,6 @@ class LandingMotion(MotionBase):
         highest = [height[i:j].max() for i, j in zip(begin, end, strict=True)]
         rows = np.column_stack([self.t[begin], self.t[last] - self.t[begin], highest])
         return ContactLosses(np.reshape(rows, (-1, 3)))
-
-    @property
-    def jumps(self) -> ForceJumps:
-        """No jump of the force."""
-        return ForceJumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
 
     @cached_property
     def t(self) -> np.ndarray:
@@ -153,34 +155,40 @@ class LandingMotion(MotionBase):
     def at(self, t: ArrayLike) -> np.ndarray:
         """Return the state at times t; see `Motion.at`."""
         states = self._states(t)
-        rows = [
-            self._columns(y, before)
-            for y, before in zip(states.tolist(), self._turned_before(t), strict=True)
-        ]
-        return np.reshape(rows, (-1, len(COLUMNS)))
+        before = np.searchsorted(self.t, np.atleast_1d(t), "right") - 1
+        near = np.interp(np.atleast_1d(t), self.t, self._precession)
+        rows = map(self._columns, states.tolist(), before.tolist(), near.tolist())
+        return np.reshape(list(rows), (-1, len(COLUMNS)))
 
     @cached_property
     def _precession(self) -> np.ndarray:
         """Precession (n,) [rad] at the breakpoints, continuous through whole turns."""
-        geometry = [self.model.geometry(y) for y in self.solution.path(self.t).tolist()]
-        angle = np.array([precession_angle(at) for at in geometry])
+        angle = np.array([precession_angle(at) for at in self._geometry])
         return self.start[0] + np.unwrap(angle) - angle[0]
 
-    def _turned_before(self, t: ArrayLike) -> np.ndarray:
-        """Return a precession (k,) [rad] within half a turn of the one at times t (k,) [s]."""
-        return np.interp(np.atleast_1d(t), self.t, self._precession)
+    @cached_property
+    def _precession_of_spin(self) -> np.ndarray:
+        """Precession (n,) [rad] at the breakpoints that is part of `LandingState.turned`."""
+        side = np.array([at.side for at in self._geometry[1:]])
+        return np.append(0.0, np.cumsum(side * np.diff(self._precession)))
 
-    def _columns(self, y: list[float], near: float) -> list[float]:
+    @cached_property
+    def _geometry(self) -> list[Geometry]:
+        """Geometry at each of the breakpoints."""
+        return [self.model.geometry(y) for y in self.solution.path(self.t).tolist()]
+
+    def _columns(self, y: list[float], before: int, near: float) -> list[float]:
         """Return the COLUMNS of a state (20,) whose precession is close to `near` [rad].
 
         They belong to the face that was the lower one at the start. If it is the upper
-        one, the inclination is above pi/2.
+        one, the inclination is above pi/2. `before` is the breakpoint before the state.
         """
         at = self.model.geometry(y)
         side = at.side
         angle = precession_angle(at)
         precession = angle + 2 * np.pi * np.round((near - angle) / (2 * np.pi))
-        spin = self.start[2] + y[12] - (precession - self.start[0])
+        advance = side * (precession - self._precession[before])
+        spin = self.start[2] + y[12] - self._precession_of_spin[before] - advance
         inclination = np.arctan2(at.slope, side * at.cosine)
         omega = side * at.E_p, side * at.spin, -at.E_q
         slip = (side * speed for speed in self._slip(y, at))
@@ -192,18 +200,18 @@ class LandingMotion(MotionBase):
         ux, uy = at.direction_x, at.direction_y
         vx, vy = y[10:12]
         centre = ux * vy - uy * vx, -ux * vx - uy * vy
-        place = low_point(self.disk, self.rolling_fillet, at.cosine, at.slope)
+        place = contact_place_in_metres(
+            self.disk, self.rolling_fillet, at.cosine, at.slope
+        )
         return centre_to_slip(centre, (at.E_p, at.spin, -at.E_q), place)
 
     def rolling_columns(self) -> np.ndarray:
         """Return the COLUMNS (11,) at the end, with respect to the face that is the lower one."""
         (y,) = self._states(self.t_end).tolist()
         at = self.model.geometry(y)
-        columns = np.array(self._columns(y, self._precession[-1]))
-        if at.side < 0:
-            columns[[0, 1]] = columns[0] + np.pi, np.pi - columns[1]
-            columns[[5, 6, 8, 9]] *= -1
-        return columns
+        last = len(self.t) - 1
+        columns = np.array(self._columns(y, last, self._precession[last]))
+        return columns if at.side > 0 else turned_over(columns)
 
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return friction along a_1, a_2 and normal force (k, 3) [N] of the rims."""
@@ -233,21 +241,16 @@ class LandingMotion(MotionBase):
         """Return the FILM_COLUMNS of a state (20,)."""
         model = self.model
         at = model.geometry(y)
-        film, along, across, stop, _ = model.loads(at)
+        film, along, across, stop, upper = model.loads(at)
         disk = self.disk
         raising = along * at.cosine + disk.thickness / 2 * film * at.slope
-        at_low_point = -disk.radius * stop.force
-        moment_1 = -raising - at.cosine * (stop.along - at_low_point)
+        raising -= 2 * model.lever * upper.force * at.slope  # acts at the upper rim
+        at_low_point = -disk.radius * (stop.force + upper.force)
+        turning = stop.along + upper.along - at_low_point
+        moment_1 = -at.side * (raising + at.cosine * turning)
+        moment_3 = across + stop.across + upper.across
         arc = contact_half_arc(at.gap, model.stop.radius * at.slope)
-        return [model.film_gap(at), film, moment_1, across + stop.across, arc]
-
-    def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force (k,) [N] at times t (k,) [s]."""
-        return self.force(t)[:, 2]
-
-    def steady_nutation(self, t: ArrayLike) -> np.ndarray:
-        """Return omega_1 (k,) [rad/s] at times t (k,) [s]."""
-        return self.at(t)[:, 5]
+        return [model.film_gap(at), film, moment_1, moment_3, arc]
 
     def film_gap(self, t: ArrayLike) -> np.ndarray:
         """Return the mean gap (k,) [m] of the film at times t (k,) [s]."""
@@ -308,7 +311,7 @@ class LandingMotion(MotionBase):
         touches = tuple(self._touches())
         return begin, *touches, *self._end()
 
-    def _touches(self):
+    def _touches(self) -> Iterator[MotionEvent]:
         """Yield the touches after the low point was once clearly above the asperities."""
         clear = 1e-7  # m; a lower clearance is a numerical dwell of the contact
         height = self.clearance(self.t)
@@ -325,7 +328,7 @@ class LandingMotion(MotionBase):
             speed = self.model.stop.radius * at.tip - at.opening
             yield MotionEvent(float(t), TOUCH, speed, float(self.energy(t)[0]))
 
-    def _end(self):
+    def _end(self) -> Iterator[MotionEvent]:
         """Yield the rest, and the predicted touch of a disk that sinks on its cushion; or
         the rim on which the disk rolls again.
         """
@@ -337,7 +340,7 @@ class LandingMotion(MotionBase):
             yield MotionEvent(t, f"rolls again on {other}", 0.0, energy)
         if self.solution.end is not LandingEnd.REST:
             return
-        if self.inclination(t)[0] > 1:
+        if self.model.geometry(self._states(t)[0].tolist()).slope > 0.5:
             yield MotionEvent(t, "stands still on its edge", 0.0, energy)
             return
         if self.clearance(t)[0] <= 0:
@@ -381,13 +384,6 @@ def _by_cause(states: np.ndarray) -> dict[str, np.ndarray]:
     }
 
 
-def low_point(disk: Disk, fillet: float, cosine: float, sine: float) -> ContactPlace:
-    """Return the place of the low point [m] of a disk at an inclination."""
-    R = disk.radius
-    place = contact_place(cosine, sine, disk.aspect, fillet / R)
-    return ContactPlace(*(R * length for length in place))
-
-
 def solve_landing_motion(
     model: LandingModel,
     columns: np.ndarray,
@@ -395,6 +391,7 @@ def solve_landing_motion(
     cause: str,
     time_limit: float,
     clearance: float = 0.0,
+    rise: float = 0.0,
     plan: Any = None,
     **limits: Any,
 ) -> LandingMotion:
@@ -414,10 +411,12 @@ def solve_landing_motion(
         Longest duration [s].
     clearance : float, optional
         Height of the low point above the asperities at the start [m].
+    rise : float, optional
+        Vertical velocity of the low point at the start [m/s].
     plan : MotionPlan, optional
         The decisions of the whole motion.
     **limits
-        Options `may_roll` and `max_steps` of `solve_landing`.
+        Options `may_roll`, `max_rolling_inclination` and `max_steps` of `solve_landing`.
 
     Returns
     -------
@@ -429,7 +428,7 @@ def solve_landing_motion(
     ArithmeticError
         If the integrator fails.
     """
-    start = landing_state(model, columns, fillet, clearance)
+    start = landing_state(model, columns, fillet, clearance, rise)
     landing = solve_landing(model, start, time_limit, **limits)
     return LandingMotion(
         solution=landing, start=columns, rolling_fillet=fillet, cause=cause, plan=plan
@@ -437,16 +436,20 @@ def solve_landing_motion(
 
 
 def landing_state(
-    model: LandingModel, columns: np.ndarray, fillet: float, clearance: float = 0.0
+    model: LandingModel,
+    columns: np.ndarray,
+    fillet: float,
+    clearance: float = 0.0,
+    rise: float = 0.0,
 ) -> LandingState:
     """Return the state of a disk in the last columns (11,) of its rolling motion.
 
-    The low point, which is at rest vertically, is at the height `clearance` [m].
+    The low point is at the height `clearance` [m] and rises by `rise` [m/s].
     """
     precession, inclination = columns[:2]
     c, s = np.cos(precession), np.sin(precession)
     cosine, sine = np.cos(inclination), np.sin(inclination)
-    place = low_point(model.disk, fillet, cosine, sine)
+    place = contact_place_in_metres(model.disk, fillet, cosine, sine)
     omega = columns[5:8]
     along, across = centre_velocity(columns[8:10], omega, place)
     p = np.array([cosine * s, -cosine * c, sine])
@@ -457,7 +460,7 @@ def landing_state(
         axis_x=-sine * s,
         axis_y=sine * c,
         axis_z=cosine,
-        rise=place.f * omega[0],
+        rise=place.f * omega[0] + rise,
         turn_x=turn_x,
         turn_y=turn_y,
         turn_z=turn_z,

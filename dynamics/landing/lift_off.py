@@ -1,11 +1,18 @@
 """Whether the air lifts a rolling disk off the table: scales and criterion."""
 
+from math import pi, sqrt
 from typing import NamedTuple
 
-from dynamics.disk import GRAVITY, Disk
+from dynamics.air import Air
+from dynamics.disk import GRAVITY, Disk, inertias
+from dynamics.film.forces import film_moment_parts
+from dynamics.film.tilted_film import tabulated_resistance
+from dynamics.film.wedge import Film
 
 LIFT_OFF_INCLINATION_SHARE = 0.470
 """Inclination at lift-off over the scale of the film, for a film-only motion on a plane."""
+PRECESSION_FACTOR = 0.367
+"""Square of the precession rate at lift-off times kappa R beta/g, for such a motion."""
 MAX_STOP_HEIGHT_SHARE = 0.18
 """Height of asperities, over the radius and the scale of the film, that prevents lift-off."""
 
@@ -16,12 +23,15 @@ class LiftOff(NamedTuple):
     Attributes
     ----------
     inclination : float
-        Inclination [rad] at which an incompressible film lifts a disk off a plane table.
+        Inclination [rad] at which the film lifts a disk off the table.
+    precession_rate : float
+        Precession rate [rad/s] at that moment.
     max_stop_height : float
         Height [m] of asperities or waves above which the disk stays in contact.
     """
 
     inclination: float
+    precession_rate: float
     max_stop_height: float
 
     def happens(self, stop_height: float, rattle_inclination: float = 0.0) -> bool:
@@ -60,29 +70,103 @@ def film_inclination_scale(disk: Disk, viscosity: float) -> float:
         moment of inertia I to m R^2 alone if inclinations are divided by it.
     """
     R = disk.radius
-    inertia = disk.mass * (disk.gyration * R**2 / 4 + disk.thickness**2 / 12)
+    inertia, _ = inertias(disk)
     return (144 * viscosity**2 * R**5 / (inertia * disk.mass * GRAVITY)) ** 0.2
 
 
-def predict_lift_off(disk: Disk, viscosity: float) -> LiftOff:
-    """Predict the lift-off of a disk from a plane table.
+def predict_lift_off(
+    disk: Disk, air: Air, depth: float = 0.0, hole: float = 0.0
+) -> LiftOff:
+    """Predict the lift-off of a disk from a plane or concave table.
 
     Contour friction of 4.5 times the torque of the film raises both results by 10 to
-    12 %, and the compression of the air by up to 5 %.
+    12 %. The compression of the air raises the inclination by about 6 W/(pi R^2 p), as it
+    does here. A concave table lowers all results by `concave_share`. Over a hole, the air
+    is not compressed. The torque of the film there makes the disk fall, and the fall makes
+    the lift, so that the square of the viscosity is multiplied by the factors of both.
 
     Parameters
     ----------
     disk : Disk
         The disk.
-    viscosity : float
-        Viscosity of the air [Pa s].
+    air : Air
+        The air.
+    depth : float, optional
+        Depth [m] of the middle of the table below the circle on which the disk rolls.
+    hole : float, optional
+        Radius of a hole in table or disk over that of the flat face, below 1.
 
     Returns
     -------
     LiftOff
         The prediction.
     """
-    scale = film_inclination_scale(disk, viscosity)
-    return LiftOff(
-        LIFT_OFF_INCLINATION_SHARE * scale, MAX_STOP_HEIGHT_SHARE * disk.radius * scale
+    R = disk.radius
+    scale = film_inclination_scale(disk, air.viscosity * _viscosity_factor(hole))
+    compression = 0.0 if hole else 6 * disk.weight / (pi * R**2 * air.pressure)
+    inclination = LIFT_OFF_INCLINATION_SHARE * scale * (1 + compression)
+    share = concave_share(depth / (R * inclination))
+    inclination *= share
+    scale *= share
+    kappa = disk.gyration / 4 + (disk.thickness / R) ** 2 / 12
+    rate = sqrt(PRECESSION_FACTOR * GRAVITY / (kappa * R * inclination))
+    return LiftOff(inclination, rate, MAX_STOP_HEIGHT_SHARE * R * scale)
+
+
+def concave_share(depth: float) -> float:
+    """Return the inclination of lift-off from a concave table over that from a plane one.
+
+    The lift of a film that alone makes the disk fall is the product of its drag, which
+    causes the fall, of its resistance to the fall and of the lever of this resistance. On
+    a plane it rises as the inverse fifth power of the inclination; the wider gap in the
+    middle of the table reduces it.
+
+    Parameters
+    ----------
+    depth : float
+        Depth of the table divided by the radius of the disk and the inclination of
+        lift-off from a plane table.
+
+    Returns
+    -------
+    float
+        The ratio, from 0 to 1.
+    """
+    if depth == 0:
+        return 1.0
+    from scipy.optimize import brentq
+
+    def excess(share: float) -> float:
+        return share**5 - _lift(depth / share) / _lift(0.0)
+
+    return float(brentq(excess, 1e-6, 1.0))
+
+
+def _lift(depth: float) -> float:
+    """Return the lift of a film over a table whose depth [R sin(beta)] widens its gap."""
+    film = Film(
+        turning=1.0,
+        falling=1.0,
+        inertia=0.0,
+        number=0.0,
+        ambient=0.0,
+        slip=0.0,
+        bowl=depth,
     )
+    drag, fall, lever, _, _ = film_moment_parts(1.0, 1.0, film)
+    return drag * fall * lever
+
+
+def _viscosity_factor(hole: float) -> float:
+    """Return the viscosity without a hole that has the effect of the film over a hole, in
+    units of the viscosity."""
+    if not hole:
+        return 1.0
+    from dynamics.film.annular_film import (  # imports scikit-fem
+        closed_film_polynomials,
+    )
+
+    turning, _, lifting = closed_film_polynomials(hole).sum(axis=1)
+    whole = tabulated_resistance(1.0)
+    lift = whole.heave + whole.coupling
+    return float(sqrt(turning * lifting / (whole.across * lift)))

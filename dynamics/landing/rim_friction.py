@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
+from dynamics.pivoting import pivoting_arm
+
 if TYPE_CHECKING:
     from dynamics.landing.equations import Geometry, LandingLoads, LandingModel
     from dynamics.landing.stop import StopForces
@@ -54,12 +56,16 @@ class RimFriction(NamedTuple):
         loses under its weight at the precession rate Omega.
     creep_speed : float
         Speed [m/s], above 0, at which friction reaches 1/sqrt(2) of its limit.
+    pivoting : tuple of float
+        Polynomials of `dynamics.pivoting` for the pivoting of the contact ellipse under the
+        weight, or () if the arm is constant.
     """
 
     coefficient: float = 0.0
     arms: tuple[float, float, float] = (0.0, 0.0, 0.0)
     laws: tuple[tuple[float, float], ...] = ()
     creep_speed: float = 1e-3
+    pivoting: tuple[float, ...] = ()
 
     def loads(
         self,
@@ -129,11 +135,14 @@ class RimFriction(NamedTuple):
         spread = R * (1 - share)  # the arms of the scene are those of a point
         swivel = -limit * spread * _smooth_sign(spread * pivoting, creep)
         still = creep / R
+        steep = max(s, MIN_POWER_LAW_SLOPE)
         nutation_arm, rolling_arm, pivoting_arm = self.arms
         twist = -pivoting_arm * load * _smooth_sign(pivoting, still)
+        if self.pivoting:
+            travel = sqrt(rolling * rolling + omega_q * omega_q) / steep
+            twist -= R * load * self._ellipse_arm(steep, pivoting, travel)
         lean = -rolling_arm * load * _smooth_sign(rolling, still)
         nod = -nutation_arm * load * _smooth_sign(omega_q, still)
-        steep = max(s, MIN_POWER_LAW_SLOPE)
         rate = abs(omega_p) / steep
         contour = sum(c * rate ** (exponent - 1) for c, exponent in self.laws) / steep
         contour *= -_smooth_sign(omega_p, still) * share * load / model.disk.weight
@@ -148,7 +157,14 @@ class RimFriction(NamedTuple):
             -twist * pivoting - lean * rolling - nod * omega_q - contour * omega_p,
         )
 
+    def _ellipse_arm(self, sine: float, pivoting: float, travel: float) -> float:
+        """Return the signed arm, over the radius, that opposes the pivoting of the ellipse."""
+        return pivoting_arm(
+            sine, pivoting, travel, 0.0, False, self.coefficient, self.pivoting
+        )
 
+
+NO_FRICTION = RimFriction()
 NO_RIM_LOADS = RimLoads()
 
 

@@ -6,18 +6,23 @@ heaving disk, and the tilting about it. The compressed air exerts no pressure wh
 stores no energy.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from dynamics.film.film_kernels import (
     compressed_air_impulse,
+    film_capacity,
     film_loads,
     open_film,
 )
 from dynamics.numba_kernels import kernel
-from dynamics.rattling.body import add_force
-from dynamics.rattling.layout import FILM, RECORD
+from dynamics.rattling.body import PressedDisk, RimGeometry, Velocities, add_force
+from dynamics.rattling.layout import FILM, RECORD, RattlingDisk
+from dynamics.stepping_core.vectors import cross, dot, plus, times
+
+if TYPE_CHECKING:
+    from dynamics.stepping_core.vectors import AnyVector, Triple
 
 
 class FilmLoad(NamedTuple):
@@ -45,7 +50,15 @@ class FilmLoad(NamedTuple):
 
 
 @kernel
-def film_load(disk, axis, up_slope, velocity, clearance, stored_energy, step):
+def film_load(
+    disk: RattlingDisk,
+    axis: "AnyVector",
+    up_slope: "AnyVector",
+    velocity: Velocities,
+    clearance: float,
+    stored_energy: float,
+    step: float,
+) -> FilmLoad:
     """Return the `FilmLoad` in a step with an energy [J] stored in the compressed air.
 
     `disk` is a `RattlingDisk`, `axis` (3,) the unit vector along its axis, `up_slope` that
@@ -57,7 +70,7 @@ def film_load(disk, axis, up_slope, velocity, clearance, stored_energy, step):
     sine = up_slope[2]
     gap = sine + clearance / disk.radius  # mean gap over the radius
     spin = velocity.angular
-    turning = spin[0] * up_slope[0] + spin[1] * up_slope[1] + spin[2] * up_slope[2]
+    turning = dot(spin, up_slope)
     rate = abs(turning) / sine + min_rate
     drag, fall, _, tip, lift = film_loads(disk.film, gap, rate)
     _, _, closed_fall, closed_across = open_film(1.0)
@@ -75,7 +88,7 @@ def film_load(disk, axis, up_slope, velocity, clearance, stored_energy, step):
     resisted = scale * heave / radius**2
     pressure = speed / (mobility * step) * np.expm1(-step * resisted * mobility)
     moment = pressure * place
-    tilting = tilt_rate(axis, up_slope, velocity) + step * moment / inertia
+    tilting = dot(spin, cross(up_slope, axis)) + step * moment / inertia
     resisted = scale * (falling - about**2 / heave)
     righting = tilting * inertia / step * np.expm1(-step * resisted / inertia)
     work = 0.0
@@ -95,35 +108,24 @@ def film_load(disk, axis, up_slope, velocity, clearance, stored_energy, step):
 
 
 @kernel
-def level_diameter(axis, up_slope):
-    """Return the unit vector of the horizontal diameter about which the high side rises."""
-    x = up_slope[1] * axis[2] - up_slope[2] * axis[1]
-    y = up_slope[2] * axis[0] - up_slope[0] * axis[2]
-    z = up_slope[0] * axis[1] - up_slope[1] * axis[0]
-    return x, y, z
-
-
-@kernel
-def tilt_rate(axis, up_slope, velocity):
-    """Return the rate [rad/s] at which the high side of a disk rises."""
-    x, y, z = level_diameter(axis, up_slope)
-    return velocity.angular[0] * x + velocity.angular[1] * y + velocity.angular[2] * z
-
-
-@kernel
-def point_on_face(disk, axis, up_slope, place):
+def point_on_face(
+    disk: RattlingDisk, axis: "AnyVector", up_slope: "AnyVector", place: float
+) -> "Triple":
     """Return the vector [m] from the centre to a point on the lower face.
 
     The point is at the distance `place` [m] from the axis, up the slope.
     """
-    x = place * up_slope[0] - disk.half_thickness * axis[0]
-    y = place * up_slope[1] - disk.half_thickness * axis[1]
-    z = place * up_slope[2] - disk.half_thickness * axis[2]
-    return x, y, z
+    return plus(times(place, up_slope), times(-disk.half_thickness, axis))
 
 
 @kernel
-def normal_speed(disk, axis, up_slope, velocity, place):
+def normal_speed(
+    disk: RattlingDisk,
+    axis: "AnyVector",
+    up_slope: "AnyVector",
+    velocity: Velocities,
+    place: float,
+) -> float:
     """Return the velocity along the axis [m/s] of `point_on_face`."""
     x, y, z = point_on_face(disk, axis, up_slope, place)
     linear = velocity.linear
@@ -134,22 +136,30 @@ def normal_speed(disk, axis, up_slope, velocity, place):
 
 
 @kernel
-def normal_mobility(disk, place):
+def normal_mobility(disk: RattlingDisk, place: float) -> float:
     """Return the change of `normal_speed` per impulse at the same point [1/kg]."""
     return 1 / disk.mass + place**2 / disk.diametral_inertia
 
 
 @kernel
-def add_film(disk, motion, rim, velocity, step, contacts):
-    """Add the forces of the air film; return the work [J] of its compressed air."""
+def add_film(
+    pressed: PressedDisk, rim: RimGeometry, velocity: Velocities, step: float
+) -> None:
+    """Add the forces of the air film in a step, and record what its compressed air stores."""
+    disk, _, motion, contacts = pressed
+    record = motion.record
     axis = rim.axis
     up_slope = (-axis[0] * axis[2] / rim.sine, -axis[1] * axis[2] / rim.sine, rim.sine)
-    stored = motion.record[RECORD.compressed_air_energy]
+    stored = record[RECORD.compressed_air_energy]
     clearance = max(rim.height - rim.tilt, 0.0)
     film = film_load(disk, axis, up_slope, velocity, clearance, stored, step)
-    force = (film.pressure * axis[0], film.pressure * axis[1], film.pressure * axis[2])
-    add_force(contacts, FILM, force, point_on_face(disk, axis, up_slope, film.place))
-    level = level_diameter(axis, up_slope)
+    arm = point_on_face(disk, axis, up_slope, film.place)
+    add_force(contacts, FILM, times(film.pressure, axis), arm)
+    level = cross(up_slope, axis)  # about which the high side rises
     for i in range(3):
         contacts.torque[FILM, i] += film.drag * up_slope[i] + film.righting * level[i]
-    return film.work
+    rate = np.hypot(velocity.angular[0], velocity.angular[1]) / rim.sine
+    gap = max(rim.height, rim.tilt) / disk.radius
+    kept = min(max(stored - film.work, 0.0), film_capacity(disk.film, gap, rate))
+    record[RECORD.film_loss] += stored - kept
+    record[RECORD.compressed_air_energy] = kept

@@ -21,7 +21,12 @@ from dynamics.rattling.layout import (
     RESISTANCE,
     RIM_REFERENCE_VECTOR,
     VELOCITY,
+    Contacts,
+    LowerEdge,
+    RattlingDisk,
 )
+from dynamics.stepping_core.rotation import angular_velocity, rotate
+from dynamics.stepping_core.vectors import AnyVector, Triple, cross, dot
 
 
 class MotionState(NamedTuple):
@@ -49,10 +54,33 @@ class MotionState(NamedTuple):
     table_speed: np.ndarray
 
 
-def motion_state(disk, modes, record, disk_modes) -> MotionState:
+def motion_state(
+    disk: np.ndarray, modes: np.ndarray, record: np.ndarray, disk_modes: int
+) -> MotionState:
     """Return the `MotionState`; the first `disk_modes` modes are those of the disk."""
     of_table = modes[:, disk_modes:]
     return MotionState(disk, modes, record, np.zeros(disk_modes), *of_table)
+
+
+class PressedDisk(NamedTuple):
+    """A disk, its edge, their motion, and the forces on the rim.
+
+    Attributes
+    ----------
+    disk : RattlingDisk
+        Disk and contact.
+    edge : LowerEdge
+        Lower edge of the disk.
+    motion : MotionState
+        State of disk and modes.
+    contacts : Contacts
+        Forces, which are written.
+    """
+
+    disk: RattlingDisk
+    edge: LowerEdge
+    motion: MotionState
+    contacts: Contacts
 
 
 class Velocities(NamedTuple):
@@ -78,7 +106,7 @@ class Velocities(NamedTuple):
 
 
 @kernel
-def zero_velocities(motion):
+def zero_velocities(motion: MotionState) -> Velocities:
     """Return `Velocities` that are zero, for the modes of a `MotionState`."""
     velocities = np.zeros(6 + motion.modes.shape[1])
     modes = velocities[6:]
@@ -87,24 +115,20 @@ def zero_velocities(motion):
 
 
 @kernel
-def write_velocity(disk, motion, out):
+def write_velocity(pressed: PressedDisk, out: Velocities) -> None:
     """Write the velocities of disk and modes to `out`."""
+    motion = pressed.motion
     state = motion.disk
-    axial = 0.0
+    spin = angular_velocity(pressed.disk, state[AXIS], state[MOMENTUM])
     for i in range(3):
         out.linear[i] = state[VELOCITY, i]
-        axial += state[MOMENTUM, i] * state[AXIS, i]
-    extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
-    for i in range(3):
-        out.angular[i] = (
-            state[MOMENTUM, i] / disk.diametral_inertia + extra * state[AXIS, i]
-        )
+        out.angular[i] = spin[i]
     for j in range(motion.modes.shape[1]):
         out.modes[j] = motion.modes[1, j]
 
 
 @kernel
-def falling_energy(disk, velocity):
+def falling_energy(disk: RattlingDisk, velocity: Velocities) -> float:
     """Return the kinetic energy [J] of heave and tilt, without gliding and spinning."""
     linear = velocity.linear
     angular = velocity.angular
@@ -113,26 +137,12 @@ def falling_energy(disk, velocity):
 
 
 @kernel
-def rotate(vector, axis, angle):
-    """Rotate a vector (3,) in place about a unit vector `axis` by an angle [rad]."""
-    x, y, z = axis
-    c = np.cos(angle)
-    s = np.sin(angle)
-    a = vector[0]
-    b = vector[1]
-    d = vector[2]
-    along = (1 - c) * (a * x + b * y + d * z)
-    vector[0] = c * a + s * (y * d - z * b) + along * x
-    vector[1] = c * b + s * (z * a - x * d) + along * y
-    vector[2] = c * d + s * (x * b - y * a) + along * z
-
-
-@kernel
-def fly(disk, gravity, edge, motion, propagator, h):
+def fly(pressed: PressedDisk, gravity: float, propagator: np.ndarray, h: float) -> None:
     """Advance the disk and its modes exactly by a time h without contact.
 
     `propagator` (4, d) is that of the modes.
     """
+    disk, edge, motion, _ = pressed
     state = motion.disk
     ring = motion.modes
     for i in range(3):
@@ -146,10 +156,9 @@ def fly(disk, gravity, edge, motion, propagator, h):
             )
     momentum = state[MOMENTUM]
     axis = state[AXIS]
-    size = np.sqrt(momentum[0] ** 2 + momentum[1] ** 2 + momentum[2] ** 2)
+    size = np.sqrt(dot(momentum, momentum))
     if size > 0:
-        axial = momentum[0] * axis[0] + momentum[1] * axis[1] + momentum[2] * axis[2]
-        own = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial * h
+        own = disk.inverse_inertia_excess * dot(momentum, axis) * h
         rotate(state[RIM_REFERENCE_VECTOR], axis, own)
         turn = size / disk.diametral_inertia * h
         direction = (momentum[0] / size, momentum[1] / size, momentum[2] / size)
@@ -161,7 +170,7 @@ def fly(disk, gravity, edge, motion, propagator, h):
         speed = ring[1, j]
         later = propagator[0, j] * place + propagator[1, j] * speed
         faster = propagator[2, j] * place + propagator[3, j] * speed
-        squared = edge.frequency[j] ** 2
+        squared = edge.modes.frequency[j] ** 2
         lost[j] += (squared * (place**2 - later**2) + speed**2 - faster**2) / 2
         ring[0, j] = later
         ring[1, j] = faster
@@ -174,7 +183,7 @@ class RimGeometry(NamedTuple):
     ----------
     axis, reference : ndarray, shape (3,)
         Axis of the disk and unit vector towards the point of the rim at angle zero.
-    quarter_turn : ndarray, shape (3,)
+    quarter_turn : tuple of float
         Unit vector from the centre to the point of the rim at the angle pi/2.
     upright : float
         Cosine of the inclination.
@@ -190,7 +199,7 @@ class RimGeometry(NamedTuple):
 
     axis: np.ndarray
     reference: np.ndarray
-    quarter_turn: np.ndarray
+    quarter_turn: Triple
     upright: float
     sine: float
     inclination: float
@@ -199,29 +208,31 @@ class RimGeometry(NamedTuple):
 
 
 @kernel
-def rim_geometry(disk, state, quarter_turn_vector):
-    """Return the RimGeometry of a state; the array `quarter_turn_vector` is reused."""
+def rim_geometry(pressed: PressedDisk) -> RimGeometry:
+    """Return the present `RimGeometry`."""
+    disk = pressed.disk
+    state = pressed.motion.disk
     axis = state[AXIS]
     reference = state[RIM_REFERENCE_VECTOR]
-    quarter_turn_vector[0] = axis[1] * reference[2] - axis[2] * reference[1]
-    quarter_turn_vector[1] = axis[2] * reference[0] - axis[0] * reference[2]
-    quarter_turn_vector[2] = axis[0] * reference[1] - axis[1] * reference[0]
-    sine = np.hypot(reference[2], quarter_turn_vector[2])
+    quarter_turn = cross(axis, reference)
+    sine = np.hypot(reference[2], quarter_turn[2])
     upright = axis[2]
     return RimGeometry(
         axis,
         reference,
-        quarter_turn_vector,
+        quarter_turn,
         upright,
         max(sine, 1e-6),
         max(np.arctan2(sine, upright), 1e-6),
-        state[CENTRE, 2] - (disk.half_thickness - disk.fillet) * upright - disk.fillet,
-        (disk.radius - disk.fillet) * sine,
+        state[CENTRE, 2] - disk.core_depth * upright - disk.fillet,
+        disk.core_radius * sine,
     )
 
 
 @kernel
-def point_in_space(rim, cosine, sine, below):
+def point_in_space(
+    rim: RimGeometry, cosine: float, sine: float, below: float
+) -> Triple:
     """Return the vector (x, y, z) [m] from the centre of the disk to a point of it.
 
     `cosine` and `sine` [m] are its coordinates along the reference vector of the rim and a
@@ -237,7 +248,7 @@ def point_in_space(rim, cosine, sine, below):
 
 
 @kernel
-def add_force(contacts, cause, force, arm):
+def add_force(contacts: Contacts, cause: int, force: AnyVector, arm: AnyVector) -> None:
     """Add a force [N] by `cause` with an arm [m] from the centre to forces and torques."""
     x, y, z = force
     arm_x, arm_y, arm_z = arm
@@ -250,14 +261,14 @@ def add_force(contacts, cause, force, arm):
 
 
 @kernel
-def clear(contacts):
+def clear(contacts: Contacts) -> None:
     """Set all forces to zero."""
     contacts.load[:] = 0.0
     contacts.pull[:] = 0.0
 
 
 @kernel
-def scalar_product(a, b):
+def scalar_product(a: np.ndarray, b: np.ndarray) -> float:
     """Return the scalar product of two arrays, as four partial sums that a processor
     evaluates in parallel."""
     s0 = 0.0
@@ -276,8 +287,9 @@ def scalar_product(a, b):
 
 
 @kernel
-def write_velocity_change(disk, motion, contacts, h, out):
+def write_velocity_change(pressed: PressedDisk, h: float, out: Velocities) -> None:
     """Write the velocity changes caused by the forces within a time h to `out`."""
+    disk, _, motion, contacts = pressed
     axis = motion.disk[AXIS]
     axial = 0.0
     for i in range(3):
@@ -288,7 +300,7 @@ def write_velocity_change(disk, motion, contacts, h, out):
             out.linear[i] += h / disk.mass * contacts.force[origin, i]
             out.angular[i] += h / disk.diametral_inertia * torque
             axial += h * torque * axis[i]
-    extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
+    extra = disk.inverse_inertia_excess * axial
     for i in range(3):
         out.angular[i] += extra * axis[i]
     for j in range(motion.modes.shape[1]):
@@ -296,27 +308,31 @@ def write_velocity_change(disk, motion, contacts, h, out):
 
 
 @kernel
-def energy_of_change(contacts, change, disk_modes, h):
+def energy_of_change(pressed: PressedDisk, change: Velocities, h: float) -> float:
     """Return the kinetic energy [J] of the velocity changes of the disk and its modes.
 
     A quarter of it is the mean kinetic energy before and after the change less that of the
     mean velocity.
     """
+    contacts = pressed.contacts
     energy = 0.0
     for i in range(contacts.load.shape[1]):
         for origin in range(contacts.load.shape[0]):
             energy += h / 2 * contacts.load[origin, i] * change.all[i]
-    for j in range(disk_modes):
+    for j in range(pressed.motion.mode_loss.size):
         energy += change.modes[j] ** 2 / 2
     return energy
 
 
 @kernel
-def kick(disk, motion, contacts, before, change, h):
+def kick(
+    pressed: PressedDisk, before: Velocities, change: Velocities, h: float
+) -> None:
     """Apply the forces for a time h, and record impulse and losses.
 
     `before` and `change` are the velocities before the forces and their change.
     """
+    disk, _, motion, contacts = pressed
     state = motion.disk
     record = motion.record
     load = contacts.load

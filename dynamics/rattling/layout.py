@@ -4,8 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.state_layout import Pair, Vector, first_indices
 from dynamics.film.wedge import Film
+from dynamics.stepping_core.layout import Pair, Vector, first_indices
+from dynamics.stepping_core.ledger import losses_of
+from dynamics.stepping_core.oscillators import ExactModes
 
 CENTRE, VELOCITY, AXIS, RIM_REFERENCE_VECTOR, MOMENTUM = range(5)
 """Rows of the state (5, 3) of the disk: position [m] and velocity [m/s] of the centre, unit
@@ -19,7 +21,7 @@ class RecordLayout(NamedTuple):
     impulse: Vector
     """Impulse of the contact force since the start along x, y, z [N s]."""
     contact_loss: int
-    """Energy lost to the dashpots since the start [J]. The fields to `disk_mode_loss` are in
+    """Energy lost to the dashpots since the start [J]. The fields to `body_loss` are in
     the order of CAUSES."""
     creep_loss: int
     """Zero, because creep is a part of the slip."""
@@ -27,11 +29,11 @@ class RecordLayout(NamedTuple):
     """Energy lost to friction [J]."""
     moment_loss: int
     """Energy lost to the resisting moment [J]."""
-    table_mode_loss: int
+    table_loss: int
     """Energy lost by the damping of the table modes [J]."""
     film_loss: int
     """Energy lost to the air film [J]."""
-    disk_mode_loss: int
+    body_loss: int
     """Energy lost by the damping of the disk modes [J]."""
     spring_energy: int
     """Elastic energy of the springs [J]."""
@@ -51,7 +53,7 @@ class RecordLayout(NamedTuple):
 
 RECORD, RECORD_SIZE = first_indices(RecordLayout)
 
-ENERGY_LOSSES = slice(RECORD.contact_loss, RECORD.disk_mode_loss + 1)
+ENERGY_LOSSES = losses_of(RECORD)
 """Energies lost to each of CAUSES in the record [J]."""
 
 ELASTIC, DASHPOT, FRICTION, RESISTANCE, FILM = range(5)
@@ -66,23 +68,18 @@ class RattlingDisk(NamedTuple):
 
     Attributes
     ----------
-    radius, half_thickness, mass : float
-        Size [m] and mass [kg].
-    diametral_inertia, axial_inertia : float
-        Moments of inertia about a diameter and about the axis [kg m^2].
+    mass, ..., bowl
+        See `body_constants`.
+    half_thickness : float
+        Half the thickness [m].
     modulus, shear_modulus : float
         Modulus E* of the contact and shear modulus of its creep [Pa].
-    fillet : float
-        Radius of the rounded edge [m].
     damping_ratio : float
         Damping ratio of a rigid disk on a patch; see `restitution_of_patch`.
     friction : float
         Coefficient of sliding friction.
     contour_moment : float
         Moment that resists the rolling of the contact under the weight [N m].
-    bowl : tuple of float, length 3
-        Restoring acceleration of a concave table divided by the distance from its
-        middle [1/s^2], and position of the origin relative to its middle [m].
     spin_friction : tuple of float, length 15
         First 1 if slip and creep in the contact resist pivoting, else 0; then the
         coefficients of `pivoting_arm` in units of the radius.
@@ -93,18 +90,21 @@ class RattlingDisk(NamedTuple):
         The air film under the disk in SI units; its constants are 0 without a film.
     """
 
-    radius: float
-    half_thickness: float
     mass: float
     diametral_inertia: float
     axial_inertia: float
+    inverse_inertia_excess: float
+    radius: float
+    core_radius: float
+    core_depth: float
+    fillet: float
+    bowl: tuple[float, float, float]
+    half_thickness: float
     modulus: float
     shear_modulus: float
-    fillet: float
     damping_ratio: float
     friction: float
     contour_moment: float
-    bowl: tuple[float, float, float]
     spin_friction: tuple[float, ...]
     arms: tuple[float, float, float]
     film: Film
@@ -123,12 +123,9 @@ class LowerEdge(NamedTuple):
         Cosine and sine of the angles of the points.
     axial, radial : ndarray, shape (d, p)
         Displacement along the axis and the radius by modes of unit modal mass
-        [kg^-1/2], times sin(x)/x with x = w h/2, which is the average over the free
-        vibration in a step.
-    endpoint_mean_factor : ndarray, shape (d,)
-        Factor x/tan(x), for the mean of the displacements at both ends of the step.
-    frequency, decay : ndarray, shape (d,)
-        Angular frequency [rad/s] and decay rate [1/s] of the modes.
+        [kg^-1/2], times their `mean_factor`.
+    modes : ExactModes
+        Frequencies and decay rates of the modes.
     highest : ndarray, shape (1 + d,)
         Greatest height [m], and greatest displacement by each mode [kg^-1/2].
     """
@@ -138,9 +135,7 @@ class LowerEdge(NamedTuple):
     angles: np.ndarray
     axial: np.ndarray
     radial: np.ndarray
-    endpoint_mean_factor: np.ndarray
-    frequency: np.ndarray
-    decay: np.ndarray
+    modes: ExactModes
     highest: np.ndarray
 
 

@@ -1,6 +1,6 @@
 """Solution of the motion of a rattling disk, and its `Motion`."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import ceil, inf, pi, radians, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -13,8 +13,9 @@ from dynamics.compliant.compliant_motion import (
     FORCES_PER_ROW,
     CompliantMotion,
     impulse_rounding,
+    losses_until,
 )
-from dynamics.compliant.law.linearised import inertias, mobility
+from dynamics.compliant.law.linearised import mobility
 from dynamics.compliant.law.unevenness import (
     curvature_number,
     damping_ratio,
@@ -23,21 +24,42 @@ from dynamics.compliant.law.unevenness import (
     static_depth,
 )
 from dynamics.compliant.model_inputs import contact_law, scene_edge_flexibility
-from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
-from dynamics.compliant.stepping.round_table import greatest_shape_norm, round_table
-from dynamics.compliant.stepping.row_store import interpolate_rows
-from dynamics.contact_losses import ContactLosses
 from dynamics.disk import GRAVITY, Disk
 from dynamics.film.wedge import Film, film_in_si_units
-from dynamics.kinematics import contact_place
-from dynamics.motion import FILM_COLUMNS, FindingGroup, MotionEvent, Outcome
+from dynamics.kinematics import contact_place, contact_place_in_metres
+from dynamics.motion import (
+    FILM_COLUMNS,
+    FindingGroup,
+    MotionEvent,
+    Outcome,
+    release_columns,
+)
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT
-from dynamics.rattling import layout, time_loop
+from dynamics.rattling import layout
 from dynamics.rattling.body import MotionState, motion_state
 from dynamics.rattling.layout import RECORD, LowerEdge, RattlingDisk
 from dynamics.rattling.time_loop import TimeSteps, step_rattling_disk
-from dynamics.rattling.vibration import MovingTable
-from dynamics.switching import ImpossibleContactError
+from dynamics.rattling.vibration import (
+    INTERPOLATION_NORM,
+    MovingTable,
+    interpolation_at,
+)
+from dynamics.stepping_core.body import (
+    angular_momentum,
+    body_axes,
+    body_constants,
+    kinetic_and_bowl_energy,
+    relative_columns,
+    rolling_velocity,
+)
+from dynamics.stepping_core.end_reasons import OUTCOME_OF_END, EndReason
+from dynamics.stepping_core.ledger import motion_rows
+from dynamics.stepping_core.oscillators import exact_modes
+from dynamics.stepping_core.rim_modes import RimModes, moving_rim_modes
+from dynamics.stepping_core.round_table import greatest_shape_norm
+from dynamics.stepping_core.row_store import interpolate_rows
+from dynamics.stepping_core.table_shapes import table_shapes
+from dynamics.switching import ImpossibleContactError, NoContactAtReleaseError
 
 if TYPE_CHECKING:
     from dynamics.compliant.law.hertz_mindlin import ContactLaw
@@ -46,13 +68,6 @@ if TYPE_CHECKING:
 
 PROGRESS_INTERVAL = 0.02
 """Duration of motion between two calls of the progress callback [s]."""
-OUTCOME_OF_END = {
-    time_loop.CONTINUES: Outcome.ROLLING_ON,
-    time_loop.LIES_FLAT: Outcome.AT_REST,
-    time_loop.STANDS_UPRIGHT: Outcome.UPRIGHT,
-    time_loop.LIFTS_OFF: Outcome.LIFTED_OFF,
-}
-"""Outcome of a motion for each reason for ending `step_rattling_disk`."""
 
 
 class RattlingModel(NamedTuple):
@@ -113,9 +128,9 @@ class RattlingModel(NamedTuple):
     def edge(self) -> LowerEdge:
         """Return the heights and the modes of the lower edge of the disk."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
-        frequency = np.sqrt(self.rim.squared)
+        modes = exact_modes(np.sqrt(self.rim.squared), self.rim.decay, self.rate)
         wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
-        wave *= self._mean_factor(frequency)[:, None]
+        wave *= modes.mean_factor[:, None]
         displacement = abs(self.rim.axial) + abs(self.rim.radial)
         return LowerEdge(
             heights=self.heights,
@@ -125,18 +140,9 @@ class RattlingModel(NamedTuple):
             angles=np.array([np.cos(angle), np.sin(angle)]),
             axial=self.rim.axial[:, None] * wave,
             radial=self.rim.radial[:, None] * wave,
-            endpoint_mean_factor=self._endpoint_mean_factor(frequency),
-            frequency=frequency,
-            decay=self.rim.decay,
+            modes=modes,
             highest=np.array([self.heights.max(), *displacement]),
         )
-
-    def _mean_factor(self, frequency: np.ndarray) -> np.ndarray:
-        return np.sinc(frequency / (2 * pi * self.rate))
-
-    def _endpoint_mean_factor(self, frequency: np.ndarray) -> np.ndarray:
-        turn = frequency / (2 * self.rate)
-        return turn / np.tan(turn)
 
     def table(self) -> MovingTable | None:
         """Return the modes of the table, or None if it is rigid."""
@@ -144,8 +150,6 @@ class RattlingModel(NamedTuple):
         if modes is None:
             return None
         frequency = 2 * pi * modes.frequency
-        # copies, because read-only arrays have a different Numba type
-        knots_x, knots_y = (np.array(part) for part in modes.knots)
         waves = modes.round_shapes
         if waves is None:
             nodes_per_knot = 2
@@ -155,20 +159,16 @@ class RattlingModel(NamedTuple):
             spacing = waves.radius / (len(waves.starts) - 1)
             norm = greatest_shape_norm(waves)
         min_count = 64
+        nodes_per_wave = 8  # for which the interpolation is wrong by less than 1 %
+        if waves is not None:
+            min_count = max(min_count, nodes_per_wave * int(waves.order.max()))
         count = max(min_count, ceil(2 * pi * self.constants.radius / spacing))
         place = np.arange(len(self.heights)) * count / len(self.heights)
+        node, weight = interpolation_at(place, count)
         return MovingTable(
-            np.array(modes.coefficients, order="C"),
-            knots_x,
-            knots_y,
-            round_shapes=round_table(waves),
-            place=np.array(modes.place, dtype=float),
-            is_fixed=float(modes.mass > 0),  # 0 for modes without a body
-            frequency=frequency,
-            decay=np.array(modes.decay_rate),
-            mean_factor=self._mean_factor(frequency),
-            endpoint_mean_factor=self._endpoint_mean_factor(frequency),
-            shape_norm=norm,
+            table_shapes(modes),
+            exact_modes(frequency, np.array(modes.decay_rate), self.rate),
+            shape_norm=INTERPOLATION_NORM * norm,
             shapes=np.zeros((count, len(frequency))),
             slopes=np.zeros((count, 2, len(frequency))),
             known_since=np.full(count, -1.0),
@@ -179,8 +179,8 @@ class RattlingModel(NamedTuple):
             displacement=np.zeros(len(frequency)),
             work=np.zeros(len(frequency)),
             evaluated=np.full((2, count), -1.0),
-            node=place.astype(int),
-            share=place % 1,
+            node=node,
+            weight=weight,
         )
 
 
@@ -235,7 +235,7 @@ class RattlingMotion(CompliantMotion):
         return self.model.rim
 
     @property
-    def vibration_crossover(self) -> float:  # type: ignore[override]
+    def vibration_crossover(self) -> float:
         """A frequency [Hz] above the precession rate of a rattling disk."""
         return 200.0
 
@@ -290,11 +290,11 @@ class RattlingMotion(CompliantMotion):
         loads[:, 0] = self.disk.radius * np.sin(state[:, 1])
         return loads
 
-    def contact_resonance(self, inclination) -> np.ndarray:
+    def contact_resonance(self, inclination: ArrayLike) -> np.ndarray:
         """Return the contact resonance (k,) [Hz] at inclinations (k,) [rad]."""
         return self.model.contact_resonance(np.asarray(inclination, dtype=float))
 
-    def rim_vibration(self, t) -> np.ndarray:
+    def rim_vibration(self, t: ArrayLike) -> np.ndarray:
         """Return displacement, velocity, acceleration (k, 3, m) of modes at t (k,) [s].
 
         The modes have unit modal mass.
@@ -306,7 +306,7 @@ class RattlingMotion(CompliantMotion):
 
 
 def edge_depth(
-    disk: Disk, law: "ContactLaw | RattlingDisk", inclination: ArrayLike
+    disk: Disk, law: "ContactLaw | RattlingDisk", inclination: float | np.ndarray
 ) -> Any:
     """Return the depth [m] of the static contact of the edge at inclinations [rad]."""
     return static_depth(disk.weight, law.modulus, disk.radius, law.fillet, inclination)
@@ -332,7 +332,6 @@ def rattling_model(plan: "MotionPlan") -> RattlingModel:
     scene = plan.scene
     disk = scene.disk
     law = contact_law(scene)
-    diametral, axial = inertias(disk)
     pivoting = plan.constants.pivoting or (0.0,) * (2 * PIVOTING_COEFFICIENT_COUNT)
     arm_pivoting = scene.friction.arm_pivoting
     has_spin_friction = arm_pivoting == "contact"
@@ -344,18 +343,15 @@ def rattling_model(plan: "MotionPlan") -> RattlingModel:
         else damping_ratio(restitution)
     )
     constants = RattlingDisk(
-        radius=disk.radius,
+        **body_constants(
+            disk, law.fillet, scene.surface.curvature, scene.surface.place
+        ),
         half_thickness=disk.thickness / 2,
-        mass=disk.mass,
-        diametral_inertia=diametral,
-        axial_inertia=axial,
         modulus=law.modulus,
         shear_modulus=law.equivalent_material.shear,
-        fillet=law.fillet,
         damping_ratio=ratio,
         friction=scene.friction.mu_dynamic,
         contour_moment=scene.dissipation.contour_moment,
-        bowl=(GRAVITY * scene.surface.curvature, *scene.surface.place),
         spin_friction=(float(has_spin_friction), *pivoting),
         arms=(
             scene.friction.arm_nutation,
@@ -399,7 +395,7 @@ def rattling_step_rate(scene: "MotionScene") -> float:
 
 
 def rolling_state_at_release(
-    model: RattlingModel, inclination: float, omega
+    model: RattlingModel, inclination: float, omega: Sequence[float] | np.ndarray
 ) -> np.ndarray:
     """Return the state (5, 3) of a disk released on its contact, rolling without slip.
 
@@ -409,28 +405,31 @@ def rolling_state_at_release(
     fixed = model.constants
     s = np.sin(inclination)
     c = np.cos(inclination)
-    a1 = np.array([1.0, 0.0, 0.0])
-    axis = np.array([0.0, s, c])
-    e3 = np.array([0.0, -c, s])
-    spin = omega[0] * a1 + omega[1] * axis + omega[2] * e3
+    axes = body_axes(0.0, inclination)
     place = contact_place(
         c, s, fixed.half_thickness / fixed.radius, fixed.fillet / fixed.radius
     )
-    lever = fixed.radius * (place.depth * axis + place.radius * e3)
-    momentum = fixed.diametral_inertia * (omega[0] * a1 + omega[2] * e3)
+    lever = fixed.radius * (place.depth * axes[2] + place.radius * axes[3])
     angle = 2 * pi * np.arange(len(model.heights)) / len(model.heights)
-    core = fixed.radius - fixed.fillet
-    clearance = model.heights - core * s * (1 - np.cos(angle))
+    clearance = model.heights - fixed.core_radius * s * (1 - np.cos(angle))
     height = fixed.radius * place.e + clearance.max() - model.depth(inclination)
     return np.array(
         [
             [0.0, 0.0, height],
-            np.cross(spin, lever),
-            axis,
-            -e3,
-            momentum + fixed.axial_inertia * omega[1] * axis,
+            rolling_velocity(omega, axes, lever),
+            axes[2],
+            -axes[3],
+            angular_momentum(fixed, omega, axes),
         ]
     )
+
+
+def turned_to(state: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """Return a state (5, 3) of precession 0 at the precession and place of COLUMNS (11,)."""
+    c, s = np.cos(columns[0]), np.sin(columns[0])
+    turned = state @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    turned[layout.CENTRE, :2] += columns[3:5]
+    return turned
 
 
 def effective_restitution(
@@ -461,16 +460,16 @@ def effective_restitution(
     return _edge_speed(fixed, state) / speed
 
 
-def _lowest_point(fixed, state):
+def _lowest_point(fixed: RattlingDisk, state: np.ndarray) -> np.ndarray:
     """Return the vector (3,) [m] from the centre to the lowest point of the edge, without
     the vertical radius of its fillet."""
     axis = state[layout.AXIS]
     down = axis[2] * axis - [0.0, 0.0, 1.0]
-    core = (fixed.radius - fixed.fillet) * down / np.linalg.norm(down)
-    return core - (fixed.half_thickness - fixed.fillet) * axis
+    core = fixed.core_radius * down / np.linalg.norm(down)
+    return core - fixed.core_depth * axis
 
 
-def _edge_speed(fixed, state):
+def _edge_speed(fixed: RattlingDisk, state: np.ndarray) -> float:
     """Return the vertical speed [m/s] of the lowest point of the edge in a state (5, 3)."""
     axis = state[layout.AXIS]
     momentum = state[layout.MOMENTUM]
@@ -483,8 +482,9 @@ def _edge_speed(fixed, state):
 def solve_rattling_motion(
     plan: "MotionPlan",
     watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
+    start: np.ndarray | None = None,
 ) -> RattlingMotion:
-    """Solve the motion of a rattling disk from its release.
+    """Solve the motion of a rattling disk from its release, or from a state in which it rolls.
 
     Parameters
     ----------
@@ -492,6 +492,9 @@ def solve_rattling_motion(
         Plan with contacts anywhere on the rim.
     watch : callable
         Progress callback, as in `dynamics.simulate`.
+    start : ndarray, (11,), optional
+        The COLUMNS of a rolling disk at the start; those of the release by default. The
+        angles of the motion begin at 0.
 
     Returns
     -------
@@ -504,12 +507,21 @@ def solve_rattling_motion(
         If no wavelength of the unevenness fits the rim.
     ImpossibleContactError
         If the disk leaves the table or lies flat at once.
+    NoContactAtReleaseError
+        If it is steeper than `plan.max_rolling_inclination` at the start.
     """
     scene = plan.scene
-    inclination = radians(scene.release.inclination_deg)
+    if start is None:
+        start = release_columns(scene.release)
+    inclination = float(start[1])
+    if inclination > plan.max_rolling_inclination:
+        raise NoContactAtReleaseError(
+            f"inclination {inclination:.6g} rad: the disk is too steep to touch the table with "
+            f"its lower rim alone; the limit is {plan.max_rolling_inclination:g} rad"
+        )
     watch(0.0, inclination, "loading or compiling the equations")
     model = rattling_model(plan)
-    state = rolling_state_at_release(model, inclination, scene.release.omega)
+    state = turned_to(rolling_state_at_release(model, inclination, start[5:8]), start)
     last = scene.numerics.final_inclination or 0.0
     # ratio of rim height to rms unevenness below which the disk lies flat
     min_height_ratio = 3.0
@@ -550,8 +562,8 @@ def simulate_rattling(
     blocks = []
     flights = [np.zeros((0, 3))]
     begin = 0.0
-    reason = time_loop.CONTINUES
-    while reason == time_loop.CONTINUES and begin < time_limit:
+    reason = EndReason.CONTINUES
+    while reason == EndReason.CONTINUES and begin < time_limit:
         samples = np.empty((chunk, sum(sizes)))
         found = np.empty((chunk * per_sample // 2 + 1, 3))
         written, losses, reason = step_rattling_disk(
@@ -588,7 +600,7 @@ def _motion_at_rest(
     The centre is lowered by the static deflection of the table.
     """
     disk_modes = len(model.rim.order)
-    table_modes = 0 if table is None else len(table.frequency)
+    table_modes = 0 if table is None else len(table.modes.frequency)
     ring = np.zeros((2, disk_modes + table_modes))
     if table is not None:
         bend, ring[0, disk_modes:] = static_deflection(model, state, gravity)
@@ -618,9 +630,7 @@ def static_deflection(
     fixed = model.constants
     axis = state[layout.AXIS]
     sine = np.hypot(axis[0], axis[1])
-    reach = (fixed.radius - fixed.fillet) * axis[2] - (
-        fixed.half_thickness - fixed.fillet
-    ) * sine
+    reach = fixed.core_radius * axis[2] - (fixed.core_depth) * sine
     x, y = reach * axis[:2] / sine + model.modes.place
     if model.modes.mass > 0:
         x += state[layout.CENTRE, 0]
@@ -630,7 +640,13 @@ def static_deflection(
     return float(shape @ moved), moved
 
 
-def _motion_of_samples(model, samples, flights, outcome, gravity):
+def _motion_of_samples(
+    model: RattlingModel,
+    samples: list[np.ndarray],
+    flights: np.ndarray,
+    outcome: Outcome,
+    gravity: float,
+) -> RattlingMotion:
     """Return the motion from samples at FORCE_SAMPLE_RATE.
 
     The `samples` are state (n, 15), record, modes of the disk (n, 2 d) and energy of the
@@ -644,7 +660,7 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     stored = record[:, RECORD.spring_energy] + record[:, RECORD.compressed_air_energy]
     energy = rigid_energy(model, state, gravity) + stored + internal + in_table
     lost = record[:, layout.ENERGY_LOSSES]
-    rows = np.column_stack([columns, energy, lost, in_table, internal])
+    rows = motion_rows(columns, energy, lost, in_table, internal)
     impulse = record[:, RECORD.impulse : RECORD.contact_loss]
     step = np.diff(impulse, axis=0)
     excess, slides = friction_over_limit(model, record)
@@ -654,8 +670,6 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     own = np.zeros_like(impulse)
     own[1:] = np.cumsum(np.column_stack([along, across, step[:, 2]]), axis=0)
     end = (len(state) - 1) / FORCE_SAMPLE_RATE
-    losses = flights[flights[:, 0] < end]
-    losses[:, 1] = np.minimum(losses[:, 1], end - losses[:, 0])
     return RattlingMotion(
         plan=model.plan,
         model=model,
@@ -663,7 +677,7 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
         impulses=own,
         rows=rows[::FORCES_PER_ROW],
         slides=slides,
-        contact_losses=ContactLosses(losses),
+        contact_losses=losses_until(end, flights),
         max_friction_excess=excess,
         rolling_outcome=outcome,
         ringing=np.ascontiguousarray(ringing),
@@ -702,15 +716,16 @@ def rigid_energy(
 ) -> np.ndarray:
     """Return kinetic plus potential energy (k,) [J] of the rigid disk at states (k, 5, 3)."""
     fixed = model.constants
-    momentum = state[:, layout.MOMENTUM]
-    axial = np.sum(momentum * state[:, layout.AXIS], axis=1)
-    turning = (np.sum(momentum**2, axis=1) - axial**2) / fixed.diametral_inertia
-    turning += axial**2 / fixed.axial_inertia
-    speed = np.sum(state[:, layout.VELOCITY] ** 2, axis=1)
-    height = state[:, layout.CENTRE, 2] - fixed.half_thickness
-    offset = state[:, layout.CENTRE, :2] + fixed.bowl[1:]
-    height += fixed.bowl[0] / gravity / 2 * np.sum(offset**2, axis=1)
-    return (fixed.mass * speed + turning) / 2 + fixed.mass * gravity * height
+    vectors = np.ascontiguousarray(state.transpose(1, 2, 0))
+    kinetic = kinetic_and_bowl_energy(
+        fixed,
+        vectors[layout.CENTRE],
+        vectors[layout.VELOCITY],
+        vectors[layout.AXIS],
+        vectors[layout.MOMENTUM],
+    )
+    height = vectors[layout.CENTRE, 2] - fixed.half_thickness
+    return kinetic + fixed.mass * gravity * height
 
 
 def modal_energy(squared: np.ndarray, ringing: np.ndarray) -> np.ndarray:
@@ -738,27 +753,21 @@ def motion_columns(model: RattlingModel, state: np.ndarray) -> np.ndarray:
             -np.sum(e3 * quarter_turn_vector, axis=1), -np.sum(e3 * reference, axis=1)
         )
     )
-    momentum = state[:, layout.MOMENTUM]
-    axial = np.sum(momentum * axis, axis=1)
-    omega = momentum / fixed.diametral_inertia
-    omega += ((1 / fixed.axial_inertia - 1 / fixed.diametral_inertia) * axial)[
-        :, None
-    ] * axis
-    ratio = fixed.half_thickness / fixed.radius
-    place = contact_place(axis[:, 2], sine, ratio, fixed.fillet / fixed.radius)
-    contact = -fixed.radius * (place.depth[:, None] * axis + place.radius[:, None] * e3)
-    slip = state[:, layout.VELOCITY] + np.cross(omega, contact)
+    vectors = np.ascontiguousarray(state.transpose(1, 2, 0))
+    relative = relative_columns(
+        fixed,
+        contact_place_in_metres(model.disk, fixed.fillet, axis[:, 2], sine),
+        vectors[layout.VELOCITY],
+        vectors[layout.AXIS],
+        vectors[layout.MOMENTUM],
+    )
     return np.column_stack(
         [
             precession,
             inclination,
             lowest[0] - lowest,
             state[:, layout.CENTRE, :2],
-            np.sum(omega * a1, axis=1),
-            np.sum(omega * axis, axis=1),
-            np.sum(omega * e3, axis=1),
-            np.sum(slip * a1, axis=1),
-            np.sum(slip * a2, axis=1),
+            *relative,
             np.zeros(len(axis)),
         ]
     )

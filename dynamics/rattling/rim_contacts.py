@@ -9,7 +9,14 @@ points would resist rolling.
 import numpy as np
 
 from dynamics.numba_kernels import kernel
-from dynamics.rattling.body import add_force, point_in_space, scalar_product
+from dynamics.rattling.body import (
+    PressedDisk,
+    RimGeometry,
+    Velocities,
+    add_force,
+    point_in_space,
+    scalar_product,
+)
 from dynamics.rattling.layout import (
     AXIS,
     DASHPOT,
@@ -19,11 +26,14 @@ from dynamics.rattling.layout import (
     MOMENTUM,
     RIM_BLOCK_POINTS,
     VELOCITY,
+    LowerEdge,
+    RattlingDisk,
 )
 from dynamics.rattling.vibration import (
     CHANGE,
     DEFLECTION,
     SPEED,
+    MovingTable,
     add_table,
     push_nodes,
     push_table,
@@ -34,12 +44,13 @@ from dynamics.rattling.vibration import (
 
 
 @kernel
-def write_depths(disk, edge, motion, rim, first, size, contacts):
+def write_depths(pressed: PressedDisk, rim: RimGeometry, first: int, size: int) -> None:
     """Write the depths [m] of the points of a block below a table at rest.
 
     The block has `size` points and begins at the point `first`. Depths are negative
     above the table.
     """
+    disk, edge, motion, contacts = pressed
     points = slice(first, first + size)
     heights = edge.heights[points]
     cosine = edge.angles[0, points]
@@ -48,7 +59,7 @@ def write_depths(disk, edge, motion, rim, first, size, contacts):
     rise = contacts.rise
     x = rim.reference[2]
     y = rim.quarter_turn[2]
-    radius = disk.radius - disk.fillet
+    radius = disk.core_radius
     for i in range(size):
         rise[i] = cosine[i] * x + sine[i] * y
     for i in range(size):
@@ -56,17 +67,25 @@ def write_depths(disk, edge, motion, rim, first, size, contacts):
     for j in range(edge.axial.shape[0]):
         axial = edge.axial[j, points]
         radial = edge.radial[j, points]
-        place = motion.modes[0, j] * edge.endpoint_mean_factor[j]
+        place = motion.modes[0, j] * edge.modes.endpoint_mean_factor[j]
         for i in range(size):
             depth[i] -= place * (axial[i] * rim.upright + radial[i] * rise[i])
 
 
 @kernel
-def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
+def write_speeds(
+    pressed: PressedDisk,
+    rim: RimGeometry,
+    velocity: Velocities,
+    first: int,
+    size: int,
+    out: np.ndarray,
+) -> None:
     """Write the speeds [m/s] at which points approach a table at rest to `out` (p,).
 
     The points are those of the last call of `write_depths`.
     """
+    disk, edge, motion, contacts = pressed
     points = slice(first, first + size)
     speed = out[points]
     rise = contacts.rise
@@ -74,12 +93,12 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
     below = contacts.below
     for i in range(size):
         speed[i] = -velocity.linear[2]
-        radius[i] = disk.radius - disk.fillet
-        below[i] = disk.half_thickness - disk.fillet
+        radius[i] = disk.core_radius
+        below[i] = disk.core_depth
     for j in range(edge.axial.shape[0]):
         axial = edge.axial[j, points]
         radial = edge.radial[j, points]
-        place = motion.modes[0, j] * edge.endpoint_mean_factor[j]
+        place = motion.modes[0, j] * edge.modes.endpoint_mean_factor[j]
         rate = velocity.modes[j]
         for i in range(size):
             speed[i] -= rate * (axial[i] * rim.upright + radial[i] * rise[i])
@@ -100,7 +119,9 @@ def write_speeds(disk, edge, motion, rim, velocity, first, size, contacts, out):
 
 
 @kernel
-def block_depth(disk, edge, rim, block):
+def block_depth(
+    disk: RattlingDisk, edge: LowerEdge, rim: RimGeometry, block: int
+) -> float:
     """Return an upper bound of the depth [m] of the points of a block.
 
     Disk and table are assumed undeformed.
@@ -115,11 +136,11 @@ def block_depth(disk, edge, rim, block):
         edge.angles[0, last] * x + edge.angles[1, last] * y,
     )
     rise -= rim.sine * (RIM_BLOCK_POINTS * 2 * np.pi / count) ** 2 / 8
-    return edge.block_heights[block] - rim.height - (disk.radius - disk.fillet) * rise
+    return edge.block_heights[block] - rim.height - disk.core_radius * rise
 
 
 @kernel
-def arc_below(edge, rim, room):
+def arc_below(edge: LowerEdge, rim: RimGeometry, room: float) -> tuple[float, int, int]:
     """Return the arc of the rim less than `room` [m] above its lowest point.
 
     The result consists of its half-angle [rad], its first point and its number of
@@ -135,7 +156,7 @@ def arc_below(edge, rim, room):
 
 
 @kernel
-def mean_penetration(depth, travel):
+def mean_penetration(depth: float, travel: float) -> float:
     """Return the mean positive depth over a step in which the depth changes by
     `travel`.
 
@@ -151,7 +172,7 @@ def mean_penetration(depth, travel):
 
 
 @kernel
-def mean_square_end_depth(depth, travel):
+def mean_square_end_depth(depth: float, travel: float) -> float:
     """Return the mean square of the positive depths at both ends of a step.
 
     `depth` is their mean, and `travel` is their difference.
@@ -163,10 +184,18 @@ def mean_square_end_depth(depth, travel):
 
 @kernel
 def press_patch(
-    disk, edge, table, motion, rim, velocity, stiffness, step, left, points, contacts
-):
+    table: MovingTable | None,
+    pressed: PressedDisk,
+    rim: RimGeometry,
+    velocity: Velocities,
+    stiffness: float,
+    step: float,
+    left: int,
+    points: int,
+) -> None:
     """Add the forces of a patch of `points` adjacent points that begins at the point
     `left`."""
+    disk, edge, motion, contacts = pressed
     count = edge.heights.size
     depth_sum = 0.0
     squares = 0.0
@@ -185,16 +214,16 @@ def press_patch(
         if depth > deepest:
             deepest = depth
             fastest = abs(contacts.speed[i])
-        radius = disk.radius - disk.fillet
+        radius = disk.core_radius
         for j in range(edge.axial.shape[0]):
-            displacement = motion.modes[0, j] * edge.endpoint_mean_factor[j]
+            displacement = motion.modes[0, j] * edge.modes.endpoint_mean_factor[j]
             radius += displacement * edge.radial[j, i]
             below -= depth * displacement * edge.axial[j, i]
         cosine += depth * radius * edge.angles[0, i]
         sine += depth * radius * edge.angles[1, i]
     cosine /= depth_sum
     sine /= depth_sum
-    below = disk.half_thickness - disk.fillet + below / depth_sum
+    below = disk.core_depth + below / depth_sum
     centre_x, centre_y, centre_z = point_in_space(rim, cosine, sine, below)
     centre_z -= disk.fillet
     centre = (centre_x, centre_y, centre_z)
@@ -249,14 +278,22 @@ def press_patch(
 
 @kernel
 def press_rim(
-    disk, edge, table, motion, rim, velocity, change, is_changed, now, step, contacts
-):
+    table: MovingTable | None,
+    pressed: PressedDisk,
+    rim: RimGeometry,
+    velocity: Velocities,
+    change: Velocities,
+    is_changed: bool,
+    now: float,
+    step: float,
+) -> float:
     """Write the forces of all patches and return their elastic energy [J]: that in the middle
     of the step, or, if `is_changed`, the mean of those at both ends.
 
     `velocity` is the mean velocity in the step, and `change` its change, by which the
     depths at both ends deviate from uniform motion; it is zero unless `is_changed`.
     """
+    disk, edge, motion, contacts = pressed
     travel = abs(velocity.linear[2])
     travel += (abs(velocity.angular[0]) + abs(velocity.angular[1])) * (
         disk.radius + disk.half_thickness
@@ -302,7 +339,7 @@ def press_rim(
     has_node_speeds = False
     if table is not None:
         begin, nodes = table_nodes_under_arc(table, first, number, count)
-        highest = update_node_deflections(disk, table, motion, rim, now, begin, nodes)
+        highest = update_node_deflections(pressed, table, rim, now, begin, nodes)
         min_depth = -travel - reach - highest
     points = 0
     left = first
@@ -317,7 +354,7 @@ def press_rim(
         block = begin_of_block // RIM_BLOCK_POINTS
         is_near = block_depth(disk, edge, rim, block) > min_depth
         if is_near:
-            write_depths(disk, edge, motion, rim, begin_of_block, size, contacts)
+            write_depths(pressed, rim, begin_of_block, size)
             if table is not None:
                 add_table(table, DEFLECTION, begin_of_block, size, contacts.depth)
             deepest = -np.inf
@@ -325,28 +362,10 @@ def press_rim(
                 deepest = max(deepest, contacts.depth[i])
             is_near = deepest > -travel
         if is_near:
-            write_speeds(
-                disk,
-                edge,
-                motion,
-                rim,
-                velocity,
-                begin_of_block,
-                size,
-                contacts,
-                contacts.speed,
-            )
+            write_speeds(pressed, rim, velocity, begin_of_block, size, contacts.speed)
             if is_changed:
                 write_speeds(
-                    disk,
-                    edge,
-                    motion,
-                    rim,
-                    change,
-                    begin_of_block,
-                    size,
-                    contacts,
-                    contacts.change,
+                    pressed, rim, change, begin_of_block, size, contacts.change
                 )
             if table is not None:
                 if not has_node_speeds:
@@ -355,8 +374,7 @@ def press_rim(
                         disk,
                         table,
                         rim,
-                        velocity,
-                        change,
+                        (velocity, change),
                         is_changed,
                         now,
                         begin,
@@ -385,38 +403,35 @@ def press_rim(
                 points += 1
             elif points > 0:
                 press_patch(
-                    disk,
-                    edge,
-                    table,
-                    motion,
-                    rim,
-                    velocity,
-                    stiffness,
-                    step,
-                    left,
-                    points,
-                    contacts,
+                    table, pressed, rim, velocity, stiffness, step, left, points
                 )
                 points = 0
         place += size
     if table is not None:
-        push_table(disk, table, motion, rim, begin, nodes, contacts)
+        push_table(pressed, table, rim, begin, nodes)
     return stiffness * squares / 2
 
 
 @kernel
-def stays_clear(disk, edge, max_deflection, gravity, motion, rim, contacts, duration):
+def stays_clear(
+    pressed: PressedDisk,
+    rim: RimGeometry,
+    max_deflection: float,
+    gravity: float,
+    duration: float,
+) -> bool:
     """Return True if no point of the rim can touch the table within `duration` [s].
 
     The amplitudes of the modes bound their displacements; those of the table deflect it
     by at most `max_deflection` [m]. The lowest point of the rim falls at its present
     rate, accelerated by gravity, the rotation and the air film.
     """
+    disk, edge, motion, contacts = pressed
     state = motion.disk
     lean = state[MOMENTUM, 0] * state[AXIS, 1] - state[MOMENTUM, 1] * state[AXIS, 0]
     lean /= disk.diametral_inertia  # rate of the cosine of the inclination
-    below = disk.half_thickness - disk.fillet
-    radius = disk.radius - disk.fillet
+    below = disk.core_depth
+    radius = disk.core_radius
     rate = state[VELOCITY, 2] - lean * (below - radius * rim.upright / rim.sine)
     turning = 0.0
     for i in range(3):
@@ -425,7 +440,7 @@ def stays_clear(disk, edge, max_deflection, gravity, motion, rim, contacts, dura
     fastest += 10 * abs(contacts.force[FILM, 2]) / disk.mass
     reach = duration**2 / 2 * fastest - min(duration * rate, 0.0)
     for j in range(edge.axial.shape[0]):
-        speed = motion.modes[1, j] / edge.frequency[j]
+        speed = motion.modes[1, j] / edge.modes.frequency[j]
         reach += edge.highest[1 + j] * np.hypot(motion.modes[0, j], speed)
     reach += max_deflection
     room = edge.highest[0] + reach - rim.height + rim.tilt

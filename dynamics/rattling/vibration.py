@@ -5,21 +5,35 @@ gradient of the elastic energy with respect to all coordinates of the gap: a for
 drives the modes by -N w_m and pushes the rim by (-N dW/dx, -N dW/dy, N). Between contacts
 the modes vibrate freely and are advanced exactly, like those of the disk, but in one
 flight from one evaluation of the table to the next. W is evaluated at nodes around the
-rim and interpolated linearly. Waves above the highest mode are neglected.
+rim and interpolated by the cubic through the four nearest nodes; the forces are spread over
+these nodes with the same weights, so that both do the same work. Waves above the highest
+mode are neglected.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.round_table import RoundTable
-from dynamics.compliant.stepping.table_modes import (
+from dynamics.numba_kernels import kernel
+from dynamics.rattling.body import (
+    MotionState,
+    PressedDisk,
+    RimGeometry,
+    Velocities,
+    add_force,
+    point_in_space,
+    scalar_product,
+)
+from dynamics.rattling.layout import CENTRE, DASHPOT, ELASTIC, RattlingDisk
+from dynamics.stepping_core.oscillators import ExactModes
+from dynamics.stepping_core.table_shapes import (
+    TableShapes,
     store_table_shapes,
     store_table_slopes,
 )
-from dynamics.numba_kernels import kernel
-from dynamics.rattling.body import add_force, point_in_space, scalar_product
-from dynamics.rattling.layout import CENTRE, DASHPOT, ELASTIC
+
+if TYPE_CHECKING:
+    from dynamics.stepping_core.vectors import Triple
 
 
 class MovingTable(NamedTuple):
@@ -27,27 +41,16 @@ class MovingTable(NamedTuple):
 
     Attributes
     ----------
-    coefficients : ndarray, shape (a, b, t)
-        Spline coefficients of the upward mode shapes.
-    knots_x, knots_y : ndarray
-        Knots of the splines [m].
-    round_shapes : RoundTable
-        Shapes of the modes of a round table, in place of the splines.
-    place : ndarray, shape (2,)
-        Origin [m] in the frame of the shapes.
-    is_fixed : float
-        0 if the modes move with the centre of the disk, as modes given by numbers do; else 1.
-    frequency, decay : ndarray, shape (t,)
-        Angular frequency [rad/s] and decay rate [1/s].
-    mean_factor, endpoint_mean_factor : ndarray, shape (t,)
-        sin(x)/x with x = w h/2: average over the free vibration in a step; and x/tan(x), for
-        the mean of the displacements at both ends of the step.
+    surface : TableShapes
+        Mode shapes of the table.
+    modes : ExactModes
+        Frequencies and decay rates of the t modes.
     shape_norm : float
-        Greatest norm of the mode shapes at a point [kg^-1/2].
+        Greatest norm of the interpolated mode shapes at a point [kg^-1/2].
     shapes : ndarray, shape (k, t)
-        Mode shapes at the nodes [kg^-1/2], times `mean_factor`.
+        Mode shapes at the nodes [kg^-1/2], times their `mean_factor`.
     slopes : ndarray, shape (k, 2, t)
-        Slopes of the mode shapes along x and y at the nodes [kg^-1/2/m], times `mean_factor`.
+        Slopes of the mode shapes along x and y at the nodes [kg^-1/2/m], times their `mean_factor`.
     known_since : ndarray, shape (k,)
         Time [s] at which the slopes of a node were last evaluated; negative if never.
     position : ndarray, shape (k, 2)
@@ -65,22 +68,14 @@ class MovingTable(NamedTuple):
         Work array.
     evaluated : ndarray, shape (2, k)
         Times [s] at which deflection, and slopes and speed, of a node were last evaluated.
-    node : ndarray of int, shape (p,)
-        Last node before each point of the rim.
-    share : ndarray, shape (p,)
-        Distance of each point from that node, divided by the distance of two nodes.
+    node : ndarray of int, shape (p, 4)
+        The two nodes before and the two after each point of the rim.
+    weight : ndarray, shape (p, 4)
+        Weights of these nodes.
     """
 
-    coefficients: np.ndarray
-    knots_x: np.ndarray
-    knots_y: np.ndarray
-    round_shapes: RoundTable
-    place: np.ndarray
-    is_fixed: float
-    frequency: np.ndarray
-    decay: np.ndarray
-    mean_factor: np.ndarray
-    endpoint_mean_factor: np.ndarray
+    surface: TableShapes
+    modes: ExactModes
     shape_norm: float
     shapes: np.ndarray
     slopes: np.ndarray
@@ -93,30 +88,36 @@ class MovingTable(NamedTuple):
     work: np.ndarray
     evaluated: np.ndarray
     node: np.ndarray
-    share: np.ndarray
+    weight: np.ndarray
 
 
 DEFLECTION, SPEED, CHANGE = range(3)
 """Rows of `MovingTable.motion`."""
 
 
-@kernel
-def write_propagator(body, h, out):
-    """Write the propagator of each mode of edge or table over a time h to `out` (4, k)."""
-    for j in range(body.frequency.size):
-        d = body.decay[j]
-        w = np.sqrt(body.frequency[j] ** 2 - d * d)
-        c = np.cos(w * h)
-        s = np.sin(w * h)
-        fade = np.exp(-d * h)
-        out[0, j] = fade * (c + d / w * s)
-        out[1, j] = fade * s / w
-        out[2, j] = -fade * s * (w * w + d * d) / w
-        out[3, j] = fade * (c - d / w * s)
+INTERPOLATION_NORM = 1.25
+"""Greatest sum of the magnitudes of the four weights, in the middle between two nodes."""
+
+
+def interpolation_at(place: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the four nearest of `count` nodes (p, 4) of a ring, and their weights (p, 4).
+
+    `place` (p,) is the position on the ring in units of the distance of two nodes. A cubic
+    through four nodes is wrong by at most 3/128 (n d)^4 for a wave of order n at a distance d
+    [rad] of the nodes.
+    """
+    before = np.floor(place).astype(int)
+    u = (place - before)[:, None]
+    nodes = np.arange(-1, 3)
+    weight = np.ones((len(place), 4))
+    for k in range(4):
+        for other in nodes[nodes != nodes[k]]:
+            weight[:, k : k + 1] *= (u - other) / (nodes[k] - other)
+    return (before[:, None] + nodes) % count, weight
 
 
 @kernel
-def fly_table(table, motion, propagator):
+def fly_table(table: MovingTable, motion: MotionState, propagator: np.ndarray) -> None:
     """Advance the modes of the table exactly without contact by their propagator (4, t)."""
     place = motion.table_place
     speed = motion.table_speed
@@ -130,17 +131,19 @@ def fly_table(table, motion, propagator):
 
 
 @kernel
-def table_energy(table, motion):
+def table_energy(table: MovingTable, motion: MotionState) -> float:
     """Return the energy [J] of the modes of the table."""
     speed = motion.table_speed
     rate = table.work
     for j in range(rate.size):
-        rate[j] = table.frequency[j] * motion.table_place[j]
+        rate[j] = table.modes.frequency[j] * motion.table_place[j]
     return (scalar_product(rate, rate) + scalar_product(speed, speed)) / 2
 
 
 @kernel
-def work_lost_to_damping(table, motion, gain, step):
+def work_lost_to_damping(
+    table: MovingTable, motion: MotionState, gain: np.ndarray, step: float
+) -> float:
     """Return the part [J] of the work on the table modes that damping dissipates in a step.
 
     The impulses that change the speeds by `gain` (t,) represent forces that act during the
@@ -149,88 +152,106 @@ def work_lost_to_damping(table, motion, gain, step):
     """
     lost = table.work
     for j in range(lost.size):
-        bend = table.frequency[j] ** 2 * motion.table_place[j]
-        lost[j] = table.decay[j] * (gain[j] * step / 4 - bend * step**2 / 12)
+        bend = table.modes.frequency[j] ** 2 * motion.table_place[j]
+        lost[j] = table.modes.decay[j] * (gain[j] * step / 4 - bend * step**2 / 12)
     return scalar_product(gain, lost)
 
 
 @kernel
-def table_deflection_bound(table, motion):
+def table_deflection_bound(table: MovingTable, motion: MotionState) -> float:
     """Return an upper amplitude [m] of the table deflection until the next contact."""
     place = motion.table_place
     amplitude = table.work
     for j in range(amplitude.size):
-        amplitude[j] = motion.table_speed[j] / table.frequency[j]
+        amplitude[j] = motion.table_speed[j] / table.modes.frequency[j]
     squares = scalar_product(place, place) + scalar_product(amplitude, amplitude)
     return table.shape_norm * np.sqrt(squares)
 
 
 @kernel
-def add_table(table, row, first, size, out):
+def add_table(
+    table: MovingTable, row: int, first: int, size: int, out: np.ndarray
+) -> None:
     """Add a row of `MovingTable.motion` at `size` points from `first` on to `out` (p,).
 
-    The row is interpolated linearly between the nodes.
+    The row is interpolated between the nodes.
     """
     motion = table.motion[row]
+    node = table.node
+    weight = table.weight
     for i in range(first, first + size):
-        node = table.node[i]
-        after = node + 1 if node + 1 < motion.size else 0
-        out[i] += (1 - table.share[i]) * motion[node] + table.share[i] * motion[after]
+        for k in range(4):
+            out[i] += weight[i, k] * motion[node[i, k]]
 
 
 @kernel
-def push_nodes(table, depth, left, points, spring, damping):
+def push_nodes(
+    table: MovingTable,
+    depth: np.ndarray,
+    left: int,
+    points: int,
+    spring: float,
+    damping: float,
+) -> None:
     """Add the forces of a patch to the nodes of the table.
 
     `spring` and `damping` are the forces divided by the sum of the depths [N/m].
     """
     force = table.force
-    nodes = table.known_since.size
     for m in range(left, left + points):
         i = m % depth.size
-        node = table.node[i]
-        after = (node + 1) % nodes
-        share = table.share[i]
-        force[ELASTIC, node] += (1 - share) * spring * depth[i]
-        force[ELASTIC, after] += share * spring * depth[i]
-        force[DASHPOT, node] += (1 - share) * damping * depth[i]
-        force[DASHPOT, after] += share * damping * depth[i]
+        for k in range(4):
+            pressed = table.weight[i, k] * depth[i]
+            force[ELASTIC, table.node[i, k]] += spring * pressed
+            force[DASHPOT, table.node[i, k]] += damping * pressed
 
 
 @kernel
-def table_nodes_under_arc(table, first, number, points):
-    """Return the first node and the number of nodes that enclose an arc of the rim.
+def table_nodes_under_arc(
+    table: MovingTable, first: int, number: int, points: int
+) -> tuple[int, int]:
+    """Return the first of the nodes on which an arc of the rim depends, and their number.
 
     The arc consists of `number` points from `first` on, of `points` in all."""
     nodes = table.known_since.size
-    begin = int(np.floor(first * nodes / points))
-    end = int(np.floor((first + number) * nodes / points)) + 1
+    begin = int(np.floor(first * nodes / points)) - 1
+    end = int(np.floor((first + number) * nodes / points)) + 2
     return begin, min(end - begin + 1, nodes)
 
 
 @kernel
-def node_arm(disk, table, rim, node):
+def node_arm(
+    disk: RattlingDisk, table: MovingTable, rim: RimGeometry, node: int
+) -> "Triple":
     """Return the vector (x, y, z) [m] from the centre of the disk to a node of the rim."""
     angle = 2 * np.pi * node / table.known_since.size
-    c = (disk.radius - disk.fillet) * np.cos(angle)
-    s = (disk.radius - disk.fillet) * np.sin(angle)
-    return point_in_space(rim, c, s, disk.half_thickness - disk.fillet)
+    c = disk.core_radius * np.cos(angle)
+    s = disk.core_radius * np.sin(angle)
+    return point_in_space(rim, c, s, disk.core_depth)
 
 
 @kernel
-def update_node_mode_shapes(table, node, x, y, now, basis_x, basis_y):
+def update_node_mode_shapes(
+    table: MovingTable,
+    node: int,
+    x: float,
+    y: float,
+    now: float,
+    basis_x: np.ndarray,
+    basis_y: np.ndarray,
+) -> None:
     """Update the mode shapes of a node that has moved to (x, y) [m]."""
     linear_time = 1e-4  # s, for which the shapes near a node are linear
     shapes = table.shapes[node]
     slopes = table.slopes[node]
     if now - table.known_since[node] > linear_time:
         table.known_since[node] = now
-        store_table_shapes(table, x, y, basis_x, basis_y, shapes)
-        store_table_slopes(table, x, y, basis_x, basis_y, slopes)
+        store_table_shapes(table.surface, x, y, basis_x, basis_y, shapes)
+        store_table_slopes(table.surface, x, y, basis_x, basis_y, slopes)
         for m in range(shapes.size):
-            shapes[m] *= table.mean_factor[m]
-            slopes[0, m] *= table.mean_factor[m]
-            slopes[1, m] *= table.mean_factor[m]
+            shapes[m] *= table.modes.mean_factor[m]
+            slopes[0, m] *= table.modes.mean_factor[m]
+            slopes[1, m] *= table.modes.mean_factor[m]
     else:
         step_x = x - table.position[node, 0]
         step_y = y - table.position[node, 1]
@@ -241,15 +262,26 @@ def update_node_mode_shapes(table, node, x, y, now, basis_x, basis_y):
 
 
 @kernel
-def update_node_deflections(disk, table, motion, rim, now, begin, count):
+def update_node_deflections(
+    pressed: PressedDisk,
+    table: MovingTable,
+    rim: RimGeometry,
+    now: float,
+    begin: int,
+    count: int,
+) -> float:
     """Evaluate the deflection of the table at `count` nodes from `begin` on, and clear their
-    forces; return the greatest deflection [m].
+    forces; return an upper bound of the deflection between them [m].
     """
+    disk, _, motion, _ = pressed
     for m in range(table.displacement.size):
-        table.displacement[m] = table.endpoint_mean_factor[m] * motion.table_place[m]
+        table.displacement[m] = (
+            table.modes.endpoint_mean_factor[m] * motion.table_place[m]
+        )
     basis_x = np.empty((3, 4))
     basis_y = np.empty((3, 4))
     highest = -np.inf
+    lowest = np.inf
     for n in range(begin, begin + count):
         node = n % table.known_since.size
         table.force[ELASTIC, node] = 0.0
@@ -257,24 +289,34 @@ def update_node_deflections(disk, table, motion, rim, now, begin, count):
         if table.evaluated[0, node] != now:
             table.evaluated[0, node] = now
             x, y, _ = node_arm(disk, table, rim, node)
-            x += table.is_fixed * motion.disk[CENTRE, 0]
-            y += table.is_fixed * motion.disk[CENTRE, 1]
+            x += table.surface.is_fixed * motion.disk[CENTRE, 0]
+            y += table.surface.is_fixed * motion.disk[CENTRE, 1]
             update_node_mode_shapes(table, node, x, y, now, basis_x, basis_y)
             table.motion[DEFLECTION, node] = scalar_product(
                 table.shapes[node], table.displacement
             )
         highest = max(highest, table.motion[DEFLECTION, node])
-    return highest
+        lowest = min(lowest, table.motion[DEFLECTION, node])
+    return highest + (INTERPOLATION_NORM - 1) / 2 * (highest - lowest)
 
 
 @kernel
 def write_node_speeds(
-    disk, table, rim, velocity, change, is_changed, now, begin, count
-):
+    disk: RattlingDisk,
+    table: MovingTable,
+    rim: RimGeometry,
+    velocities: tuple[Velocities, Velocities],
+    is_changed: bool,
+    now: float,
+    begin: int,
+    count: int,
+) -> None:
     """Evaluate slopes and speed of the table at `count` nodes from `begin` on.
 
-    A speed that was evaluated before the change is corrected by half of it.
+    `velocities` is the pair of the mean velocity and of its change in the step. A speed that
+    was evaluated before the change is corrected by half of it.
     """
+    velocity, change = velocities
     for n in range(begin, begin + count):
         node = n % table.known_since.size
         incline = table.incline[node]
@@ -292,13 +334,19 @@ def write_node_speeds(
 
 
 @kernel
-def node_speed(disk, table, rim, velocity, node):
+def node_speed(
+    disk: RattlingDisk,
+    table: MovingTable,
+    rim: RimGeometry,
+    velocity: Velocities,
+    node: int,
+) -> float:
     """Return the speed [m/s] at which the table rises under a node of the moving rim."""
     x, y, z = node_arm(disk, table, rim, node)
     spin_x, spin_y, spin_z = velocity.angular
     # velocity of the node relative to the mode shapes
-    moved_x = table.is_fixed * velocity.linear[0] + spin_y * z - spin_z * y
-    moved_y = table.is_fixed * velocity.linear[1] + spin_z * x - spin_x * z
+    moved_x = table.surface.is_fixed * velocity.linear[0] + spin_y * z - spin_z * y
+    moved_y = table.surface.is_fixed * velocity.linear[1] + spin_z * x - spin_x * z
     return (
         scalar_product(table.shapes[node], velocity.table_modes)
         + table.incline[node, 0] * moved_x
@@ -307,10 +355,17 @@ def node_speed(disk, table, rim, velocity, node):
 
 
 @kernel
-def push_table(disk, table, motion, rim, begin, count, contacts):
+def push_table(
+    pressed: PressedDisk,
+    table: MovingTable,
+    rim: RimGeometry,
+    begin: int,
+    count: int,
+) -> None:
     """Add the forces on `count` nodes from `begin` on to those on the modes of the table, and their
     horizontal parts to those on the disk.
     """
+    disk, _, motion, contacts = pressed
     for place in range(begin, begin + count):
         node = place % table.known_since.size
         for origin in range(2):
@@ -326,5 +381,5 @@ def push_table(disk, table, motion, rim, begin, count, contacts):
             arm = node_arm(disk, table, rim, node)
             add_force(contacts, origin, (push_x, push_y, 0.0), arm)
             # modes that move with the centre exert torques only
-            contacts.force[origin, 0] -= (1 - table.is_fixed) * push_x
-            contacts.force[origin, 1] -= (1 - table.is_fixed) * push_y
+            contacts.force[origin, 0] -= (1 - table.surface.is_fixed) * push_x
+            contacts.force[origin, 1] -= (1 - table.surface.is_fixed) * push_y

@@ -1,13 +1,19 @@
 """Assemble matrices of linear elasticity for scalar Lagrange elements, and solve for
 the lowest eigenpairs."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
-from skfem import CellBasis
+from skfem import CellBasis, Element, Mesh
+
+if TYPE_CHECKING:
+    from modal.modes import Material
+    from modal.spectral.basis import Plate
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,7 +33,7 @@ class Solid:
     """Mass of the meshed volume [kg]."""
 
 
-def lame_constants(material):
+def lame_constants(material: "Material") -> tuple[float, float]:
     """Return Lame's first and second constants [Pa]."""
     young = material.young
     poisson = material.poisson
@@ -36,7 +42,9 @@ def lame_constants(material):
     return first, second
 
 
-def bending_wave_number(material, thickness, density, frequency):
+def bending_wave_number(
+    material: "Material", thickness: float, density: float, frequency: float
+) -> float:
     """Return the bending wavenumber k [1/m] of a thin plate at a frequency [Hz].
 
     k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
@@ -44,7 +52,7 @@ def bending_wave_number(material, thickness, density, frequency):
     return ((2 * np.pi * frequency) ** 2 * density / stiffness) ** 0.25
 
 
-def estimated_mode_count(plate, below):
+def estimated_mode_count(plate: "Plate", below: float) -> float:
     """Return a conservative estimate of the number of modes of a disk below a frequency
     [Hz].
 
@@ -64,7 +72,9 @@ def estimated_mode_count(plate, below):
     return bending + volume * 4 * pi / 3 * below**3 * slowness
 
 
-def assemble_solid(mesh, element, material, density, intorder):
+def assemble_solid(
+    mesh: Mesh, element: Element, material: "Material", density: float, intorder: int
+) -> Solid:
     """Return the `Solid` of a scikit-fem mesh with its stiffness and mass matrices.
 
     K = int lam div u div v + 2 mu eps(u):eps(v), M = int rho u.v, assembled for all
@@ -101,7 +111,7 @@ def assemble_solid(mesh, element, material, density, intorder):
     )
 
 
-def sum_cell_matrices(blocks, dofs, size):
+def sum_cell_matrices(blocks: np.ndarray, dofs: np.ndarray, size: int) -> sp.csr_matrix:
     """Return the sparse sum (size, size) of cell matrices (c, n, n) for unknowns `dofs`
     (c, n)."""
     n = dofs.shape[1]
@@ -110,7 +120,9 @@ def sum_cell_matrices(blocks, dofs, size):
     return sp.csr_matrix((blocks.ravel(), (rows, columns)), shape=(size, size))
 
 
-def inverse_at(stiffness, mass, shift):
+def inverse_at(
+    stiffness: sp.spmatrix, mass: sp.spmatrix, shift: float
+) -> LinearOperator:
     """Return (K - shift M)^-1 as a linear operator.
 
     SuperLU factorises the matrix in symmetric mode with diagonal pivots and the
@@ -129,8 +141,13 @@ def inverse_at(stiffness, mass, shift):
 
 
 def lowest_eigenpairs(
-    stiffness, mass, below, shift=0.0, first_count=8, exact_count=None
-):
+    stiffness: sp.spmatrix,
+    mass: sp.spmatrix,
+    below: float,
+    shift: float = 0.0,
+    first_count: int = 8,
+    exact_count: int | None = None,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return all eigenpairs up to the eigenvalue `below` [1/s^2], or the `exact_count`
     lowest ones.
 
@@ -173,7 +190,13 @@ def lowest_eigenpairs(
     )
 
 
-def eigenpair_residuals(solve, mass, values, vectors, shift=0.0):
+def eigenpair_residuals(
+    solve: Callable[[np.ndarray], np.ndarray],
+    mass: sp.spmatrix,
+    values: np.ndarray,
+    vectors: np.ndarray,
+    shift: float = 0.0,
+) -> np.ndarray:
     """Return the residuals (k,) of the inverse eigenvalue problem.
 
     They are |phi - (value - shift) (K - shift M)^-1 M phi| / |phi|, where `solve(load)`

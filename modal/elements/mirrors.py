@@ -1,8 +1,13 @@
 """Find the symmetry classes of a body on a mirror-symmetric user mesh."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import cKDTree
+
+if TYPE_CHECKING:
+    from modal.elements.user_mesh import DiscreteBody
 
 MIRROR_TOLERANCE = 1e-9
 """Tolerance of mirror symmetry.
@@ -12,7 +17,7 @@ between mirrored matrices, relative to the largest entry.
 """
 
 
-def mirror_symmetries(body):
+def mirror_symmetries(body: "DiscreteBody") -> list[tuple[np.ndarray, sp.csr_matrix]]:
     """Return the mirror symmetries of a `DiscreteBody` about its mid-planes in x and y.
 
     Each symmetry is a pair of the image (p,) of every node and the matrix (3p, 3p) that
@@ -43,7 +48,7 @@ def mirror_symmetries(body):
     return found
 
 
-def symmetry_bases(body, free):
+def symmetry_bases(body: "DiscreteBody", free: sp.spmatrix) -> list[sp.csc_matrix]:
     """Return orthonormal bases of the symmetry classes of the space spanned by the
     columns of `free`.
 
@@ -63,14 +68,14 @@ def symmetry_bases(body, free):
     return bases
 
 
-def node_of_each_column(columns):
+def node_of_each_column(columns: sp.csc_matrix) -> np.ndarray:
     """Return the node (n,) of the first nonzero row in each column of a matrix
     (3p, n)."""
     columns.sort_indices()
     return columns.indices[columns.indptr[:-1]] // 3
 
 
-def normalised_columns(columns):
+def normalised_columns(columns: sp.spmatrix) -> sp.csc_matrix:
     """Return the nonzero columns, normalised to unit length."""
     columns = columns.tocsc()
     length = np.sqrt(np.asarray(columns.multiply(columns).sum(axis=0)).ravel())

@@ -4,26 +4,40 @@ symmetries."""
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from math import pi
+from typing import TYPE_CHECKING, TypedDict, Unpack
 
 import numpy as np
 from skfem import ElementHex2
 
 from modal.accuracy import ACCURACY_LEVELS
 from modal.elements.elastic import (
+    Solid,
     assemble_solid,
     bending_wave_number,
     lowest_eigenpairs,
 )
 from modal.elements.unfold import whole_disk_modes
-from modal.mesh.sector import patch_height, sector
+from modal.mesh.sector import Sector, patch_height, sector
 from modal.mesh.symmetry import (
     Mirror,
     admissible_displacements,
     patch_node_mask,
     symmetry_classes,
 )
-from modal.modes import Modes, UnsolvableError
+from modal.modes import Material, Modes, Support, UnsolvableError
 from modal.progress import progress_range, report_each
+
+if TYPE_CHECKING:
+    from modal.mesh.half_disk import MeshSize
+    from modal.spectral.basis import Plate
+
+
+class Selection(TypedDict, total=False):
+    """Options of `lowest_eigenpairs` that select the eigenpairs."""
+
+    below: float
+    first_count: int
+    exact_count: int | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,7 +54,9 @@ class SolvedSymmetryClass:
     """Residuals (k,)."""
 
 
-def rigid_body_shift(radius, thickness, material, density):
+def rigid_body_shift(
+    radius: float, thickness: float, material: Material, density: float
+) -> float:
     """Return a negative shift [1/s^2] for the eigenvalue problem of a free body.
 
     It is the negative square of an angular frequency well below those of the elastic
@@ -50,7 +66,7 @@ def rigid_body_shift(radius, thickness, material, density):
     return -((0.4 * speed * min(thickness, radius) / radius**2) ** 2)
 
 
-def eigenvalue_shift(plate, support):
+def eigenvalue_shift(plate: "Plate", support: Support) -> float:
     """Return the shift [1/s^2] of the eigenvalue problem: 0 on a patch, else
     `rigid_body_shift`."""
     if support.kind == "patch":
@@ -60,7 +76,7 @@ def eigenvalue_shift(plate, support):
     )
 
 
-def resolving_mesh_size(size, plate, below):
+def resolving_mesh_size(size: "MeshSize", plate: "Plate", below: float) -> "MeshSize":
     """Return a `MeshSize` with blocks narrow enough for bending waves at `below` [Hz].
 
     Blocks are narrowed, down to a limit, if wavenumber times radius is large. The rim
@@ -78,14 +94,25 @@ def resolving_mesh_size(size, plate, below):
     return replace(size, width=size.width * share, depth=size.depth * share**0.75)
 
 
-def mesh_sizes(accuracy, plate, support):
+def mesh_sizes(
+    accuracy: str, plate: "Plate", support: Support
+) -> "tuple[MeshSize, MeshSize]":
     """Return the fine and the coarse `MeshSize` for an accuracy."""
     is_low = patch_height(plate.thickness, support) < plate.thickness
     level = ACCURACY_LEVELS[accuracy]
     return level.low_patch_meshes if is_low else level.patch_meshes
 
 
-def solve_symmetry_class(solid, part, mirror, plate, support, held, shift, **selection):
+def solve_symmetry_class(
+    solid: Solid,
+    part: Sector,
+    mirror: Mirror,
+    plate: "Plate",
+    support: Support,
+    held: np.ndarray,
+    shift: float,
+    **selection: Unpack[Selection],
+) -> SolvedSymmetryClass:
     """Return the `SolvedSymmetryClass` of one symmetry; `selection` is passed to
     `lowest_eigenpairs`."""
     free = admissible_displacements(
@@ -102,7 +129,12 @@ def solve_symmetry_class(solid, part, mirror, plate, support, held, shift, **sel
     )
 
 
-def solve_symmetry_classes(plate, support, size, selections):
+def solve_symmetry_classes(
+    plate: "Plate",
+    support: Support,
+    size: "MeshSize",
+    selections: Selection | list[Selection],
+) -> "tuple[Sector, Solid, list[SolvedSymmetryClass]]":
     """Return the `Sector`, its `Solid` and the list of `SolvedSymmetryClass` records.
 
     `selections` contains options of `lowest_eigenpairs`: one dictionary for all classes
@@ -121,7 +153,7 @@ def solve_symmetry_classes(plate, support, size, selections):
     if isinstance(selections, dict):
         selections = [selections] * len(mirrors)
 
-    def solve_one(mirror, selection):
+    def solve_one(mirror: Mirror, selection: Selection) -> SolvedSymmetryClass:
         return solve_symmetry_class(
             solid, part, mirror, plate, support, held, shift, **selection
         )
@@ -131,7 +163,9 @@ def solve_symmetry_classes(plate, support, size, selections):
         return part, solid, list(solved)
 
 
-def without_rigid_modes(solved, shift):
+def without_rigid_modes(
+    solved: list[SolvedSymmetryClass], shift: float
+) -> list[SolvedSymmetryClass]:
     """Return the classes without rigid-body modes.
 
     Eigenvalues of rigid-body modes are pure round-off, far below the shift. Raises
@@ -153,7 +187,7 @@ def without_rigid_modes(solved, shift):
     ]
 
 
-def held_modes(plate, support, below, accuracy) -> Modes:
+def held_modes(plate: "Plate", support: Support, below: float, accuracy: str) -> Modes:
     """Return the `Modes` of a solid disk below a frequency [Hz] at one of the
     `ACCURACY_LEVELS`."""
     sizes = mesh_sizes(accuracy, plate, support)
@@ -164,7 +198,7 @@ def held_modes(plate, support, below, accuracy) -> Modes:
         part, solid, solved = solve_symmetry_classes(
             plate, support, fine_size, {"below": limit}
         )
-    same_counts = [
+    same_counts: list[Selection] = [
         {"below": limit, "exact_count": max(1, len(c.values))} for c in solved
     ]
     with progress_range(0.7, 1.0):
@@ -174,7 +208,9 @@ def held_modes(plate, support, below, accuracy) -> Modes:
     return whole_disk_modes(part, solid, solved, error_estimates(solved, coarse), plate)
 
 
-def error_estimates(solved, coarse):
+def error_estimates(
+    solved: list[SolvedSymmetryClass], coarse: list[SolvedSymmetryClass]
+) -> np.ndarray:
     """Return estimated relative errors (m,) of the frequencies of all classes from a
     coarser mesh.
 

@@ -1,25 +1,30 @@
 """Sample modes on fixed grids of rim and faces, and interpolate finite-element
 fields."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.sparse as sp
 
 from modal.modes import Body, Modes
 
+if TYPE_CHECKING:
+    from modal.modes import Material
 
-def rim_angles():
+
+def rim_angles() -> np.ndarray:
     """Return the equally spaced angles (k,) [rad] of `Modes.rim_shape`."""
     return equally_spaced_angles(128)
 
 
-def equally_spaced_angles(count):
+def equally_spaced_angles(count: int) -> np.ndarray:
     """Return angles (count,) [rad] from 0 on around the whole circumference."""
     return np.arange(count) * 2 * np.pi / count
 
 
-def face_grid(radius, inner=0.0):
+def face_grid(
+    radius: float, inner: float = 0.0
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the grid of `Modes.face_shape`.
 
     It consists of Gauss radii [m], weights [m^2] of int f r dr, and equally spaced
@@ -31,7 +36,7 @@ def face_grid(radius, inner=0.0):
     return r, weight * (radius - inner) / 2 * r, equally_spaced_angles(angle_count)
 
 
-def sample_points(radius):
+def sample_points(radius: float) -> tuple[np.ndarray, np.ndarray]:
     """Return sample points [m] of the rim (n, 2) and of a face without a hole (a b,
     2)."""
     angle = rim_angles()
@@ -43,7 +48,7 @@ def sample_points(radius):
     return rim, face.reshape(-1, 2)
 
 
-def partner_indices(pair):
+def partner_indices(pair: np.ndarray) -> np.ndarray:
     """Return the index (m,) of the other mode with the same pair number, or -1 if there
     is none."""
     same = pair[:, None] == pair[None, :]
@@ -52,14 +57,14 @@ def partner_indices(pair):
 
 
 def sorted_modes(
-    columns,
-    material,
-    radius,
-    points,
-    cells,
-    inner=0.0,
-    cell_type="hexahedron27",
-    **about,
+    columns: dict[str, np.ndarray],
+    material: "Material",
+    radius: float,
+    points: np.ndarray,
+    cells: np.ndarray,
+    inner: float = 0.0,
+    cell_type: str = "hexahedron27",
+    **about: Any,
 ) -> Modes:
     """Return `Modes`, sorted by frequency, from columns (m, ...) by name.
 
@@ -70,18 +75,18 @@ def sorted_modes(
     `partner`.
     """
     ascending = np.lexsort((columns["parity"] == "odd", columns["frequency"]))
-    columns = {name: np.asarray(value)[ascending] for name, value in columns.items()}
-    words: dict[str, Any] = {
-        name: tuple(columns.pop(name).tolist()) for name in ("family", "parity")
+    fields: dict[str, Any] = {
+        name: np.asarray(value)[ascending] for name, value in columns.items()
     }
-    displacement = columns.pop("displacement")
+    for name in ("family", "parity"):
+        fields[name] = tuple(fields[name].tolist())
+    displacement = fields.pop("displacement")
     r, weight, angle = face_grid(radius, inner)
-    columns["face_shape"] = columns["face_shape"].reshape(-1, 2, len(r), len(angle))
+    fields["face_shape"] = fields["face_shape"].reshape(-1, 2, len(r), len(angle))
     return Modes(
-        partner=partner_indices(columns.pop("pair", np.arange(len(ascending)))),
-        **columns,
-        **words,
-        decay_rate=np.pi * columns["frequency"] * material.loss_factor,
+        partner=partner_indices(fields.pop("pair", np.arange(len(ascending)))),
+        **fields,
+        decay_rate=np.pi * fields["frequency"] * material.loss_factor,
         rim_angle=rim_angles(),
         face_radius=r,
         face_weight=weight,
@@ -93,7 +98,7 @@ def sorted_modes(
     )
 
 
-def quadratic_shape_functions(x):
+def quadratic_shape_functions(x: np.ndarray) -> np.ndarray:
     """Return the Lagrange polynomials (..., 3) with the nodes 0, 1/2, 1 at x (...)."""
     at_start = (1 - x) * (1 - 2 * x)
     at_middle = 4 * x * (1 - x)
@@ -101,12 +106,14 @@ def quadratic_shape_functions(x):
     return np.stack([at_start, at_middle, at_end], axis=-1)
 
 
-def quadratic_shape_slopes(x):
+def quadratic_shape_slopes(x: np.ndarray) -> np.ndarray:
     """Return the derivatives (..., 3) of `quadratic_shape_functions`."""
     return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
 
 
-def locate_in_cells(points, cells):
+def locate_in_cells(
+    points: np.ndarray, cells: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the biquadratic cell (n,) that contains each point (n, 2), and its
     coordinates (n, 2) in it.
 
@@ -130,7 +137,9 @@ def locate_in_cells(points, cells):
     return cell, coordinates
 
 
-def nearest_cell(points, cells, candidates):
+def nearest_cell(
+    points: np.ndarray, cells: np.ndarray, candidates: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the nearest of the candidate cells (n, c) to each point (n, 2).
 
     The result consists of the cell (n,), the coordinates (n, 2) in it, clipped to the
@@ -153,7 +162,9 @@ def nearest_cell(points, cells, candidates):
     return candidates[rows, best], coordinates[rows, best], miss[rows, best]
 
 
-def map_from_unit_square(nodes, coordinates):
+def map_from_unit_square(
+    nodes: np.ndarray, coordinates: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return points (n, c, 2) and Jacobians (n, c, 2, 2) of coordinates (n, c, 2) in
     biquadratic cells.
 
@@ -174,7 +185,9 @@ def map_from_unit_square(nodes, coordinates):
     return point, np.stack([along_u, along_v], axis=-1)
 
 
-def interpolation_matrix(points, cells, numbers, count):
+def interpolation_matrix(
+    points: np.ndarray, cells: np.ndarray, numbers: np.ndarray, count: int
+) -> sp.csr_matrix:
     """Return the sparse matrix (n, count) from nodal values to values at points (n, 2).
 
     `numbers` (q, 3, 3) are the node numbers of the biquadratic cells (q, 3, 3, 2).
@@ -189,7 +202,7 @@ def interpolation_matrix(points, cells, numbers, count):
     )
 
 
-def polar_components(shape, angle):
+def polar_components(shape: np.ndarray, angle: np.ndarray) -> np.ndarray:
     """Return radial, tangential and axial components (..., k, 3) of Cartesian
     displacements at angles (k,) [rad]."""
     c = np.cos(angle)
@@ -198,7 +211,7 @@ def polar_components(shape, angle):
     return np.stack([c * x + s * y, c * y - s * x, z], axis=-1)
 
 
-def strongest_order(rim_shape):
+def strongest_order(rim_shape: np.ndarray) -> np.ndarray:
     """Return the dominant circumferential order (m,) of rim shapes (m, k, 3)."""
     power = (np.abs(np.fft.rfft(rim_shape, axis=1)) ** 2).sum(axis=2)
     power[:, 0] /= 2

@@ -2,23 +2,33 @@
 
 from itertools import product
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from modal.elements import sample
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
-from modal.mesh.sector import HEXAHEDRON_NODES
+from modal.mesh.sector import HEXAHEDRON_NODES, Sector
 from modal.mesh.symmetry import rigid_fields
 from modal.modes import Modes
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix
 
-def mirror_flips(quarter):
+    from modal.elements.elastic import Solid
+    from modal.elements.patch import SolvedSymmetryClass
+    from modal.spectral.basis import Plate
+
+
+def mirror_flips(quarter: bool) -> list[tuple[bool, bool]]:
     """Return pairs of flags, True if y or z is reversed, for the images of a quarter or
     half disk."""
     return list(product((False, True), (False, True) if quarter else (False,)))
 
 
-def whole_mesh(points, cells, quarter):
+def whole_mesh(
+    points: np.ndarray, cells: np.ndarray, quarter: bool
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return nodes (p', 3), cells (c', 27) and node sources (p', 2) of the whole disk.
 
     Cells are in VTK's order. The source of a node is its node in the sector and the
@@ -47,12 +57,14 @@ def whole_mesh(points, cells, quarter):
     return points[first], inverse.ravel()[cells], source[first]
 
 
-def mirror_factors(flip):
+def mirror_factors(flip: tuple[bool, bool]) -> np.ndarray:
     """Return factors (3,) that map a point to its mirror image."""
     return np.where([False, *flip], -1.0, 1.0)
 
 
-def participation(solid, quarter, c):
+def participation(
+    solid: "Solid", quarter: bool, c: "SolvedSymmetryClass"
+) -> np.ndarray:
     """Return the participation phi^T M r (k, 6) of the modes of a class in the six
     rigid-body fields.
 
@@ -68,7 +80,7 @@ def participation(solid, quarter, c):
     )
 
 
-def is_flexural(solid, part, c):
+def is_flexural(solid: "Solid", part: Sector, c: "SolvedSymmetryClass") -> np.ndarray:
     """Return a mask (k,) of the flexural modes of a class.
 
     It follows from the symmetry in z if there is one, and otherwise from the fraction
@@ -79,14 +91,14 @@ def is_flexural(solid, part, c):
     return part.mirror_image_count * axial_share(solid, c.shapes) > 0.5
 
 
-def axial_share(solid, shapes):
+def axial_share(solid: "Solid", shapes: np.ndarray) -> np.ndarray:
     """Return the fraction (k,) of axial motion in the modal mass of shapes (k, p,
     3)."""
     axial = (shapes * [0, 0, 1]).reshape(len(shapes), 3 * len(solid.points))
     return np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T)
 
 
-def side_nodes(axis, end):
+def side_nodes(axis: int, end: int) -> list[int]:
     """Return the nine nodes of a hexahedron, a grid of 3 x 3, on its side at `end` (0
     or 2) of an axis."""
     return [
@@ -98,7 +110,9 @@ HEXAHEDRON_SIDES = [[side_nodes(axis, end) for end in (0, 2)] for axis in range(
 """Nodes of the two sides of a hexahedron in each of the three directions."""
 
 
-def face_interpolation(solid, points, height):
+def face_interpolation(
+    solid: "Solid", points: np.ndarray, height: float
+) -> "csr_matrix":
     """Return the sparse matrix (n, p) from nodal values to values at points (n, 2) of a
     face of the sector.
 
@@ -117,7 +131,9 @@ def face_interpolation(solid, points, height):
     )
 
 
-def face_interpolation_pair(solid, part, points):
+def face_interpolation_pair(
+    solid: "Solid", part: Sector, points: np.ndarray
+) -> "tuple[csr_matrix, csr_matrix]":
     """Return the matrices of `face_interpolation` for bottom and top face; they are
     equal for a quarter disk."""
     folded = np.stack([points[:, 0], np.abs(points[:, 1])], axis=1)
@@ -130,7 +146,12 @@ def face_interpolation_pair(solid, part, points):
     return face_interpolation(solid, distinct, z.min())[position.ravel()], top
 
 
-def displacement_on_faces(matrices, points, quarter, c):
+def displacement_on_faces(
+    matrices: "tuple[csr_matrix, csr_matrix]",
+    points: np.ndarray,
+    quarter: bool,
+    c: "SolvedSymmetryClass",
+) -> np.ndarray:
     """Return the displacements (k, 2, n, 3) of a class at points (n, 2) of bottom and
     top face."""
     k = len(c.shapes)
@@ -148,7 +169,13 @@ def displacement_on_faces(matrices, points, quarter, c):
     return np.stack(values, axis=1) * np.reshape(signs, (2, 2, 3))[:, side]
 
 
-def symmetry_class_arrays(solid, part, c, rim, face):
+def symmetry_class_arrays(
+    solid: "Solid",
+    part: Sector,
+    c: "SolvedSymmetryClass",
+    rim: "tuple[tuple[csr_matrix, csr_matrix], np.ndarray]",
+    face: "tuple[tuple[csr_matrix, csr_matrix], np.ndarray]",
+) -> dict[str, np.ndarray]:
     """Return the arrays (k, ...) of `Modes` for one symmetry class.
 
     `rim` and `face` are pairs (interpolation matrices, points).
@@ -172,7 +199,13 @@ def symmetry_class_arrays(solid, part, c, rim, face):
     }
 
 
-def whole_disk_modes(part, solid, solved, error, plate) -> Modes:
+def whole_disk_modes(
+    part: Sector,
+    solid: "Solid",
+    solved: "list[SolvedSymmetryClass]",
+    error: np.ndarray,
+    plate: "Plate",
+) -> Modes:
     """Return the `Modes` of all symmetry classes; `error` (m,) is in the order of the
     classes."""
     rim_points, face_points = sample.sample_points(plate.radius)

@@ -29,7 +29,7 @@ from modal.elements.elastic import Solid, assemble_solid, lowest_eigenpairs
 from modal.elements.mirrors import mirror_symmetries, symmetry_bases
 from modal.elements.patch import rigid_body_shift
 from modal.elements.user_mesh_error import (
-    FLAT_FACE_ERROR_RATIO,
+    FLAT_FACE_EXTRAPOLATION_FACTOR,
     relative_errors,
 )
 from modal.elements.user_mesh_modes import mesh_modes_record
@@ -317,6 +317,6 @@ def mesh_modes(
         density,
         below,
         max_unknowns=inf if refine else 0,
-        edge_error_ratio=FLAT_FACE_ERROR_RATIO,
+        edge_error_ratio=FLAT_FACE_EXTRAPOLATION_FACTOR,
     )
     return mesh_modes_record(solved, material)

@@ -8,18 +8,27 @@ two to three near the boundary of a held face and near a re-entrant edge (Willia
 u ~ r^s, s from 0.54 to 0.75).
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 import scipy.sparse as sp
 
-from modal.elements.elastic import inverse_at
+from modal.elements.elastic import Solid, inverse_at
 
-CORNER_ERROR_RATIO = 0.7
+if TYPE_CHECKING:
+    from skfem import Mesh
+    from skfem.refdom import Refdom
+
+    from modal.elements.user_mesh import DiscreteBody
+
+CORNER_EXTRAPOLATION_FACTOR = 0.7
 """Ratio of remaining to removed error energy where a held face ends at a corner of the
 body.
 
 Refinement reduces the energy by a factor of 2.4.
 """
-FLAT_FACE_ERROR_RATIO = 1.0
+FLAT_FACE_EXTRAPOLATION_FACTOR = 1.0
 """Ratio of remaining to removed error energy where the held facets end within a flat
 face.
 
@@ -29,15 +38,15 @@ There the displacement is u ~ r^(1/2), and refinement reduces the energy by a fa
 
 
 def relative_errors(
-    mesh,
-    facets,
-    fine,
-    coarse,
-    part_nodes,
-    eigenpairs,
-    shift,
-    edge_error_ratio,
-):
+    mesh: "Mesh",
+    facets: np.ndarray,
+    fine: "DiscreteBody",
+    coarse: "DiscreteBody",
+    part_nodes: Sequence[np.ndarray],
+    eigenpairs: tuple[np.ndarray, np.ndarray],
+    shift: float,
+    edge_error_ratio: float,
+) -> np.ndarray:
     """Estimate the relative errors (k,) of the frequencies of a `DiscreteBody`.
 
     Parameters
@@ -56,7 +65,7 @@ def relative_errors(
         Shift of the eigenvalue problem [1/s^2].
     edge_error_ratio : float
         Ratio of remaining to removed error energy at singular edges
-        (CORNER_ERROR_RATIO or FLAT_FACE_ERROR_RATIO).
+        (CORNER_EXTRAPOLATION_FACTOR or FLAT_FACE_EXTRAPOLATION_FACTOR).
     """
     smooth_error_ratio = (
         1 / 4
@@ -85,7 +94,9 @@ def relative_errors(
     return safety * remaining_energy / (2 * values)
 
 
-def prolongation(fine_solid, coarse, part_nodes):
+def prolongation(
+    fine_solid: Solid, coarse: "DiscreteBody", part_nodes: Sequence[np.ndarray]
+) -> sp.csr_matrix:
     """Return the matrix (3p, 3c) that interpolates displacements of a coarse body at
     the nodes of a fine solid.
 
@@ -109,7 +120,7 @@ def prolongation(fine_solid, coarse, part_nodes):
     return sp.kron(scalar, sp.identity(3)).tocsr()
 
 
-def singular_cells(mesh, facets):
+def singular_cells(mesh: "Mesh", facets: np.ndarray) -> np.ndarray:
     """Return the mask (c,) of cells that touch the boundary of the held facets or a
     re-entrant edge.
 
@@ -126,10 +137,10 @@ def singular_cells(mesh, facets):
     )
     re_entrant = np.intersect1d(wide_edges, mesh.f2e[:, outside])
     touched = np.unique(mesh.edges[:, np.concatenate([ends, re_entrant]).astype(int)])
-    return np.isin(mesh.t, touched).any(axis=0)
+    return np.asarray(np.isin(mesh.t, touched).any(axis=0))
 
 
-def angles_about_edges(mesh):
+def angles_about_edges(mesh: "Mesh") -> np.ndarray:
     """Return the angles (e,) [rad] occupied by cells around the edges of a mesh."""
     cell = mesh.elem.refdom
     total = np.zeros(mesh.edges.shape[1])
@@ -150,7 +161,9 @@ def angles_about_edges(mesh):
     return total
 
 
-def other_adjacent_corner(cell, side, a, b):
+def other_adjacent_corner(
+    cell: "type[Refdom]", side: Sequence[int], a: int, b: int
+) -> int:
     """Return the corner of a side of the cell, other than b, that shares an edge with
     corner a."""
     return next(

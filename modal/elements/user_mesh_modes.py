@@ -1,6 +1,7 @@
 """Sample the modes of a user's mesh on the edge and the faces of the disk."""
 
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
@@ -9,13 +10,19 @@ from modal.elements import sample
 from modal.elements.unfold import axial_share
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.mesh.symmetry import rigid_fields
-from modal.modes import Modes
+from modal.modes import Material, Modes
+
+if TYPE_CHECKING:
+    from skfem import Element
+
+    from modal.elements.elastic import Solid
+    from modal.elements.user_mesh import SolvedBody
 
 CELL_TYPES = {4: "tetra", 10: "tetra10", 8: "hexahedron", 27: "hexahedron27"}
 """meshio's name of each cell type by its number of nodes."""
 
 
-def cells_in_vtk_order(element, solid):
+def cells_in_vtk_order(element: "Element", solid: "Solid") -> tuple[np.ndarray, str]:
     """Return the cells (c, nodes) of a `Solid` in VTK's order, and their meshio type.
 
     The nodes of tetrahedra have the same order in scikit-fem.
@@ -29,7 +36,9 @@ def cells_in_vtk_order(element, solid):
     return solid.cells[:, order], cell_type
 
 
-def interpolate_on_face(solid, shapes, height, points):
+def interpolate_on_face(
+    solid: "Solid", shapes: np.ndarray, height: float, points: np.ndarray
+) -> np.ndarray:
     """Return the values (m, n, c) of nodal shapes (m, p, c) at points (n, 2) of a face
     at a height [m].
 
@@ -55,7 +64,7 @@ def interpolate_on_face(solid, shapes, height, points):
     return values.reshape(len(points), len(shapes), -1).transpose(1, 0, 2)
 
 
-def mesh_modes_record(solved, material) -> Modes:
+def mesh_modes_record(solved: "SolvedBody", material: Material) -> Modes:
     """Return the `Modes` of a `SolvedBody`, sampled on the bottom edge and both faces
     of the disk.
 

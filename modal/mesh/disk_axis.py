@@ -1,9 +1,10 @@
 """Find the axis of a disk on a user's mesh and turn it to z."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
-from skfem import CellBasis
+from skfem import CellBasis, Mesh
 
 Z_AXIS = np.array([0.0, 0.0, 1.0])
 FACE_TOLERANCE = 1e-3
@@ -11,7 +12,7 @@ FACE_TOLERANCE = 1e-3
 thickness."""
 
 
-def turned_to_z(mesh, name):
+def turned_to_z(mesh: Mesh, name: str | Path) -> Mesh:
     """Return the mesh of a disk, centred at the origin, with the axis of the disk along
     z.
 
@@ -29,7 +30,7 @@ def turned_to_z(mesh, name):
     return mesh
 
 
-def facet_areas(mesh):
+def boundary_area_vectors(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
     """Return the corners (f, n, 3) of the boundary facets and their area vectors
     (f, 3) [m^2], whose signs are arbitrary."""
     corners = mesh.p.T[mesh.facets[:, mesh.boundary_facets()].T]
@@ -39,10 +40,10 @@ def facet_areas(mesh):
     return corners, np.cross(diagonals[:, 0], diagonals[:, 1]) / 2
 
 
-def flat_area_ratio(mesh, axis):
+def flat_area_ratio(mesh: Mesh, axis: np.ndarray) -> float:
     """Return the area of the smaller one of the outermost flat faces normal to a unit
     vector, divided by the projected area of the body."""
-    corners, areas = facet_areas(mesh)
+    corners, areas = boundary_area_vectors(mesh)
     projected = np.abs(areas @ axis)
     height = corners @ axis
     size = np.ptp(corners, axis=(0, 1)).max()
@@ -53,7 +54,7 @@ def flat_area_ratio(mesh, axis):
     return 2 * smaller / projected.sum()
 
 
-def axis_of_body(mesh, name):
+def axis_of_body(mesh: Mesh, name: str | Path) -> np.ndarray:
     """Return the principal axis of inertia that is the axis of a disk, or z.
 
     It is the axis along which a body is flat. If there is none, it is z if two flat
@@ -82,13 +83,13 @@ def axis_of_body(mesh, name):
     return axes[:, 0] if low > high else axes[:, 2]
 
 
-def normal_of_faces(mesh, axis):
+def normal_of_faces(mesh: Mesh, axis: np.ndarray) -> np.ndarray:
     """Return the mean normal of the facets that are almost normal to an axis.
 
     Its largest component is positive. An axis without such facets is returned
     unchanged.
     """
-    _, areas = facet_areas(mesh)
+    _, areas = boundary_area_vectors(mesh)
     for max_angle in (20.0, 1.0):  # degrees
         along = areas @ axis
         is_face = np.abs(along) > np.cos(np.deg2rad(max_angle)) * np.linalg.norm(
@@ -100,14 +101,14 @@ def normal_of_faces(mesh, axis):
     return axis * np.sign(axis[np.abs(axis).argmax()])
 
 
-def rotation_to_z(axis):
+def rotation_to_z(axis: np.ndarray) -> np.ndarray:
     """Return the matrix of the smallest rotation that turns a unit vector to z."""
     x, y, z = axis
     turn = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])
     return np.eye(3) + turn + turn @ turn / (1 + z)
 
 
-def check_faces(mesh, name):
+def check_faces(mesh: Mesh, name: str | Path) -> None:
     """Raise ValueError if the corners at the lowest or the greatest z lie on a line."""
     for which, height in (("lowest", -mesh.p[2]), ("greatest", mesh.p[2])):
         on_face = height > height.max() - FACE_TOLERANCE * np.ptp(height)

@@ -1,16 +1,22 @@
 """Read a mesh file with meshio, or report in one sentence why it cannot be read."""
 
 import sys
+from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from itertools import product
 from pathlib import Path
 from threading import get_ident
 from types import FunctionType
+from typing import TYPE_CHECKING, TextIO
 
 from modal.mesh.universal_file import read_universal_file
 
+if TYPE_CHECKING:
+    import meshio
+    import numpy as np
 
-def read_mesh_file(path):
+
+def read_mesh_file(path: str | Path) -> "meshio.Mesh":
     """Return the meshio mesh of a file.
 
     Gmsh files are recognised by their content, other formats by their suffix. Raises
@@ -36,7 +42,7 @@ def read_mesh_file(path):
         ) from error
 
 
-def reason_of(error, printed):
+def reason_of(error: BaseException, printed: str) -> str:
     """Return the reason of an error of a reader in one line.
 
     meshio prints the reason and exits if the content does not have the format of the
@@ -58,7 +64,7 @@ class CapturedStream:
     """Stream that collects the output of the current thread and forwards that of other
     threads."""
 
-    def __init__(self, stream):
+    def __init__(self, stream: TextIO) -> None:
         self._stream = stream
         self._thread = get_ident()
         self.text = ""
@@ -70,11 +76,15 @@ class CapturedStream:
         self.text += text
         return len(text)
 
-    def __getattr__(self, name):
+    def flush(self) -> None:
+        """Flush the stream to which other threads write."""
+        self._stream.flush()
+
+    def __getattr__(self, name: str) -> object:
         return getattr(self._stream, name)
 
 
-def reader_of(path):
+def reader_of(path: Path) -> "Callable[[Path], meshio.Mesh]":
     """Return the function that reads a file."""
     import meshio
     from meshio._mesh import topological_dimension
@@ -91,7 +101,7 @@ def reader_of(path):
     return read_abaqus if suffix == ".inp" else meshio.read
 
 
-def read_gmsh(path):
+def read_gmsh(path: Path) -> "meshio.Mesh":
     """Return the meshio mesh of a Gmsh file.
 
     meshio refuses format 4.1 if only some entities belong to physical groups, and
@@ -116,7 +126,7 @@ GMSH_ORDER = {
 """Positions in Gmsh's order of the nodes in VTK's order."""
 
 
-def read_gmsh_with_ungrouped_cells(path):
+def read_gmsh_with_ungrouped_cells(path: Path) -> "meshio.Mesh":
     """Return the meshio mesh of a Gmsh file of format 4.1 without cell data that exist
     only for some blocks of cells.
 
@@ -127,7 +137,12 @@ def read_gmsh_with_ungrouped_cells(path):
     from meshio.gmsh import _gmsh41
     from meshio.gmsh.main import _read_header
 
-    def mesh_with_complete_data(points, cells, cell_data, **others):
+    def mesh_with_complete_data(
+        points: "np.ndarray",
+        cells: "list[meshio.CellBlock]",
+        cell_data: "dict[str, list[np.ndarray]]",
+        **others: object,
+    ) -> "meshio.Mesh":
         complete = {
             key: data for key, data in cell_data.items() if len(data) == len(cells)
         }
@@ -144,7 +159,7 @@ def read_gmsh_with_ungrouped_cells(path):
         return read(file, is_ascii, data_size)
 
 
-def read_abaqus(path):
+def read_abaqus(path: Path) -> "meshio.Mesh":
     """Return the meshio mesh of an Abaqus input file.
 
     meshio does not know all types of solid and surface elements, and none in lower

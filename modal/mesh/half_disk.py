@@ -7,11 +7,16 @@ below the rim). Nested boxes around the end of the arc resolve the singularity u
 r^(1/2). Nested boxes around the middle of a short arc grow to the size of the disk.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil, inf, pi
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+Block = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""Map from arrays (u, v) in the unit square to points (..., 2)."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,18 +41,18 @@ class MeshSize:
     """Number of cells per block in each direction."""
 
     @property
-    def layers(self):
+    def layers(self) -> int:
         """Number of layers of blocks between the rim ring and the central square, about
         as wide as other blocks."""
         return max(1, round((1 - self.depth) / 2 / self.width))
 
 
-def bilinear_block(corners):
+def bilinear_block(corners: ArrayLike) -> Block:
     """Return the block with straight sides between four corners (4, 2),
     counter-clockwise in (u, v)."""
     a, b, c, d = np.asarray(corners, float)
 
-    def block(u, v):
+    def block(u: np.ndarray, v: np.ndarray) -> np.ndarray:
         u = u[..., None]
         v = v[..., None]
         lower = a * (1 - u) * (1 - v) + b * u * (1 - v)
@@ -56,16 +61,18 @@ def bilinear_block(corners):
     return block
 
 
-def polar_block(corners):
+def polar_block(corners: ArrayLike) -> Block:
     """Return the block with four corners (4, 2) in (angle, depth)."""
     return rim_mapped_block(bilinear_block(corners))
 
 
-def rim_mapped_block(flat, edge=0.0, scale=1.0):
+def rim_mapped_block(
+    flat: Block, edge: float = 0.0, scale: float | np.ndarray = 1.0
+) -> Block:
     """Return the block with the coordinates (angle, depth) = (edge, 0) + scale * (point
     of a flat block)."""
 
-    def block(u, v):
+    def block(u: np.ndarray, v: np.ndarray) -> np.ndarray:
         angle, depth = np.moveaxis([edge, 0] + scale * flat(u, v), -1, 0)
         distance = 1 - depth
         return np.stack([distance * np.cos(angle), distance * np.sin(angle)], -1)
@@ -73,7 +80,9 @@ def rim_mapped_block(flat, edge=0.0, scale=1.0):
     return block
 
 
-def singular_edge_blocks(size, aspect=1.0, max_squared_share=inf):
+def singular_edge_blocks(
+    size: MeshSize, aspect: float = 1.0, max_squared_share: float = inf
+) -> list[Block]:
     """Return blocks of the box [-1, 1] x [0, 1] that resolve u ~ r^(1/2) at the origin.
 
     The box is later stretched to `aspect` times the depth. The map z = w^2 transforms a
@@ -122,24 +131,26 @@ def singular_edge_blocks(size, aspect=1.0, max_squared_share=inf):
     return blocks + [squared_block(quad, scale) for quad in innermost]
 
 
-def squared_block(corners, scale):
+def squared_block(corners: ArrayLike, scale: np.ndarray) -> Block:
     """Return the image under z = w^2, times `scale` (2,), of the straight block with
     corners (4,) in the w plane."""
     flat = bilinear_block([(w.real, w.imag) for w in np.array(corners, complex)])
 
-    def block(u, v):
+    def block(u: np.ndarray, v: np.ndarray) -> np.ndarray:
         x, y = np.moveaxis(flat(u, v), -1, 0)
         return scale * np.stack([x**2 - y**2, 2 * x * y], -1)
 
     return block
 
 
-def joining_block(line, curve):
+def joining_block(
+    line: np.ndarray | tuple[np.ndarray, np.ndarray], curve: Block
+) -> Block:
     """Return the block between a straight line through two points (2, 2) and the lower
     side of another block."""
     start, stop = line
 
-    def block(u, v):
+    def block(u: np.ndarray, v: np.ndarray) -> np.ndarray:
         return (1 - v[..., None]) * (start + u[..., None] * (stop - start)) + v[
             ..., None
         ] * curve(
@@ -150,7 +161,7 @@ def joining_block(line, curve):
     return block
 
 
-def edge_box_depth(half_angle, size):
+def edge_box_depth(half_angle: float, size: MeshSize) -> float:
     """Return the depth of the box around the end of an arc of a half angle [rad].
 
     It equals the depth of the rim ring if the arc is at least as wide as a block. For a
@@ -163,7 +174,7 @@ def edge_box_depth(half_angle, size):
     return min(max_aspect * half_angle, size.depth * (half_angle / size.width) ** 0.5)
 
 
-def short_arc_blocks(half_angle, size):
+def short_arc_blocks(half_angle: float, size: MeshSize) -> list[Block]:
     """Return the rim blocks that coarsen the mesh from a short arc to one block of the
     rim.
 
@@ -182,7 +193,7 @@ def short_arc_blocks(half_angle, size):
     return [polar_block(c) for c in corners]
 
 
-def rim_ring(edge, size):
+def rim_ring(edge: float, size: MeshSize) -> tuple[list[Block], np.ndarray]:
     """Return the blocks of the rim ring for an arc of half angle `edge` <= pi/2, and
     the angles of its columns.
 
@@ -212,7 +223,7 @@ def rim_ring(edge, size):
     return blocks, np.concatenate([left, [middle], right])
 
 
-def rim_blocks(angles, depth):
+def rim_blocks(angles: np.ndarray, depth: float) -> list[Block]:
     """Return plain blocks of a rim ring of a given depth between successive angles (k +
     1,) [rad]."""
     return [
@@ -221,7 +232,7 @@ def rim_blocks(angles, depth):
     ]
 
 
-def square_outline(directions, depth):
+def square_outline(directions: np.ndarray, depth: float) -> np.ndarray:
     """Return the corners and the middles of the sides (5, 2) of half the central square.
 
     They are within pi/4 of equally spaced directions, towards `directions` (5,) [rad].
@@ -232,7 +243,7 @@ def square_outline(directions, depth):
     return distance * np.stack([np.cos(directions), np.sin(directions)], axis=1)
 
 
-def core_blocks(angles, depth, layers=1):
+def core_blocks(angles: np.ndarray, depth: float, layers: int = 1) -> list[Block]:
     """Return the blocks inside the rim ring: layers around a central square of two
     macro cells.
 
@@ -263,12 +274,12 @@ def core_blocks(angles, depth, layers=1):
     return blocks
 
 
-def sub_block(block, u0, u1, v0, v1):
+def sub_block(block: Block, u0: float, u1: float, v0: float, v1: float) -> Block:
     """Return the block restricted to a rectangle of its unit square."""
     return lambda u, v: block(u0 + u * (u1 - u0), v0 + v * (v1 - v0))
 
 
-def cells_of_blocks(blocks, size):
+def cells_of_blocks(blocks: list[Block], size: MeshSize) -> np.ndarray:
     """Return the nodes (q, 3, 3, 2) of the biquadratic cells of blocks, with
     `size.split`^2 cells per block."""
     u, v = np.meshgrid(*[np.linspace(0, 1, 2 * size.split + 1)] * 2, indexing="ij")
@@ -280,7 +291,7 @@ def cells_of_blocks(blocks, size):
     return make_right_handed(np.concatenate(cells))
 
 
-def half_disk(half_angle, size):
+def half_disk(half_angle: float, size: MeshSize) -> np.ndarray:
     """Return the nodes (q, 3, 3, 2) of the biquadratic cells of the half disk for a
     `MeshSize`.
 
@@ -298,7 +309,7 @@ def half_disk(half_angle, size):
     return make_right_handed(cells * [-1, 1]) if mirrored else cells
 
 
-def make_right_handed(cells):
+def make_right_handed(cells: np.ndarray) -> np.ndarray:
     """Exchange u and v of left-handed cells (q, 3, 3, 2) in place and return all
     cells."""
     du = cells[:, 2, 1] - cells[:, 0, 1]

@@ -7,13 +7,17 @@ the adjacent boxes are replaced by a tube with the cross-section of
 `singular_edge_blocks`, mitred at the corner of the patch.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 from math import ceil, log, pi
 
 import numpy as np
 
-from modal.mesh.half_disk import bilinear_block, singular_edge_blocks
+from modal.mesh.half_disk import Block, MeshSize, bilinear_block, singular_edge_blocks
+
+SolidBlock = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+"""Map from arrays (u, v, w) in the unit cube to points (..., 3)."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,12 +34,12 @@ class NestedBoxes:
     """Number of cells in the direction of the height."""
 
 
-def max_layer_height(size):
+def max_layer_height(size: MeshSize) -> float:
     """Return the largest layer height of a `MeshSize`, divided by the radius."""
     return 1.2 * size.width
 
 
-def graded_distances(first, last, ratio):
+def graded_distances(first: np.ndarray, last: np.ndarray, ratio: float) -> np.ndarray:
     """Return distances (k, n) from `first` (n,) to `last` (n,) in geometric steps of
     about `ratio`.
 
@@ -45,7 +49,9 @@ def graded_distances(first, last, ratio):
     return first * growth ** (np.arange(count + 1)[:, None] / count)
 
 
-def nested_boxes(angle, height, top, size):
+def nested_boxes(
+    angle: float, height: float, top: float, size: MeshSize
+) -> NestedBoxes:
     """Return the `NestedBoxes` of a patch with a half angle [rad] and a height below
     `top`.
 
@@ -90,7 +96,9 @@ def nested_boxes(angle, height, top, size):
     )
 
 
-def points_in_box(boxes, s, *shares):
+def points_in_box(
+    boxes: NestedBoxes, s: float | np.ndarray, *shares: float | np.ndarray
+) -> np.ndarray:
     """Return points (..., 3) in box s at fractions of its angle, depth and height."""
     corner = corner_of_box(boxes, s)
     return np.stack(
@@ -98,7 +106,7 @@ def points_in_box(boxes, s, *shares):
     )
 
 
-def corner_of_box(boxes, s):
+def corner_of_box(boxes: NestedBoxes, s: float | np.ndarray) -> np.ndarray:
     """Return angle, depth and height (3, ...) of box s (...), interpolated between the
     numbered boxes.
 
@@ -118,7 +126,7 @@ def corner_of_box(boxes, s):
     return np.where(smooth, parabola, linear)
 
 
-def nodes_of_block_cells(block, *counts):
+def nodes_of_block_cells(block: SolidBlock, *counts: int) -> np.ndarray:
     """Return the nodes (c, 3, 3, 3, 3) of the cells of a block, which is a function on
     the unit cube."""
     grid = block(
@@ -128,7 +136,7 @@ def nodes_of_block_cells(block, *counts):
     return np.array([grid[i : i + 3, j : j + 3, k : k + 3] for i, j, k in starts])
 
 
-def nodes_of_boxes(boxes, size):
+def nodes_of_boxes(boxes: NestedBoxes, size: MeshSize) -> np.ndarray:
     """Return the nodes (c, 3, 3, 3, 3) of all cells inside the last box; the first node
     index increases outwards."""
     corners = boxes.corners
@@ -142,17 +150,13 @@ def nodes_of_boxes(boxes, size):
         )
     ]
     for i in range(len(corners) - 1):
-        cells.append(
-            nodes_of_block_cells(
-                lambda u, v, w, i=i: points_in_box(boxes, i + u, v, 1, w), n, around, up
-            ),
-        )
+        cells.append(nodes_of_block_cells(box_block(boxes, i), n, around, up))
     sections = []
     for i in range(len(corners) - 1):
         if i not in (patch - 1, patch):
             sections.append(bilinear_block([(i, 0), (i + 1, 0), (i + 1, 1), (i, 1)]))
     for flat in singular_edge_blocks(size):
-        sections.append(lambda u, v, flat=flat: np.add(flat(u, v), (patch, 0)))
+        sections.append(shifted_block(flat, patch))
     for is_beside, count in ((True, up), (False, around)):
         for section in sections:
             cells.append(
@@ -165,12 +169,22 @@ def nodes_of_boxes(boxes, size):
     ]  # cells are flat where boxes share a side
 
 
-def tube_block(boxes, section, is_beside):
+def box_block(boxes: NestedBoxes, i: int) -> SolidBlock:
+    """Return the block between the boxes i and i + 1, below the patch."""
+    return lambda u, v, w: points_in_box(boxes, i + u, v, 1, w)
+
+
+def shifted_block(flat: Block, box: int) -> Block:
+    """Return a block of the cross-section, shifted to a box."""
+    return lambda u, v: np.add(flat(u, v), (box, 0))
+
+
+def tube_block(boxes: NestedBoxes, section: Block, is_beside: bool) -> SolidBlock:
     """Return the block along an edge of the patch, beside or above it.
 
     Its cross-section has the coordinates (box, fraction of its depth)."""
 
-    def block(u, v, w):
+    def block(u: np.ndarray, v: np.ndarray, w: np.ndarray) -> np.ndarray:
         s, share = np.moveaxis(section(u, v), -1, 0)
         shares = (1, share, w) if is_beside else (w, share, 1)
         return points_in_box(boxes, s, *shares)

@@ -1,11 +1,14 @@
 """Read user volume meshes and convert them to scikit-fem, or report why they cannot be
 used."""
 
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
-from skfem import CellBasis, MeshTet1
+from skfem import CellBasis, Mesh, MeshTet1
 from skfem.io.meshio import from_meshio
 
 from modal.mesh.disk_axis import turned_to_z
@@ -17,6 +20,11 @@ from modal.mesh.tetrahedra import (
     triangles_of_quadrilaterals,
 )
 
+if TYPE_CHECKING:
+    import meshio
+
+    from modal.modes import Support
+
 KEPT_CELLS = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
 """meshio's names of the volume cells that are not divided into tetrahedra."""
 MAX_DISK_SIZE = 5.0
@@ -25,7 +33,7 @@ MAX_TABLE_SIZE = 20.0
 """Largest size of a table [m]."""
 
 
-def read_mesh(path):
+def read_mesh(path: str | Path) -> Mesh:
     """Return the scikit-fem mesh of a disk, with its centre of mass at the origin and
     its axis along z.
 
@@ -42,7 +50,7 @@ def read_mesh(path):
     )
 
 
-def read_checked(path, max_size):
+def read_checked(path: str | Path, max_size: float) -> Mesh:
     """Return the checked scikit-fem mesh of a file, at most `max_size` [m] large.
 
     Its boundaries are the named surfaces and sets of nodes of the file. The mesh is
@@ -71,13 +79,15 @@ def read_checked(path, max_size):
     return mesh.with_boundaries(named)
 
 
-def volume_data(file, name):
+def volume_data(file: "meshio.Mesh", name: str) -> np.ndarray:
     """Return the cell data of all volume cells of a meshio mesh."""
     blocks = zip(file.cells, file.cell_data[name], strict=True)
     return np.concatenate([data for block, data in blocks if block.dim == 3])
 
 
-def volume_cells(file, path):
+def volume_cells(
+    file: "meshio.Mesh", path: str | Path
+) -> tuple[np.ndarray, str, np.ndarray]:
     """Return the points (p, 3) of a meshio mesh, one type of cell, and its cells (c, n).
 
     Cells of mixed types, wedges and pyramids are divided into tetrahedra, and
@@ -117,7 +127,7 @@ def volume_cells(file, path):
     return file.points, kinds[0], cells[kinds[0]]
 
 
-def named_sides(file):
+def named_sides(file: "meshio.Mesh") -> dict[str, list[np.ndarray]]:
     """Return the corners of the sides in each named surface of a meshio mesh, as a list
     of arrays (k, 3) or (k, 4).
 
@@ -142,7 +152,9 @@ def named_sides(file):
     return named
 
 
-def matching_facets(mesh, points, sides):
+def matching_facets(
+    mesh: Mesh, points: np.ndarray, sides: list[np.ndarray]
+) -> np.ndarray:
     """Return the facets (k,) of a mesh at the corners of sides.
 
     `sides` is a list of node numbers (k, 3) or (k, 4) of `points`. On a mesh of
@@ -163,7 +175,7 @@ def matching_facets(mesh, points, sides):
     return np.flatnonzero(np.isin(place[: len(known)], place[len(known) :]))
 
 
-def facets_between(mesh, points):
+def facets_between(mesh: Mesh, points: np.ndarray) -> np.ndarray:
     """Return the boundary facets (k,) with all corners among the points (n, 3)."""
     facets = mesh.boundary_facets()
     distance, _ = cKDTree(points).query(mesh.p.T)
@@ -171,7 +183,9 @@ def facets_between(mesh, points):
     return facets[is_near[mesh.facets[:, facets]].all(axis=0)]
 
 
-def hexahedra27_from_20(points, cells):
+def hexahedra27_from_20(
+    points: np.ndarray, cells: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return points (p, 3) and cells (c, 27) for cells (c, 20).
 
     The additional nodes in the middle of faces and cells are interpolated by the 20
@@ -197,7 +211,7 @@ def hexahedra27_from_20(points, cells):
     )
 
 
-def check_mesh(mesh, name, max_size):
+def check_mesh(mesh: Mesh, name: str | Path, max_size: float) -> None:
     """Raise ValueError if a mesh cannot be used.
 
     Reasons are a size below a millimetre or above `max_size` [m], degenerate cells, and several bodies.
@@ -249,7 +263,7 @@ def check_mesh(mesh, name, max_size):
         )
 
 
-def patch_facets(mesh, support, name=None):
+def patch_facets(mesh: Mesh, support: "Support", name: str | None = None) -> np.ndarray:
     """Return the facets of a named boundary of the mesh; without a name, those within
     the arc and the height of the patch."""
     if name is not None:

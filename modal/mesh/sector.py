@@ -3,15 +3,25 @@ scikit-fem."""
 
 from dataclasses import dataclass
 from math import ceil, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
-from skfem import ElementHex2, MeshHex, MeshHex2
+from skfem import ElementHex2, Mesh, MeshHex, MeshHex2
 
-from modal.mesh.half_disk import cells_of_blocks, core_blocks, half_disk, rim_blocks
+from modal.mesh.half_disk import (
+    MeshSize,
+    cells_of_blocks,
+    core_blocks,
+    half_disk,
+    rim_blocks,
+)
 from modal.mesh.patch_box import max_layer_height, nested_boxes, nodes_of_boxes
+
+if TYPE_CHECKING:
+    from modal.modes import Support
 
 HEXAHEDRON_NODES = np.rint(ElementHex2.doflocs * 2).astype(int)
 """Twice the reference coordinates (27, 3) of the nodes in scikit-fem's order, beginning
@@ -30,12 +40,14 @@ class Sector:
     """Lowest and highest z of the patch [m], or None for a free disk."""
 
     @property
-    def mirror_image_count(self):
+    def mirror_image_count(self) -> int:
         """Number of mirror images in the whole disk."""
         return 4 if self.quarter else 2
 
 
-def layer_heights(bottom, top, size, radius):
+def layer_heights(
+    bottom: float, top: float, size: MeshSize, radius: float
+) -> np.ndarray:
     """Return the boundaries (k + 1,) [m] of layers of equal thickness.
 
     The thickness of a layer does not exceed the width of the plane cells.
@@ -44,7 +56,7 @@ def layer_heights(bottom, top, size, radius):
     return np.linspace(bottom, top, size.split * max(1, count) + 1)
 
 
-def extrude(cells, heights):
+def extrude(cells: np.ndarray, heights: np.ndarray) -> np.ndarray:
     """Return the nodes (q * layers, 27, 3) of hexahedra extruded from plane cells (q,
     3, 3, 2).
 
@@ -58,7 +70,9 @@ def extrude(cells, heights):
     return nodes.reshape(-1, 27, 3)
 
 
-def hexahedra(nodes, linear=MeshHex, quadratic=MeshHex2):
+def hexahedra(
+    nodes: np.ndarray, linear: type[Mesh] = MeshHex, quadratic: type[Mesh] = MeshHex2
+) -> Mesh:
     """Return the scikit-fem mesh of cells with nodes (c, n, 3), with coincident nodes
     merged.
 
@@ -82,7 +96,7 @@ def hexahedra(nodes, linear=MeshHex, quadratic=MeshHex2):
     return mesh
 
 
-def cartesian_nodes(nodes, radius, bottom):
+def cartesian_nodes(nodes: np.ndarray, radius: float, bottom: float) -> np.ndarray:
     """Return Cartesian nodes (c, 27, 3) [m] of right-handed cells for nodes (c, 3, 3,
     3, 3) of `patch_box`.
 
@@ -104,7 +118,14 @@ def cartesian_nodes(nodes, radius, bottom):
     return points[:, i, j, k]
 
 
-def disk_cells_with_low_patch(radius, bottom, top, angle, height, size):
+def disk_cells_with_low_patch(
+    radius: float,
+    bottom: float,
+    top: float,
+    angle: float,
+    height: float,
+    size: MeshSize,
+) -> np.ndarray:
     """Return the cell nodes (c, 27, 3) [m] of a disk held on an arc of its rim that covers
     only part of the thickness.
 
@@ -134,7 +155,7 @@ def disk_cells_with_low_patch(radius, bottom, top, angle, height, size):
     return np.concatenate(cells)
 
 
-def patch_height(thickness, support):
+def patch_height(thickness: float, support: "Support") -> float:
     """Return the modelled height [m] of the patch of a `Support` (default: the
     thickness).
 
@@ -147,7 +168,7 @@ def patch_height(thickness, support):
     return height if height < full_height_share * thickness else thickness
 
 
-def patch_edge(radius, thickness, support):
+def patch_edge(radius: float, thickness: float, support: "Support") -> np.ndarray:
     """Return points (6, 3) [m] on the lower and upper edges of the patch."""
     angle = np.deg2rad(support.half_angle_deg) * np.array([-1, 0, 1])
     height = patch_height(thickness, support)
@@ -159,7 +180,9 @@ def patch_edge(radius, thickness, support):
     )
 
 
-def sector(radius, thickness, support, size):
+def sector(
+    radius: float, thickness: float, support: "Support", size: MeshSize
+) -> Sector:
     """Return the `Sector` of a disk [m] on a `Support`, graded towards the edge of the
     patch."""
     half = thickness / 2

@@ -1,6 +1,7 @@
 """Define the mirror symmetries of a held disk and the unknowns of each symmetry
 class."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -20,7 +21,7 @@ class Mirror:
     y: int
     z: int
 
-    def component_signs(self, flip_y, flip_z):
+    def component_signs(self, flip_y: bool, flip_z: bool) -> np.ndarray:
         """Return the sign factors (3,) of the displacement components at the mirror
         image of a point."""
         sign = np.ones(3)
@@ -30,7 +31,7 @@ class Mirror:
             sign *= self.z * np.array([1, 1, -1])
         return sign
 
-    def vanishing_components(self, points, scale):
+    def vanishing_components(self, points: np.ndarray, scale: float) -> np.ndarray:
         """Return the mask (p, 3) of components that vanish by symmetry at points (p, 3)
         on mirror planes."""
         on_y = np.abs(points[:, 1]) < 1e-9 * scale
@@ -41,14 +42,19 @@ class Mirror:
         return vanishing | (on_z[:, None] & (self.component_signs(False, True) < 0))
 
 
-def symmetry_classes(quarter):
+def symmetry_classes(quarter: bool) -> list[Mirror]:
     """Return the four `Mirror` classes of a quarter model or the two of a half
     model."""
     z_signs = (1, -1) if quarter else (0,)
     return [Mirror(y=y, z=z) for y, z in product((1, -1), z_signs)]
 
 
-def patch_node_mask(points, radius, half_angle, patch):
+def patch_node_mask(
+    points: np.ndarray,
+    radius: float,
+    half_angle: float,
+    patch: tuple[float, float] | None,
+) -> np.ndarray:
     """Return the mask (p,) of points on the patch.
 
     The patch is the part of the rim within `half_angle` [rad] and between two heights
@@ -63,7 +69,13 @@ def patch_node_mask(points, radius, half_angle, patch):
     return on_rim & inside & (np.abs(np.arctan2(y, x)) < half_angle + 1e-9)
 
 
-def admissible_displacements(points, held, components, mirror=None, scale=1.0):
+def admissible_displacements(
+    points: np.ndarray,
+    held: np.ndarray,
+    components: Sequence[str],
+    mirror: Mirror | None = None,
+    scale: float = 1.0,
+) -> sp.csr_matrix:
     """Return a matrix (3p, n) whose columns span the admissible displacements of a
     symmetry class.
 
@@ -81,7 +93,7 @@ def admissible_displacements(points, held, components, mirror=None, scale=1.0):
     return free[:, np.nonzero(~vanishing.ravel())[0]]
 
 
-def cartesian_from_cylindrical(points, marked):
+def cartesian_from_cylindrical(points: np.ndarray, marked: np.ndarray) -> sp.csc_matrix:
     """Return the matrix (3p, 3p) from cylindrical to Cartesian components at marked
     nodes.
 
@@ -97,7 +109,7 @@ def cartesian_from_cylindrical(points, marked):
     ).tocsc()
 
 
-def rigid_fields(points):
+def rigid_fields(points: np.ndarray) -> np.ndarray:
     """Return the displacements (6, p, 3) of unit translations along x, y, z and unit
     rotations about them."""
     unit = np.eye(3)[:, None]
@@ -106,7 +118,7 @@ def rigid_fields(points):
     )
 
 
-def check_no_rigid_motion(points, components):
+def check_no_rigid_motion(points: np.ndarray, components: Sequence[str]) -> None:
     """Raise ValueError if components held at points (p, 3) do not prevent all
     rigid-body motions."""
     frame = cartesian_from_cylindrical(points, np.ones(len(points), bool))

@@ -1,5 +1,7 @@
 """Divide cells into tetrahedra."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 TETRAHEDRON_PARTS = [
@@ -46,12 +48,12 @@ SHAPE_OF_CELLS = {
 """Shape of each of meshio's cell types that can be divided into tetrahedra."""
 
 
-def corner_lists(text):
+def corner_lists(text: str) -> list[list[int]]:
     """Return lists of corners written as digits."""
     return [list(map(int, word)) for word in text.split()]
 
 
-def triangles_of_quadrilaterals(corners):
+def triangles_of_quadrilaterals(corners: np.ndarray) -> np.ndarray:
     """Return the triangles (2 n, 3) of quadrilaterals (n, 4), cut through their lowest
     number, so that neighbouring cells are cut in the same way."""
     first = corners.argmin(axis=1)
@@ -59,7 +61,7 @@ def triangles_of_quadrilaterals(corners):
     return np.concatenate([turned[:, [0, 1, 2]], turned[:, [0, 2, 3]]])
 
 
-def corner_tetrahedra(corners, shape):
+def corner_tetrahedra(corners: np.ndarray, shape: str) -> np.ndarray:
     """Return the tetrahedra (t, 4) of convex cells with the corners (c, k).
 
     They connect the lowest number of each cell with the triangles of the faces that do
@@ -80,7 +82,9 @@ def corner_tetrahedra(corners, shape):
     return np.concatenate(found)
 
 
-def tetrahedra_of_cells(points, blocks):
+def tetrahedra_of_cells(
+    points: np.ndarray, blocks: list[tuple[str, np.ndarray]]
+) -> tuple[np.ndarray, np.ndarray]:
     """Return points (p, 3) and tetrahedra (t, 4) or (t, 10) of cells by type.
 
     `blocks` is a list of meshio's cell type and cells (c, n), either all linear or all
@@ -102,7 +106,13 @@ def tetrahedra_of_cells(points, blocks):
     return with_middle_nodes(points, tetrahedra, cells, corners, shapes)
 
 
-def with_middle_nodes(points, tetrahedra, cells, corners, shapes):
+def with_middle_nodes(
+    points: np.ndarray,
+    tetrahedra: np.ndarray,
+    cells: list[np.ndarray],
+    corners: list[np.ndarray],
+    shapes: list[str],
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the points and tetrahedra (t, 10) of second order for linear ones (t, 4).
 
     `cells`, `corners` and `shapes` are lists of the nodes, the corners and the shapes of
@@ -128,7 +138,9 @@ def with_middle_nodes(points, tetrahedra, cells, corners, shapes):
     return all_points, np.hstack([tetrahedra, len(points) + found])
 
 
-def diagonals(points, corners, nodes, shape):
+def diagonals(
+    points: np.ndarray, corners: np.ndarray, nodes: np.ndarray, shape: str
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield the ends (c, 2) and middles (c, 3) of the diagonals along which cells are
     cut.
 

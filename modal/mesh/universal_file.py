@@ -4,9 +4,18 @@ Source: the universal file format, datasets 15, 164, 781, 2411, 2412, 2435, 2452
 and 2477. Nodes of quadratic elements are numbered along their edges, layer by layer.
 """
 
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-BEAMS = {11, 21, 22, 23, 24}
+if TYPE_CHECKING:
+    import meshio
+
+Dataset = tuple[str, list[str]]
+"""Number and lines of a dataset."""
+
+BEAM_DESCRIPTORS = {11, 21, 22, 23, 24}
 """Descriptors of elements with an additional record."""
 ELEMENTS = {
     111: ("tetra", range(4)),
@@ -31,7 +40,7 @@ GROUP_SETS = {"2435", "2452", "2467", "2477"}
 """Datasets that contain named groups of nodes and elements."""
 
 
-def read_universal_file(path):
+def read_universal_file(path: Path) -> "meshio.Mesh":
     """Return the meshio mesh of a universal file, in metres.
 
     Raises ValueError if the file has no nodes or an element of unknown form.
@@ -63,7 +72,7 @@ def read_universal_file(path):
     )
 
 
-def read_datasets(path):
+def read_datasets(path: Path) -> list[Dataset]:
     """Return the number and the lines of each dataset of a file."""
     datasets: list[tuple[str, list[str]]] = []
     lines: list[str] | None = None
@@ -81,12 +90,12 @@ def read_datasets(path):
     return datasets
 
 
-def real_numbers(line):
+def real_numbers(line: str) -> list[float]:
     """Return the numbers of a line; exponents begin with E or D."""
     return [float(word.upper().replace("D", "E")) for word in line.split()]
 
 
-def nodes_of(datasets):
+def nodes_of(datasets: list[Dataset]) -> tuple[list[int], np.ndarray]:
     """Return the labels and the coordinates (p, 3) of the nodes."""
     labels = []
     points = []
@@ -102,7 +111,7 @@ def nodes_of(datasets):
     return labels, np.array(points)
 
 
-def length_factor(datasets):
+def length_factor(datasets: list[Dataset]) -> float:
     """Return the unit of length of the file as a fraction of a metre, inverted."""
     for number, lines in datasets:
         if number == "164":
@@ -110,7 +119,9 @@ def length_factor(datasets):
     return 1.0
 
 
-def cells_of(datasets, index):
+def cells_of(
+    datasets: list[Dataset], index: dict[int, int]
+) -> tuple[dict[str, list[list[int]]], dict[int, tuple[int, int]]]:
     """Return the node numbers of the cells by type, and the block and row of each
     element label.
 
@@ -129,7 +140,7 @@ def cells_of(datasets, index):
     start = 0
     while start < len(numbers):
         label, descriptor, *_, count = numbers[start : start + 6]
-        start += 9 if descriptor in BEAMS else 6
+        start += 9 if descriptor in BEAM_DESCRIPTORS else 6
         nodes = numbers[start : start + count]
         start += count
         if descriptor not in ELEMENTS:
@@ -145,7 +156,7 @@ def cells_of(datasets, index):
     return cells, place
 
 
-def groups_of(datasets):
+def groups_of(datasets: list[Dataset]) -> list[tuple[str, list[tuple[int, int]]]]:
     """Return the name of each group, and the kind and label of its entities.
 
     Kind 7 is a node, kind 8 an element.

@@ -10,6 +10,7 @@ from scipy.linalg import eigh
 from modal.elements.elastic import bending_wave_number, eigenpair_residuals
 from modal.progress import report_progress
 from modal.spectral.basis import (
+    Plate,
     RitzProblem,
     axial_functions,
     radial_functions,
@@ -37,7 +38,9 @@ class Eigenpairs:
     axial basis."""
 
 
-def solve_problem(plate, p, size, below) -> Eigenpairs:
+def solve_problem(
+    plate: Plate, p: RitzProblem, size: tuple[int, int], below: float
+) -> Eigenpairs:
     """Return the elastic `Eigenpairs` of one `RitzProblem` below a frequency [Hz].
 
     The two errors of a frequency are its differences from the frequencies in nested
@@ -64,7 +67,9 @@ def solve_problem(plate, p, size, below) -> Eigenpairs:
     )
 
 
-def scaled_matrices(plate, p, size, rigid_value):
+def scaled_matrices(
+    plate: Plate, p: RitzProblem, size: tuple[int, int], rigid_value: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return stiffness and mass (N, N), scaled to a unit stiffness diagonal, and the
     scale (N,).
 
@@ -84,7 +89,9 @@ def scaled_matrices(plate, p, size, rigid_value):
     return k * np.outer(scale, scale), m * np.outer(scale, scale), scale
 
 
-def nested_indices(p, size, smaller):
+def nested_indices(
+    p: RitzProblem, size: tuple[int, int], smaller: tuple[int, int]
+) -> np.ndarray:
     """Return the indices of a smaller basis in one of `size`, both given as (radial,
     axial) counts."""
     terms = len(p.terms)
@@ -92,7 +99,9 @@ def nested_indices(p, size, smaller):
     return grid[:, : smaller[0], : smaller[1]].ravel()
 
 
-def lowest_eigenvalues(k, m, index, count):
+def lowest_eigenvalues(
+    k: np.ndarray, m: np.ndarray, index: np.ndarray, count: int
+) -> np.ndarray:
     """Return the `count` lowest eigenvalues of the problem restricted to the unknowns
     `index`.
 
@@ -107,7 +116,7 @@ def lowest_eigenvalues(k, m, index, count):
     return 1 / inverse[::-1]
 
 
-def first_basis_size(plate, below):
+def first_basis_size(plate: Plate, below: float) -> tuple[int, int]:
     """Return the initial numbers of radial and axial polynomials.
 
     They are 3 plus half of wavenumber times radius, and 2. Waves at `below` [Hz] are
@@ -119,7 +128,9 @@ def first_basis_size(plate, below):
     return 3 + ceil(wave_number * plate.radius / 2), 2
 
 
-def solve_to_tolerance(plate, p, size, below, tolerance):
+def solve_to_tolerance(
+    plate: Plate, p: RitzProblem, size: tuple[int, int], below: float, tolerance: float
+) -> Eigenpairs:
     """Return the `Eigenpairs` of a basis large enough for the tolerance.
 
     The basis starts at `size` and is enlarged in the direction of the larger error
@@ -140,7 +151,7 @@ def solve_to_tolerance(plate, p, size, below, tolerance):
         )
 
 
-def all_eigenpairs(plate, below, tolerance) -> list[Eigenpairs]:
+def all_eigenpairs(plate: Plate, below: float, tolerance: float) -> list[Eigenpairs]:
     """Return the elastic `Eigenpairs` of all orders below a frequency [Hz].
 
     The search ends after two orders without modes, because the lowest frequency
@@ -171,12 +182,14 @@ def all_eigenpairs(plate, below, tolerance) -> list[Eigenpairs]:
     return found
 
 
-def displacement_amplitudes(pairs, rho, zeta):
+def displacement_amplitudes(
+    pairs: Eigenpairs, rho: np.ndarray, zeta: np.ndarray
+) -> np.ndarray:
     """Return the amplitudes (3, k, r, z) of u_r, u_theta, u_z at rho (r,) and zeta
     (z,).
 
     The ranges are [0, 1] for rho and [-1, 1] for zeta."""
-    result = 0.0
+    result = np.zeros(())
     start = 0
     for term in pairs.problem.terms:
         radial = radial_functions(term, pairs.size[0], rho)[0]

@@ -4,21 +4,28 @@ quadrature."""
 from dataclasses import replace
 from functools import cache
 from math import atanh, ceil, log, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from modal.elements.elastic import lame_constants
 from modal.spectral.basis import (
+    BasisFamily,
+    Plate,
+    RitzProblem,
     axial_functions,
     radial_functions,
     rigid_mode,
     ritz_problem,
 )
 
+if TYPE_CHECKING:
+    from modal.modes import Material
+
 leggauss = cache(np.polynomial.legendre.leggauss)
 
 
-def strain_coefficients(term, n):
+def strain_coefficients(term: BasisFamily, n: int) -> np.ndarray:
     """Return the coefficients (6, 3, 2) of strains in products of radial and axial
     factors of a `BasisFamily`.
 
@@ -39,7 +46,9 @@ def strain_coefficients(term, n):
     return strain
 
 
-def gauss_grid(plate, n, size):
+def gauss_grid(
+    plate: Plate, n: int, size: tuple[int, int]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return Gauss points rho and zeta and their weights [m^2] and [m], exact for the
     basis.
 
@@ -63,7 +72,7 @@ def gauss_grid(plate, n, size):
     )
 
 
-def graded_gauss(hole, count):
+def graded_gauss(hole: float, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return points and weights (k,) for integrals over [hole, 1] of polynomials
     divided by rho.
 
@@ -85,7 +94,13 @@ def graded_gauss(hole, count):
     return (end - half + half * x).ravel(), (half * weight).ravel()
 
 
-def functions_on_grid(plate, term, size, rho, zeta):
+def functions_on_grid(
+    plate: Plate,
+    term: BasisFamily,
+    size: tuple[int, int],
+    rho: np.ndarray,
+    zeta: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
     """Return radial factors (3, a, k) and axial factors (2, c, l) on the grid, see
     `strain_coefficients`."""
     value, slope = radial_functions(term, size[0], rho)
@@ -94,7 +109,7 @@ def functions_on_grid(plate, term, size, rho, zeta):
     return radial, np.stack([axial_value, axial_slope * 2 / plate.thickness])
 
 
-def elasticity_matrix(material):
+def elasticity_matrix(material: "Material") -> np.ndarray:
     """Return the stresses (6, 6) [Pa] due to unit strains, shear strains not doubled."""
     lam, mu = lame_constants(material)
     elasticity = np.diag([2 * mu] * 3 + [mu] * 3)
@@ -102,7 +117,9 @@ def elasticity_matrix(material):
     return elasticity
 
 
-def products_of_functions(plate, p, size):
+def products_of_functions(
+    plate: Plate, p: RitzProblem, size: tuple[int, int]
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the integrals of products of two radial and of two axial functions."""
     rho, zeta, radial_weight, axial_weight = gauss_grid(plate, p.n, size)
     on_grid = [functions_on_grid(plate, t, size, rho, zeta) for t in p.terms]
@@ -114,7 +131,9 @@ def products_of_functions(plate, p, size):
     )
 
 
-def stiffness_and_mass(plate, p, size):
+def stiffness_and_mass(
+    plate: Plate, p: RitzProblem, size: tuple[int, int]
+) -> tuple[np.ndarray, np.ndarray]:
     """Return stiffness and mass (N, N) of one `RitzProblem`.
 
     They are int lam tr(eps)^2 + 2 mu eps:eps and int rho u.u. In the sums, s and t are
@@ -139,7 +158,7 @@ def stiffness_and_mass(plate, p, size):
     return stiffness + ring_matrix(plate, p, size), mass
 
 
-def translation_mass(plate, size):
+def translation_mass(plate: Plate, size: tuple[int, int]) -> float:
     """Return the mass [kg] of the Ritz model, from its kinetic energy in an axial
     translation.
 
@@ -152,7 +171,7 @@ def translation_mass(plate, size):
     return float(translation @ stiffness_and_mass(free, p, size)[1] @ translation)
 
 
-def tensor_product(radial, axial):
+def tensor_product(radial: np.ndarray, axial: np.ndarray) -> np.ndarray:
     """Return the matrix (N, N) with rows (s a c) and columns (t b d) from its radial
     and axial factors.
 
@@ -171,7 +190,9 @@ def tensor_product(radial, axial):
     )
 
 
-def ring_matrix(plate, p, size):
+def ring_matrix(
+    plate: Plate, p: RitzProblem, size: tuple[int, int]
+) -> float | np.ndarray:
     """Return the stiffness (N, N) of the elastic ring, ring_stiffness times the
     integral of u_z^2 along it.
 

@@ -3,12 +3,16 @@ by class."""
 
 from dataclasses import dataclass, replace
 from math import ceil, pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
 
 from modal.spectral.axisymmetric import displacement_at_angles
+
+if TYPE_CHECKING:
+    from modal.synthesis.free_disk import FreeDisk, FreeOrder
+    from modal.synthesis.tractions import PatchTractions
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,7 +41,14 @@ class FreeSymmetryClass:
     tractions."""
 
 
-def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
+def solve_held_class(
+    disk: "FreeDisk",
+    patch: "PatchTractions",
+    y: int,
+    even: int,
+    below: float,
+    angle: np.ndarray,
+) -> HeldSymmetryClass:
     """Return the `HeldSymmetryClass` with symmetries `y` in y and `even` in z below a
     frequency [Hz].
 
@@ -50,7 +61,7 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
     )
     nodal = []
     works = []
-    rest = 0
+    rest = np.zeros(())
     for n, o in orders.items():
         around = patch.circumferential_work(np.array([n]), y)[patch.held, 0]
         b = traction_work_on_order(around, through)
@@ -82,7 +93,7 @@ def solve_held_class(disk, patch, y, even, below, angle) -> HeldSymmetryClass:
     )
 
 
-def orders_of_class(disk, y, even):
+def orders_of_class(disk: "FreeDisk", y: int, even: int) -> "dict[int, FreeOrder]":
     """Return by number the orders with symmetries `y` in y and `even` in z."""
     return {
         n: order
@@ -91,7 +102,7 @@ def orders_of_class(disk, y, even):
     }
 
 
-def traction_work_on_order(around, through):
+def traction_work_on_order(around: np.ndarray, through: np.ndarray) -> np.ndarray:
     """Return the work (P, 3 nz) of the tractions on one order from its circumferential
     and axial factors.
 
@@ -101,7 +112,9 @@ def traction_work_on_order(around, through):
     )
 
 
-def coupled_modes(free, limit):
+def coupled_modes(
+    free: FreeSymmetryClass, limit: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the modes that result from coupling the free modes, up to a limit [1/s^2].
 
     The result consists of squared angular frequencies (k,) [1/s^2], coefficients (n, k)
@@ -115,7 +128,13 @@ def coupled_modes(free, limit):
     return square, modes, tractions @ modes
 
 
-def error_estimates(patch, free, square, tractions, limit):
+def error_estimates(
+    patch: "PatchTractions",
+    free: FreeSymmetryClass,
+    square: np.ndarray,
+    tractions: np.ndarray,
+    limit: float,
+) -> np.ndarray:
     """Return estimated relative errors (k,) of the frequencies.
 
     Omitting tractions lowers every frequency. The estimate is a weighted sum of the
@@ -147,7 +166,14 @@ def error_estimates(patch, free, square, tractions, limit):
     return np.array(weights) @ [*changes, from_basis]
 
 
-def high_order_flexibility(disk, patch, y, even, through, held_rows):
+def high_order_flexibility(
+    disk: "FreeDisk",
+    patch: "PatchTractions",
+    y: int,
+    even: int,
+    through: np.ndarray,
+    held_rows: np.ndarray,
+) -> np.ndarray:
     """Return the generalised `FreeOrder.omitted_flexibility` (3, P, P) of the orders
     beyond the retained ones.
 
@@ -183,7 +209,7 @@ def high_order_flexibility(disk, patch, y, even, through, held_rows):
     return (result + far).reshape(3, size, size)
 
 
-def tail_sum_edges(first, angle, span):
+def tail_sum_edges(first: float, angle: float, span: float) -> np.ndarray:
     """Return the edges of the intervals by which the midpoint rule approximates a sum
     over orders n >= `first`.
 

@@ -83,7 +83,7 @@ def edge_flexibility(plate: Plate) -> Edge:
     >>> f"{edge.flexibility[2, 2]:.2g} m/N"
     '2.8e-07 m/N'
     """
-    return _cached_edge(plate)
+    return _cached_edge_flexibility(plate)
 
 
 yielding_edge = edge_flexibility
@@ -92,7 +92,7 @@ yielding_edge = edge_flexibility
 
 @lru_cache(maxsize=32)
 @one_blas_thread
-def _cached_edge(plate: Plate) -> Edge:
+def _cached_edge_flexibility(plate: Plate) -> Edge:
     disk = FreeDisk(plate=plate)
     size = FINEST_STRIP_THICKNESS_RATIO * plate.thickness
     orders = [(n, even, order) for (n, even, _), order in disk.solved_orders.items()]

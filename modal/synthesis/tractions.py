@@ -19,7 +19,7 @@ MAX_HALF_ANGLE_DEG = 170
 narrow."""
 
 
-def corner_exponent(poisson):
+def corner_exponent(poisson: float) -> float:
     """Return the exponent q - 1 of the tractions at a right-angled corner between held
     and free sides.
 
@@ -56,7 +56,7 @@ class BasisSizes:
     """Highest frequency of the free modes, in units of the shear wave speed divided by
     the radius."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.thickness_tractions > self.size[1]:
             raise ValueError(
                 f"thickness_tractions = {self.thickness_tractions}: must not exceed the number of "
@@ -73,7 +73,7 @@ class PatchTractions:
     support: Support
     richness: BasisSizes
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         support = self.support
         has_full_height = support.height in (None, self.plate.thickness)
         is_narrow = support.half_angle_deg <= MAX_HALF_ANGLE_DEG
@@ -83,7 +83,7 @@ class PatchTractions:
                 f"{MAX_HALF_ANGLE_DEG} degrees"
             )
 
-    def circumferential_work(self, n, y):
+    def circumferential_work(self, n: np.ndarray, y: int) -> np.ndarray:
         """Return the work (3, k, J) [m] of circumferential tractions on waves around
         the rim.
 
@@ -100,7 +100,7 @@ class PatchTractions:
         radial, tangential = (cosine, sine) if y > 0 else (sine, -cosine)
         return pi * angle * self.plate.radius * np.stack([radial, tangential, radial])
 
-    def axial_work(self, even):
+    def axial_work(self, even: int) -> np.ndarray:
         """Return the work (3, L, nz) [m] of tractions through the thickness on axial
         polynomials.
 
@@ -120,7 +120,7 @@ class PatchTractions:
         return np.stack(work) * self.plate.thickness / 2
 
     @property
-    def held(self):
+    def held(self) -> list[int]:
         """Indices of the held components among radial, tangential, axial."""
         components = ("radial", "tangential", "axial")
         return [i for i, name in enumerate(components) if name in self.support.held]

@@ -2,9 +2,11 @@
 nodes."""
 
 import os
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from math import ceil, pi
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 from skfem.quadrature import get_quadrature
@@ -12,7 +14,7 @@ from skfem.refdom import RefTri
 
 from modal.elements.elastic import bending_wave_number
 from modal.elements.user_mesh import solve_body
-from modal.elements.user_mesh_error import CORNER_ERROR_RATIO
+from modal.elements.user_mesh_error import CORNER_EXTRAPOLATION_FACTOR
 from modal.elements.user_mesh_modes import interpolate_on_face
 from modal.mesh.read import MAX_TABLE_SIZE, read_checked
 from modal.mesh.symmetry import COMPONENTS
@@ -20,8 +22,23 @@ from modal.modes import Material
 from modal.radiation import SOUND_SPEED
 from modal.tabletop.record import SurfaceModes, fit_splines, spline_values
 
+if TYPE_CHECKING:
+    from skfem import Mesh
 
-def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
+
+class SampledFace(TypedDict):
+    """Fields of `SurfaceModes` that follow from the shapes on the top face."""
+
+    points: np.ndarray
+    weights: np.ndarray
+    face: np.ndarray
+    knots: tuple[np.ndarray, np.ndarray]
+    coefficients: np.ndarray
+
+
+def table_on_mesh(
+    surface: Any, contact_radius: float, below: float, max_unknowns: int
+) -> SurfaceModes:
     """Return the `SurfaceModes` below a frequency [Hz] of the mesh in `surface.file`.
 
     The contact circle has the radius `contact_radius` [m]. Every cell is divided into
@@ -50,7 +67,13 @@ def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
 
 @lru_cache(1)
 def undamped_mesh_modes(
-    file, modified, material, density, held, below, max_unknowns
+    file: str,
+    modified: int,
+    material: Material,
+    density: float,
+    held: tuple[str, ...],
+    below: float,
+    max_unknowns: int,
 ) -> SurfaceModes:
     """Return the undamped `SurfaceModes` of a mesh, with the disk at the origin.
 
@@ -69,7 +92,7 @@ def undamped_mesh_modes(
         density,
         below,
         max_unknowns,
-        CORNER_ERROR_RATIO,
+        CORNER_EXTRAPOLATION_FACTOR,
     )
     solid = solved.body.solid
     shapes = solved.shapes
@@ -77,7 +100,7 @@ def undamped_mesh_modes(
     top_height = mesh.p[2].max()
     wave_number = bending_wave_number(material, np.ptp(mesh.p[2]), density, below)
 
-    def shape(x, y):
+    def shape(x: np.ndarray, y: np.ndarray) -> np.ndarray:
         points = np.column_stack([x, y])
         return interpolate_on_face(solid, shapes[..., 2:], top_height, points)[..., 0]
 
@@ -97,7 +120,7 @@ def undamped_mesh_modes(
     )
 
 
-def top_face_triangles(mesh, name):
+def top_face_triangles(mesh: "Mesh", name: str) -> np.ndarray:
     """Return the top face as triangles (k, 3, 2) [m]; raises ValueError if there is
     none.
 
@@ -119,7 +142,9 @@ def top_face_triangles(mesh, name):
     )
 
 
-def check_place(top, place, contact_radius, name):
+def check_place(
+    top: np.ndarray, place: np.ndarray, contact_radius: float, name: str
+) -> None:
     """Raise ValueError if centre or contact circle of a disk at a place (2,) [m] are
     not on the top face."""
     angle = np.linspace(0, 2 * pi, 33)
@@ -137,7 +162,7 @@ def check_place(top, place, contact_radius, name):
         )
 
 
-def on_top_face(top, points):
+def on_top_face(top: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Return the mask (k,) of points (k, 2) [m] on the triangles of a top face (t, 3,
     2)."""
     sides = []
@@ -150,12 +175,12 @@ def on_top_face(top, points):
     return (np.array(sides) * orientation > -1e-12).all(axis=0).any(axis=1)
 
 
-def cross_product(a, b):
+def cross_product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return the cross product (...,) of plane vectors (..., 2)."""
     return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
 
 
-def held_facets(mesh, names, file):
+def held_facets(mesh: "Mesh", names: Sequence[str], file: str) -> np.ndarray:
     """Return the facets (k,) of the named surfaces or sets of nodes."""
     known = mesh.boundaries or {}
     for name in names:
@@ -173,7 +198,12 @@ def held_facets(mesh, names, file):
     ).astype(int)
 
 
-def sample_top_face(shape, top, shortest_wave, below):
+def sample_top_face(
+    shape: Callable[[np.ndarray, np.ndarray], np.ndarray],
+    top: np.ndarray,
+    shortest_wave: float,
+    below: float,
+) -> SampledFace:
     """Return points, weights, face, knots and coefficients of `SurfaceModes` for a
     triangulated face.
 

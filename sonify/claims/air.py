@@ -13,8 +13,8 @@ from dynamics.dissipation import resistance_of
 from dynamics.film.wedge import (
     Film,
     compressibility_number,
+    film_of_scene,
     film_powers,
-    film_under,
     squeeze_number,
 )
 from dynamics.observables import precession_rate
@@ -25,21 +25,10 @@ from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.limits import FINAL_ENERGY_SHARE
 from sonify.claims.reference_scenes import may_lie_on_granite
-from sonify.hearing.loudness import HEARING_THRESHOLD_DB, LEVEL_WINDOW_S, band_levels
+from sonify.hearing.loudness import LEVEL_WINDOW_S, levels_above_threshold
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
-
-OUTCOMES_WITHOUT_END = {
-    Outcome.ROLLING_ON,
-    Outcome.LIFTED_OFF,
-    Outcome.UPRIGHT,
-    Outcome.LEFT_TABLE,
-    Outcome.STALLED,
-    Outcome.CASCADE,
-}
-"""Outcomes without a loss of energy as cause: the run was interrupted, or another
-motion follows."""
 
 
 def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
@@ -54,11 +43,7 @@ def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return the findings on the air and on the cause of the end that follow from the
-    motion alone."""
-    ended = (
-        [] if motion.rolling_outcome in OUTCOMES_WITHOUT_END else [what_ends(motion)]
-    )
+    """Return the findings on the air that follow from the motion alone."""
     friction = []
     _, powers = steady_friction_powers(scene)
     solid = scene.disk.shape == "solid"
@@ -67,12 +52,12 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     arm = scene.friction.arm_pivoting
     if arm != "contact" and arm > 0:
         friction.append(pivoting_within_contact(scene))
-    if not solid or not scene.air.pressure or not scene.air.density:
-        return [*ended, *friction]
-    film = motion.film or film_under(scene.disk, scene.air, scene.surface.curvature)
+    has_film = bool(motion.film) or solid
+    if not has_film or not scene.air.pressure or not scene.air.density:
+        return friction
+    film = motion.film or film_of_scene(scene)
     return [
         air_negligible(motion, film),
-        *ended,
         carried_by_air(motion, film),
         *friction,
     ]
@@ -153,8 +138,18 @@ def carried_by_air(motion: Motion, film: Film) -> Measured:
     """The greatest ratio of the lift of the film to the vertical force of film and
     contact.
 
-    For a motion without a film, it is the ratio to the contact force alone.
+    For a motion without a film, it is the ratio to the contact force alone. For a
+    rattling disk, whose force vanishes in every flight, it is 1 if the film finally
+    carries the disk, otherwise 0.
     """
+    if "rattling" in motion.finding_groups:
+        carried = float(motion.rolling_outcome is Outcome.AIRBORNE)
+        return Measured(
+            carried,
+            details={"airborne": carried},
+            variant="rattling",
+            fields={"cause": "film"},
+        )
     lift = film_lift(motion, film)
     contact = motion.steady_load(motion.t)
     borne = contact + lift if motion.film else contact
@@ -177,15 +172,14 @@ def carried_by_air(motion: Motion, film: Film) -> Measured:
 def heard_through_film(sound: Sound) -> float:
     """The greatest level of heave or tilt of the rigid disk above the threshold of
     hearing in any third-octave band [dB]."""
-    seen = [
-        band_levels(spectrogram(sound.track(name), LEVEL_WINDOW_S))
+    return max(
+        levels_above_threshold(spectrogram(sound.track(name), LEVEL_WINDOW_S)).max()
         for name in ("heave", "tilt")
-    ]
-    return max((levels - HEARING_THRESHOLD_DB[:, None]).max() for levels in seen)
+    )
 
 
 @finding(needs=("scene",), at_least=0.31, at_most=0.31, tolerance=0.03)
-def friction_exponent(scene: Scene):
+def friction_exponent(scene: Scene) -> float:
     """The exponent of the precession rate of a steady disk as a power of the remaining
     time.
 
@@ -220,7 +214,7 @@ def steady_friction_powers(scene: Scene) -> tuple[tuple[float, ...], list[float]
     return inclinations, [steady_power(beta, constants, loads) for beta in inclinations]
 
 
-def film_lift(motion: Motion, film: Film):
+def film_lift(motion: Motion, film: Film) -> np.ndarray:
     """Return the lift (n,) [N] of the film along the motion, without contact
     vibration."""
     disk = motion.disk
@@ -228,3 +222,11 @@ def film_lift(motion: Motion, film: Film):
     omega[0] = motion.steady_nutation(motion.t)
     lift = film.moments_at(motion.state[:, 1], omega * disk.time_unit)[2]
     return lift * disk.mass * disk.radius / disk.time_unit**2
+
+
+def lift_exceeds_contact_since(motion: Motion, film: Film) -> float:
+    """Return the time [s] since which the film lifts the disk more than the contact does;
+    the end of the motion if it never does."""
+    contact = motion.steady_load(motion.t)
+    contact_bears = np.flatnonzero(film_lift(motion, film) <= contact)
+    return float(motion.t[contact_bears[-1]]) if len(contact_bears) else 0.0

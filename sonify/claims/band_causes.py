@@ -23,6 +23,7 @@ from sonify.hearing.noise_band import band_centroid
 from sonify.scene import Scene
 from sonify.sound.radiation import Listener, listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
+from sonify.sound.sources.film import radiates_above_film
 from sonify.sound.sources.infinite_plate import pressure_per_force
 from sonify.sound.sources.tabletop import table_radiation
 
@@ -214,7 +215,7 @@ def band_causes(
     frequency = np.arange(BAND_RANGE[0], BAND_RANGE[1], 10.0)
     listener = listener_of(scene)
     table = table_sound(scene, motion.plan.surface_modes, listener, frequency)
-    disk = VibratingDisk(scene, listener) if motion.film else None
+    disk = VibratingDisk(scene, listener) if radiates_above_film(motion) else None
     complete = BandModel(law, receptance, table, disk)
     models = [
         complete,

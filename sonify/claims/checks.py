@@ -32,7 +32,7 @@ class Check:
     source: str
     one_sided: bool = False
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Check({self.key}: {'ok' if self.passed else 'FAILED'}, {self.value:.4g}, {self.expectation})"
 
     @property
@@ -53,12 +53,14 @@ CHECK_BY_KEY: dict[str, Callable[..., Check]] = {}
 """Every checking function by the key of its check."""
 
 
-def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
+def check(
+    name: str, source: str, needs: tuple[Need, ...], **ends: Any
+) -> Callable[[Callable[..., float]], Callable[..., Check]]:
     """Convert a function that returns a value to one that returns a `Check`."""
 
     def decorator(function: Callable[..., float]) -> Callable[..., Check]:
         @wraps(function)
-        def judge(*arguments, **options) -> Check:
+        def judge(*arguments: Any, **options: Any) -> Check:
             value = float(function(*arguments, **options))
             return Check(
                 key=function.__name__, value=value, name=name, source=source, **ends
@@ -77,7 +79,7 @@ def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
     needs=("motion",),
     tolerance=1e-8,
 )
-def energy_balance(motion: Motion):
+def energy_balance(motion: Motion) -> float:
     """The largest relative change of the sum of energy and dissipated energy."""
     total = motion.energy(motion.t) + motion.state[:, 10]
     return np.abs(total / total[0] - 1).max()
@@ -89,7 +91,7 @@ def energy_balance(motion: Motion):
     needs=("motion",),
     tolerance=1.0,
 )
-def rattling_energy_balance(motion: Motion):
+def rattling_energy_balance(motion: Motion) -> float:
     """The largest change of energy plus losses, relative to the initial energy and to
     its limit `Motion.max_energy_error`."""
     total = motion.energy(motion.t) + motion.state[:, 10]
@@ -102,7 +104,7 @@ def rattling_energy_balance(motion: Motion):
     needs=("motion",),
     tolerance=1e-9,
 )
-def dissipation_never_falls(motion: Motion):
+def dissipation_never_falls(motion: Motion) -> float:
     """The largest decrease of the dissipated energy between two instants, relative to
     the initial energy."""
     return motion.largest_energy_gain_error() / float(motion.energy(0.0)[0])
@@ -114,7 +116,7 @@ def dissipation_never_falls(motion: Motion):
     needs=("motion",),
     tolerance=1e-6,
 )
-def friction_cone(motion: Motion):
+def friction_cone(motion: Motion) -> float:
     """The larger of the excess of |F|/N over mu_s in rolling and its deviation from
     mu_d in sliding."""
     return motion.friction_excess()
@@ -125,7 +127,7 @@ def friction_cone(motion: Motion):
     "Phi > 0 while there is contact, section 4",
     needs=("motion",),
 )
-def pushing_contact(motion: Motion):
+def pushing_contact(motion: Motion) -> float:
     """The share of the duration in which the normal force is tensile, or zero outside
     the losses of contact."""
     return motion.tensile_time() / motion.t[-1]
@@ -137,7 +139,7 @@ def pushing_contact(motion: Motion):
     needs=("modes",),
     tolerance=1e-6,
 )
-def mode_residuals(modes: Modes):
+def mode_residuals(modes: Modes) -> float:
     """The largest |phi - w^2 K^-1 M phi| / |phi| of the modes."""
     return modes.residual.max(initial=0.0)
 
@@ -149,7 +151,7 @@ def mode_residuals(modes: Modes):
     expected=1.0,
     one_sided=True,
 )
-def mode_errors(modes: Modes):
+def mode_errors(modes: Modes) -> float:
     """The largest estimated relative error of a frequency."""
     return modes.error.max(initial=0.0)
 
@@ -161,7 +163,7 @@ def mode_errors(modes: Modes):
     expected=1.0,
     tolerance=1e-3,
 )
-def discrete_mass(modes: Modes, disk: Disk):
+def discrete_mass(modes: Modes, disk: Disk) -> float:
     """The ratio of the mass of the elastic model to that of the disk."""
     return modes.mass / disk.mass
 
@@ -173,7 +175,7 @@ def discrete_mass(modes: Modes, disk: Disk):
     expected=1.0,
     one_sided=True,
 )
-def no_sample_clipped(sound: Sound):
+def no_sample_clipped(sound: Sound) -> float:
     """The ratio of the largest sample of sound.wav to full scale; infinite if a
     pressure sample is not finite."""
     if not sound.is_finite:
@@ -203,7 +205,7 @@ def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
     needs=("motion",),
     tolerance=MAX_BOUNCE_ENERGY_ERROR,
 )
-def landing_energy_balance(motion: Motion):
+def landing_energy_balance(motion: Motion) -> float:
     """The largest change of energy plus losses after the loss of contact, relative to
     the energy at that moment."""
     late = motion.t >= motion.rolling.t[-1]

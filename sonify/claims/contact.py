@@ -1,6 +1,7 @@
-"""Findings on an elastic contact: rising noise band, contact resonance, and losses of
+"""Findings on an elastic contact: its noise band, contact resonance, and losses of
 contact."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,7 @@ from dynamics.compliant.law.statistical_linearisation import effective_load_fact
 from dynamics.compliant.law.table_receptance import RIGID_TABLE, TableReceptance
 from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.model_selection import LIFT_OFF_FORCE_RMS
+from dynamics.compliant.rough_table import scene_receptance
 from sonify.claims.band_causes import (
     BandCauses,
     SteadyVibration,
@@ -32,9 +34,10 @@ from sonify.claims.finding import (
     Measured,
     finding,
     median_with_margin,
-    rise_over_tenths,
 )
+from sonify.claims.limits import CERTAIN_LOSS_FORCE_RMS
 from sonify.claims.literature import energy_lost_by_cause
+from sonify.claims.pitch import NOISE_BAND_INTERVAL, steady_line_frequencies
 from sonify.claims.reference_scenes import is_toy_on_granite
 from sonify.hearing.noise_band import NoiseBand, band_centroid, noise_band
 from sonify.hearing.recording import Heard
@@ -42,9 +45,8 @@ from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 from sonify.sound.radiation import listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
+from sonify.sound.sources.film import radiates_above_film
 
-NOISE_BAND_INTERVAL = 0.5
-"""Length of the intervals in which the noise band is measured [s]."""
 MIN_OPEN_SHARE = 1e-4
 """Smallest share of the time without contact that is attributed to vibrations and not to a
 slip."""
@@ -120,6 +122,21 @@ def predicted_vibration(scene: Scene, motion: Motion) -> PredictedVibration:
     )
 
 
+def receptance_under_roughness(scene: Scene, motion: Motion) -> TableReceptance:
+    """Return the receptance of the table under the vibration that the roughness of a scene
+    excites.
+
+    It is that of the plan if the motion has this roughness. A motion of the scene without
+    its roughness may have a smooth contact that moves the table only at the end; the
+    vibration still yields with the table, unless surface.action = 'sound'."""
+    plan = motion.plan
+    if plan.scene.roughness == scene.roughness:
+        return plan.contact_receptance
+    if scene.surface.action == "sound":
+        return RIGID_TABLE
+    return scene_receptance(plan.scene, plan.surface_modes)
+
+
 def tabulated_law_of(scene: Scene, motion: Motion) -> TabulatedLaw:
     """Return the tabulated contact law that the motion of a scene uses."""
     plan = motion.plan
@@ -127,7 +144,7 @@ def tabulated_law_of(scene: Scene, motion: Motion) -> TabulatedLaw:
     return plan.series_tabulated_law if motion.solves_contact else plan.tabulated_law
 
 
-def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
+def effective_load_factors(scene: Scene, motion: Motion, t: np.ndarray) -> np.ndarray:
     """Return the load factors (k,) of `PredictedVibration` at ascending times t (k,)
     [s]."""
     if scene.roughness is None or not motion.solves_contact:
@@ -139,7 +156,9 @@ def effective_load_factors(scene: Scene, motion: Motion, t) -> np.ndarray:
     return np.interp(t, some, factor)
 
 
-def contact_conditions(motion: Motion, t):
+def contact_conditions(
+    motion: Motion, t: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return inclination [rad], normal force [N] and speed of the contact point [m/s],
     and a mask of rolling, each (k,), at times t (k,) [s]."""
     state = motion.at(t)
@@ -152,6 +171,21 @@ def contact_conditions(motion: Motion, t):
         speed,
         np.char.startswith(motion.regime(t), "roll"),
     )
+
+
+def force_rms_along_motion(
+    scene: Scene, motion: Motion, receptance: TableReceptance
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return inclination [rad], normal force [N] and predicted rms of its vibration [N],
+    and a mask of rolling, each (k,), along a motion on the roughness of the scene."""
+    assert scene.roughness is not None
+    t = vibration_times(motion)
+    inclination, load, speed, rolls = contact_conditions(motion, t)
+    tabulated = tabulated_law_of(scene, motion)
+    rms = predicted_rms(
+        tabulated, scene.roughness, inclination, load, speed, receptance=receptance
+    )
+    return inclination, load, rms, rolls
 
 
 def contact_findings(
@@ -182,20 +216,8 @@ def contact_findings(
     return [*found, roughness_ends_it(rough.loss, motion, expected)], marked
 
 
-def steady_line_frequencies(heard: Heard) -> list[float]:
-    """Return the frequencies [Hz] of the spectral lines that are long and steady."""
-    min_duration_share = 0.2  # of the sound
-    max_spread = 5.0  # cents
-    return [
-        line.frequency
-        for line in heard.lines
-        if line.end - line.begin > min_duration_share * heard.duration
-        and line.spread < max_spread
-    ]
-
-
 def noise_band_findings(
-    scene, motion, expected: PredictedVibration, heard: NoiseBand
+    scene: Scene, motion: Motion, expected: PredictedVibration, heard: NoiseBand
 ) -> list[Finding]:
     """Return the findings on the noise band.
 
@@ -203,9 +225,9 @@ def noise_band_findings(
     granite."""
     if scene.surface.kind != "rigid":
         causes = causes_of_band(scene, motion, expected, heard)
-        return [carrier_rises(heard), *cause_findings(causes, bool(motion.film))]
+        return cause_findings(causes, bool(motion.film))
     bands = radiated_bands(scene, motion, expected, heard)
-    found = [carrier_rises(heard), carrier_is_contact(bands)]
+    found = [carrier_is_contact(bands)]
     if motion.film:
         found.append(air_moves_carrier(bands))
     if is_toy_on_granite(scene):
@@ -217,7 +239,10 @@ def noise_band_findings(
 
 
 def measured_noise_band(
-    sound: Sound, motion: Motion, expected: PredictedVibration, lines=()
+    sound: Sound,
+    motion: Motion,
+    expected: PredictedVibration,
+    lines: Sequence[float] = (),
 ) -> NoiseBand:
     """Return the noise band of the pressure while the contact is a single ellipse.
 
@@ -228,15 +253,6 @@ def measured_noise_band(
         sound.pressure, delay, delay + expected.t[-1], NOISE_BAND_INTERVAL, lines
     )
     return heard._replace(time=heard.time - delay)
-
-
-@finding(needs=("sound",), at_least=1.2)
-def carrier_rises(heard: NoiseBand):
-    """The ratio of the final to the initial frequency of the noise band.
-
-    Each is the median of a tenth of the intervals.
-    """
-    return rise_over_tenths(heard.frequency[np.isfinite(heard.frequency)])
 
 
 class RadiatedBands(NamedTuple):
@@ -263,11 +279,13 @@ class RadiatedBands(NamedTuple):
 
 
 def radiated_bands(
-    scene, motion, expected: PredictedVibration, heard: NoiseBand
+    scene: Scene, motion: Motion, expected: PredictedVibration, heard: NoiseBand
 ) -> RadiatedBands:
     """Return the measured and predicted centre frequencies of the noise band."""
+    assert scene.roughness is not None, "a noise band needs roughness"
     f = np.arange(500.0, 20e3, 10.0)
-    disk = VibratingDisk(scene, listener_of(scene)) if motion.film else None
+    over_film = radiates_above_film(motion)
+    disk = VibratingDisk(scene, listener_of(scene)) if over_film else None
     found = []
     for i in predicted_intervals(heard):
         t, inclination, softened_load, *rest = interval_conditions(
@@ -283,7 +301,7 @@ def radiated_bands(
         if disk:
             louder = np.array([disk.mean_square_pressure(b, f) for b in inclination])
         solved = (
-            solved_spectrum(motion, t[[0, -1]], f)
+            solved_spectrum(motion, (t[0], t[-1]), f)
             if motion.solves_contact
             else np.mean(force, axis=0)
         )
@@ -304,7 +322,9 @@ def predicted_intervals(heard: NoiseBand) -> np.ndarray:
     return known[:: max(len(known) // interval_count, 1)]
 
 
-def interval_conditions(motion: Motion, expected: PredictedVibration, middle: float):
+def interval_conditions(
+    motion: Motion, expected: PredictedVibration, middle: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return times t (k,) [s] around the middle of an interval, and there inclination
     [rad], softened load [N], speed [m/s] and rolling, each (k,)."""
     time_count = 12
@@ -352,7 +372,9 @@ def cause_findings(causes: BandCauses, has_film: bool) -> list[Finding]:
     return found
 
 
-def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
+def solved_spectrum(
+    motion: Motion, span: tuple[float, float], f: np.ndarray
+) -> np.ndarray:
     """Return the power spectral density (f,) [N^2/Hz] of the normal force in a time
     span [s], at frequencies f (f,) [Hz]."""
     sample_rate = 96e3  # 1/s
@@ -363,7 +385,7 @@ def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
 
 
 @finding(needs=("motion", "contact law", "sound"), at_least=0.98, at_most=1.02)
-def carrier_is_contact(found: RadiatedBands):
+def carrier_is_contact(found: RadiatedBands) -> Measured:
     """The median ratio of the measured to the predicted frequency of the noise band.
 
     With an air film, the prediction includes the effect of the film on the radiation.
@@ -387,7 +409,7 @@ def air_moves_carrier(found: RadiatedBands | BandCauses) -> Measured:
 
 
 @finding(needs=("motion", "contact law"), at_least=1.0)
-def carrier_passes_recorded_peaks(expected: PredictedVibration):
+def carrier_passes_recorded_peaks(expected: PredictedVibration) -> Measured:
     """The time [s] during which the contact resonance is within the range of the
     recorded peak."""
     # Range of the rising spectral peak recorded from the toy on granite [Hz]
@@ -402,7 +424,7 @@ def carrier_passes_recorded_peaks(expected: PredictedVibration):
 
 
 @finding(needs=("motion", "contact law"), at_least=0.5)
-def constant_peaks_are_the_contact(expected: PredictedVibration):
+def constant_peaks_are_the_contact(expected: PredictedVibration) -> Measured:
     """The share of the duration in which the contact resonance is within 2 % of a
     constant peak.
 
@@ -418,7 +440,7 @@ def constant_peaks_are_the_contact(expected: PredictedVibration):
 
 
 @finding(needs=("motion", "contact law"), at_least=MIN_OPEN_SHARE)
-def contact_is_lost(motion: Motion, expected: PredictedVibration):
+def contact_is_lost(motion: Motion, expected: PredictedVibration) -> Measured:
     """The share of the time without contact.
 
     The share is solved for an elastic contact or a motion with losses of contact.
@@ -444,7 +466,9 @@ def contact_is_lost(motion: Motion, expected: PredictedVibration):
     return Measured(share, margin, details)
 
 
-def open_contact_share(expected: PredictedVibration, factor) -> np.ndarray:
+def open_contact_share(
+    expected: PredictedVibration, factor: float | np.ndarray
+) -> np.ndarray:
     """Return the share of the time (k,) without contact, for a Gaussian vibration with
     `factor` times the predicted rms."""
     return np.where(
@@ -455,7 +479,7 @@ def open_contact_share(expected: PredictedVibration, factor) -> np.ndarray:
 
 
 @finding(needs=("motion", "contact law"), at_most=1e-3)
-def micro_flights(motion: Motion):
+def micro_flights(motion: Motion) -> Measured:
     """The duration [s] of the longest loss of contact."""
     flights = motion.contact_losses
     longest = np.sort([f.duration for f in flights])[::-1]
@@ -464,15 +488,14 @@ def micro_flights(motion: Motion):
 
 
 @finding(needs=("motion", "contact law"), at_most=1e-7)
-def loss_begins_at(rms: float, expected: PredictedVibration):
+def loss_begins_at(rms: float, expected: PredictedVibration) -> Measured:
     """The rms height [m] at which the rms of N' reaches LIFT_OFF_FORCE_RMS times the
     weight.
 
     It is extrapolated in proportion to the heights.
     """
     most = expected.rms.max() / expected.tabulated_law.law.disk.weight
-    certain_loss_rms = 0.4  # above it, contact is lost in every motion
-    margin = rms * (certain_loss_rms - LIFT_OFF_FORCE_RMS) / most
+    margin = rms * (CERTAIN_LOSS_FORCE_RMS - LIFT_OFF_FORCE_RMS) / most
     return Measured(rms * LIFT_OFF_FORCE_RMS / most, margin)
 
 
@@ -502,7 +525,7 @@ def roughness_ends_it(
     return Measured(share, relative_margin * share, words=words)
 
 
-def several_contacts_notes(t, shift) -> list[str]:
+def several_contacts_notes(t: np.ndarray, shift: np.ndarray) -> list[str]:
     """Return a note on the time from which the disk touches the table at several
     points.
 

@@ -115,7 +115,7 @@ def repeat_final_part(
     return ensemble_results(repeated, begin)
 
 
-def repeat_from_release(scene: Scene, factors, table: Any) -> Motion:
+def repeat_from_release(scene: Scene, factors: np.ndarray, table: Any) -> Motion:
     """Return the motion with the released angular velocities multiplied by `factors` (3,).
 
     `table` contains the modes of the table, or is None.
@@ -126,7 +126,7 @@ def repeat_from_release(scene: Scene, factors, table: Any) -> Motion:
 
 
 def repeat_two_way_part(
-    scene: Scene, part: CompliantMotion, factors
+    scene: Scene, part: CompliantMotion, factors: np.ndarray
 ) -> CompliantMotion:
     """Return the motion from the onset of two-way coupling.
 
@@ -166,7 +166,7 @@ def ensemble_results(motions: list[Motion], begin: float) -> Ensemble:
         "impacts take most of the last tenth of the energy": np.array(
             [max(share, key=share.__getitem__) == "contact" for share in shares]
         ),
-        "the air carries the disk": np.array(
+        "the air lifts the disk": np.array(
             [one.rolling_outcome.name == "AIRBORNE" for one in motions]
         ),
     }

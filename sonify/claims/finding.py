@@ -86,13 +86,13 @@ class Finding:
     needs: tuple[Need, ...] = ()
     source: str
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if isnan(self.value) or isnan(self.margin):
             raise ValueError(
                 f"{self.key} = {self.value} ± {self.margin}: a finding needs a number"
             )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Finding({self.key}: {self.answer}, {self.value:.5g} {self.unit})"
 
     @property
@@ -155,7 +155,9 @@ JUDGE_BY_KEY: dict[str, Judge] = {}
 import."""
 
 
-def finding(*, needs: tuple[Need, ...], **limits: Any):
+def finding(
+    *, needs: tuple[Need, ...], **limits: Any
+) -> Callable[[Callable[..., float | Measured]], Callable[..., Finding]]:
     """Convert a function that returns a number or `Measured` to one that returns a
     `Finding`.
 
@@ -174,7 +176,7 @@ def finding(*, needs: tuple[Need, ...], **limits: Any):
         texts = FINDING_TEXTS[function.__name__]
 
         @wraps(function)
-        def judge(*arguments, **options) -> Finding:
+        def judge(*arguments: Any, **options: Any) -> Finding:
             found = function(*arguments, **options)
             measured = found if isinstance(found, Measured) else Measured(float(found))
             return Finding(
@@ -196,7 +198,7 @@ def finding(*, needs: tuple[Need, ...], **limits: Any):
     return decorator
 
 
-def median_with_margin(values, independent: float = 1.0) -> Measured:
+def median_with_margin(values: np.ndarray, independent: float = 1.0) -> Measured:
     """Return the median of values (n,) with a margin of two standard errors, 2.5
     sigma/sqrt(m).
 
@@ -208,17 +210,17 @@ def median_with_margin(values, independent: float = 1.0) -> Measured:
     return Measured(float(middle), float(margin))
 
 
-def rise_over_tenths(values) -> Measured:
-    """Return the ratio of the median of the last tenth of values (n,) to that of the
-    first tenth.
+def rise_from_first_tenth(values: np.ndarray, last_count: int = 0) -> Measured:
+    """Return the ratio of the median of the last `last_count` of values (n,), by default
+    a tenth of them, to that of the first tenth.
 
     The details contain both medians."""
     tenth = max(len(values) // 10, 1)
     first = median_with_margin(values[:tenth])
-    last = median_with_margin(values[-tenth:])
+    last = median_with_margin(values[-(last_count or tenth) :])
     ratio = last.value / first.value
     margin = ratio * np.hypot(first.margin / first.value, last.margin / last.value)
-    return Measured(ratio, margin, {"from": first.value, "to": last.value})
+    return Measured(ratio, float(margin), {"from": first.value, "to": last.value})
 
 
 class Findings(list[Finding]):
@@ -231,7 +233,9 @@ class Findings(list[Finding]):
     def __getitem__(self, which: SupportsIndex) -> Finding: ...
     @overload
     def __getitem__(self, which: slice) -> list[Finding]: ...
-    def __getitem__(self, which):
+    def __getitem__(
+        self, which: str | SupportsIndex | slice
+    ) -> Finding | list[Finding]:
         if not isinstance(which, str):
             return super().__getitem__(which)
         for finding in self:

@@ -1,4 +1,4 @@
-"""All texts of each finding: claim, unit, source, and the sentences in which it is told.
+"""All texts of each finding: claim, unit, source, and the sentences that report it.
 
 A new finding needs a record here and its function.
 """
@@ -16,8 +16,12 @@ from sonify.claims.limits import (
 )
 from sonify.claims.phrases import (
     contact_in_words,
+    disk_vibration_in_words,
     film_switched_in_words,
+    lift_off_in_words,
     nutation_in_words,
+    restitutions_in_words,
+    rises_in_words,
     shares_in_words,
 )
 
@@ -26,8 +30,8 @@ PITCH_QUESTION = "does the pitch rise"
 LOSS_QUESTION = "is contact lost"
 END_QUESTION = "what ends the motion"
 NO_ANSWER_REASONS = {
-    SOUND_QUESTION: "neither a table, nor a noise band, nor a disk that settles",
-    PITCH_QUESTION: "no tone stands out",
+    SOUND_QUESTION: "no sound was rendered",
+    PITCH_QUESTION: "no sound was rendered",
     LOSS_QUESTION: "no motion was solved",
     END_QUESTION: "the motion does not end in this run",
 }
@@ -38,7 +42,8 @@ NO_WORDS: Mapping[str, str] = {}
 
 
 class AnswerSentences(NamedTuple):
-    """Answers for a claim that holds, fails or is undecided; {value} is its value.
+    """Answers for a claim that holds, fails or is undecided; {value} is its value, and
+    {told} the phrase with its details or the reason why it is undecided.
 
     An empty answer leaves the question to the next finding."""
 
@@ -125,11 +130,18 @@ class FindingText:
         return {name: text.format_map(words) for name, text in texts.items()}
 
 
+PREDICTED_VIBRATION = {
+    "unit": "times the weight (greatest rms of the predicted vibration of the normal force)",
+    "source": "a Gaussian vibration breaks the contact from 0.3 of the weight on, in every motion from "
+    "0.4 on",
+}
+"""Texts of a predicted vibration that may break the contact."""
 REMAINING_AT_ONSET_CLAUSE = "that remained at the onset of two-way coupling"
 ENERGY_SHARE_FORMAT = "{value:.0%}"
 LEVEL_FORMAT = "{value:+.0f} dB(A)"
 TIME_ADVANCE_FORMAT = (
-    "{value:.2f} s early (1e-5 rad), {advance_at_100_urad:.2f} s (1e-4 rad)"
+    "1e-5 rad is reached {value:.2f} s earlier, 1e-4 rad "
+    "{advance_at_100_urad:.2f} s earlier"
 )
 _PITCH_RISES = Quotation(
     "the acoustic frequencies emitted by the disk and surface exhibit a sharp increase at the end "
@@ -165,9 +177,9 @@ _SOUND: dict[str, FindingText] = {
         quotation=_SOUND_SOURCE,
         question=SOUND_QUESTION,
         answers=AnswerSentences(
-            f"the table, {LEVEL_FORMAT}",
-            f"the disk, the table {LEVEL_FORMAT}",
-            f"undecided: the table, {LEVEL_FORMAT}",
+            f"the table, {LEVEL_FORMAT} relative to the disk",
+            f"the disk; the table has {LEVEL_FORMAT} relative to it",
+            f"undecided: the table has {LEVEL_FORMAT} relative to the disk",
         ),
         headline=HeadlineClauses(
             "you hear the table more than the disk",
@@ -183,7 +195,8 @@ _SOUND: dict[str, FindingText] = {
         "sound is at {heard:.2f} of the prediction",
         question=SOUND_QUESTION,
         answers=AnswerSentences(
-            "disk and table together on their contact, {value:.2f} times off the contact resonance",
+            "disk and table together on their contact, a factor of {value:.2f} from the frequency on a "
+            "rigid table",
             "the disk on its contact, as on a rigid table",
             "undecided: disk and table together, or the contact alone",
         ),
@@ -196,9 +209,9 @@ _SOUND: dict[str, FindingText] = {
         details="{force_alone:.2f} for the force alone",
         question=SOUND_QUESTION,
         answers=AnswerSentences(
-            "the contact resonance, {value:.2f} of its prediction",
-            "a resonance at {value:.2f} times the contact's",
-            "undecided: the contact resonance, {value:.2f} of its prediction",
+            "the contact resonance, at {value:.2f} times its predicted frequency",
+            "a resonance at {value:.2f} times the frequency of the contact resonance",
+            "undecided: the contact resonance, at {value:.2f} times its predicted frequency",
         ),
         headline=HeadlineClauses(
             "you hear the disk vibrate on its contact",
@@ -213,9 +226,9 @@ _SOUND: dict[str, FindingText] = {
         quotation=_EXCITED_MODES,
         question=SOUND_QUESTION,
         answers=AnswerSentences(
-            f"the modes at the end, {LEVEL_FORMAT}",
-            f"the motion of the disk, modes {LEVEL_FORMAT}",
-            f"undecided: the modes at the end, {LEVEL_FORMAT}",
+            f"the modes of the disk, {LEVEL_FORMAT} relative to its rigid motion",
+            f"the rigid motion of the disk; its modes have {LEVEL_FORMAT} relative to it",
+            f"undecided: the modes of the disk have {LEVEL_FORMAT} relative to its rigid motion",
         ),
         headline=HeadlineClauses(
             "you hear the disk ring",
@@ -231,9 +244,9 @@ _SOUND: dict[str, FindingText] = {
         "coin",
         question=SOUND_QUESTION,
         answers=AnswerSentences(
-            "the modes of the disk, {value:.0%} of the power",
-            "more than the modes of the disk, {value:.0%} of the power",
-            "undecided: the modes of the disk, {value:.0%} of the power",
+            "the modes of the disk, with {value:.0%} of the sound power",
+            "more than the modes of the disk, which have {value:.0%} of the sound power",
+            "undecided: the modes of the disk, with {value:.0%} of the sound power",
         ),
         headline=HeadlineClauses(
             "you hear the disk ring",
@@ -265,41 +278,30 @@ _SOUND: dict[str, FindingText] = {
 }
 """Texts on what is heard."""
 _PITCH: dict[str, FindingText] = {
+    "pitch_rises": FindingText(
+        claim="The tone, the beats or the noise band rises",
+        unit="times, from the beginning to the end of the audible part",
+        source="abstract and section 1: a sharp rise, here an octave for the tone and the beats and a "
+        "minor third for the noise band; audible above the threshold of ISO 226, beats with the "
+        "modulation depth of Viemeister (1979); determined from the sound alone",
+        quotation=_PITCH_RISES,
+        details=rises_in_words,
+        question=PITCH_QUESTION,
+        answers=AnswerSentences("yes: {told}", "no: {told}", "undecided: {told}"),
+        headline=HeadlineClauses("the pitch rises", "the pitch does not rise"),
+    ),
     "table_tone_rises": FindingText(
         claim="The tone of the table rises",
         unit="times from the start to the end of the tone in the stem of the table",
         source="section 8: the frequencies rise; the table is driven at n times the precession frequency",
         quotation=_PITCH_RISES,
-        question=PITCH_QUESTION,
-        answers=AnswerSentences("yes", "no", "undecided"),  # the factor is chaotic
-        headline=HeadlineClauses("the pitch rises", "the pitch does not rise"),
     ),
     "carrier_rises": FindingText(
         claim="A noise band rises",
-        unit="times",
+        unit="times, from the first tenth to the end of the audible band",
         source="abstract: the pitch rises; determined from the sound alone",
         quotation=_PITCH_RISES,
         details="from {from:.0f} Hz to {to:.0f} Hz",
-        question=PITCH_QUESTION,
-        answers=AnswerSentences(
-            "yes, {value:.1f}-fold",
-            "no, {value:.1f}-fold",
-            "undecided, {value:.1f}-fold",
-        ),
-        headline=HeadlineClauses("the pitch rises", "the pitch does not rise"),
-    ),
-    "pitch_rises": FindingText(
-        claim="The pitch rises sharply towards the end",
-        unit="times from the start to the end of the detected tone",
-        source="abstract and section 1; determined from the sound alone",
-        quotation=_PITCH_RISES,
-        question=PITCH_QUESTION,
-        answers=AnswerSentences(
-            "yes, {value:.1f}-fold",
-            "no, {value:.1f}-fold",
-            "undecided, {value:.1f}-fold",
-        ),
-        headline=HeadlineClauses("the pitch rises", "the pitch does not rise"),
     ),
     "tone_is_precession": FindingText(
         claim="In the last second the rising tone is the precession of the contact",
@@ -347,13 +349,14 @@ _PITCH: dict[str, FindingText] = {
 """Texts on whether the pitch rises."""
 _CONTACT: dict[str, FindingText] = {
     "table_breaks_contact": FindingText(
-        claim="Two-way coupling with the table breaks the contact",
+        claim="Vibration of the table breaks the contact",
+        short="the table breaks the contact",
         unit=f"losses of contact above {ALMOST_FLAT_INCLINATION:g} rad; their occurrence is checked with "
         "half the time step and twice the contact stiffness",
         source="abstract: the vibrations will result in a loss of contact",
+        variants={"predicted": PREDICTED_VIBRATION},
         quotation=_CONTACT_LOSS,
         question=LOSS_QUESTION,
-        answers=AnswerSentences("yes", "no", "undecided"),
         headline=HeadlineClauses(
             "vibrations break the contact",
             "vibrations do not break the contact",
@@ -373,16 +376,15 @@ _CONTACT: dict[str, FindingText] = {
         ),
     ),
     "contact_is_lost": FindingText(
-        claim="Vibrations finally break the contact",
+        claim="Contact is lost, whatever breaks it",
         unit="of the time without contact",
-        source="abstract: the vibrations will result in a loss of contact",
-        quotation=_CONTACT_LOSS,
+        source="abstract: a loss of contact; the findings on its causes name what breaks it",
         details=contact_in_words,
         question=LOSS_QUESTION,
         answers=AnswerSentences(
-            "yes, {value:.1%} of the time",
-            "no, {value:.1%} of the time",
-            "undecided, {value:.1%} of the time",
+            "yes, for {value:.1%} of the time",
+            "no, it is open for {value:.1%} of the time",
+            "undecided: it is open for {value:.1%} of the time",
         ),
         headline=HeadlineClauses(
             "the disk leaves the table",
@@ -399,9 +401,9 @@ _CONTACT: dict[str, FindingText] = {
         ),
         question=LOSS_QUESTION,
         answers=AnswerSentences(
-            "no, least force {value:.1f} of the weight",
+            "no, the least normal force is {value:.1f} of the weight",
             "yes",
-            "undecided, least force {value:.1f} of the weight",
+            "undecided: the least normal force is {value:.1f} of the weight",
         ),
         headline=HeadlineClauses(
             "the disk never leaves the table",
@@ -421,24 +423,37 @@ _CONTACT: dict[str, FindingText] = {
     ),
     "loss_at_resonance": FindingText(
         claim="Contact is first lost where the contact moves as fast as the waves of a mode",
-        unit="n times the precession frequency, relative to the frequency of the nearest mode",
+        unit="n times the precession frequency, divided by the frequency of the nearest mode",
         source="section 8: the vibrations will result in a loss of contact",
         details="{before_end:.2g} s before the end, at {precession_frequency:.3g} turns per second; "
         "{number:.0f} losses in all",
     ),
     "waves_break_contact": FindingText(
-        claim="The waves of the table break the contact where they outweigh the inclination",
+        claim="Contact is first lost where the waves of the table outweigh the inclination",
         unit="times (n^2 - 1) amplitude/radius (inclination at the first loss of contact)",
         source="section 8: the vibrations will result in a loss of contact; here the table is wavy",
     ),
     "vibration_opens_contact": FindingText(
         claim="Vibration of the disk breaks the contact",
+        short="the disk breaks the contact",
         unit="of the time without contact vanishes without the modes of the disk",
         source="section 8: vibrations excited by the contact force break the contact",
+        variants={
+            "predicted": PREDICTED_VIBRATION,
+            "solved": {
+                "unit": "of the time without contact where neither geometry nor table nor air breaks it"
+            },
+        },
         quotation=_CONTACT_LOSS,
-        details="in the first {until:.2g} s the contact is open for {open_share:.1%} of the time, or "
-        "{open_share_without_modes:.1%} without the modes and {open_share_without_roughness:.1%} "
-        "without roughness",
+        details=disk_vibration_in_words,
+    ),
+    "unevenness_breaks_contact": FindingText(
+        claim="Unevenness alone breaks the contact",
+        short="unevenness breaks the contact",
+        unit="times the curvature at which a rim without vibration leaves the heights (greatest)",
+        source="contact with an uneven table is lost where the curvature of its heights exceeds that of "
+        "the rim",
+        details="waves {waves:.2g}, roughness {roughness:.2g}",
     ),
     "loss_begins_at": FindingText(
         claim="The roughness of an ordinary surface, 0.1 um, breaks the contact",
@@ -450,6 +465,7 @@ _CONTACT: dict[str, FindingText] = {
 _END: dict[str, FindingText] = {
     "impacts_end_it": FindingText(
         claim="Impacts bring the disk to rest",
+        short="many impacts end the motion",
         unit="of the energy is lost in the dashpots of the contacts",
         source="the disk makes thousands of small impacts on the crests of an uneven table",
         question=END_QUESTION,
@@ -485,7 +501,8 @@ _END: dict[str, FindingText] = {
             "",  # the table does not end the motion
             "the table, not solved: {value:.1f} s before the end it would hold as much energy as "
             "the disk",
-            "undecided: the table, not solved, {value:.1f} s before the end",
+            "undecided: the table, not solved: it would hold as much energy as the disk "
+            "{value:.1f} s before the end",
         ),
     ),
     "what_ends": FindingText(
@@ -501,15 +518,18 @@ _END: dict[str, FindingText] = {
         ),
     ),
     "carried_by_air": FindingText(
-        claim="The contact is lost to the air",
+        claim="Air breaks the contact: the film lifts the disk",
         unit="times the vertical force (greatest lift of the film)",
         source="Reynolds' equation on the falling film",
         variants={
             "no film": {
-                "claim": "With the air film included, the disk would become airborne"
-            }
+                "claim": "With the air film included, the air would lift the disk"
+            },
+            "rattling": {
+                "unit": "1 if the film finally lifts the rattling disk, otherwise 0"
+            },
         },
-        details="contact lost at {time:.5g} s, {inclination:.3g} rad and {precession_frequency:.3g} turns per second",
+        details=lift_off_in_words,
     ),
     "halt_is_abrupt": FindingText(
         claim="The motion stops abruptly once the disk has lost its rolling contact",
@@ -526,13 +546,20 @@ _END: dict[str, FindingText] = {
     ),
     "one_impact_ends_it": FindingText(
         claim="A single impact ends the motion",
+        short="one impact stops the disk",
         unit="of the energy at the first impact after the loss of contact (largest loss in one impact)",
         source="section 8: loss of contact and the following impact end the motion",
         quotation=_FINAL_IMPACT,
-        details="{at_28:.0%} at a restitution of 0.28, {at_46:.0%} at 0.46, {at_79:.0%} at 0.79",
+        variants={
+            "kept": {"unit": "of the energy: the disk never loses contact"},
+            "rattling": {
+                "unit": f"of the last {FINAL_ENERGY_SHARE:.0%} of the energy (largest loss in the contact within 3 ms)"
+            },
+        },
+        details=restitutions_in_words,
     ),
     "air_carries_earlier": FindingText(
-        claim="The table brings forward the time at which the air carries the disk",
+        claim="The table brings forward the time at which the air lifts the disk",
         unit="s earlier than with one-way coupling",
         source="section 8: the vibrations will result in an abrupt halt; here in air",
         details="two-way coupling lasts for the final {acts_before_end:.3g} s",
@@ -657,12 +684,12 @@ _MOTION: dict[str, FindingText] = {
         "end",
     ),
     "friction_exponent": FindingText(
-        claim="The friction of the scene lets the precession rate grow as measured",
+        claim="With the friction of the scene, the precession rate grows as measured",
         unit="exponent of the precession rate as a power of the remaining time",
         source="recordings of disks on granite, 2026: 0.31(3)",
     ),
     "pivoting_within_contact": FindingText(
-        claim="A Hertzian contact can produce the pivoting friction of the scene",
+        claim="A Hertzian contact can cause the pivoting friction of the scene",
         unit="times the arm of a slipping contact at 0.1 rad",
         source="Hertzian pressure; the moment of full spin slip is mu N times the mean distance from the centre",
     ),
@@ -774,34 +801,50 @@ _SPECTRUM: dict[str, FindingText] = {
 }
 """Texts on modes, spectral lines and noise bands."""
 VERDICT_TEXTS: dict[str, FindingText] = {
+    "vibrations_make_sound": FindingText(
+        claim="Vibrations make the sound of the last second",
+        short="vibrations make the sound",
+        unit="dB, the smaller of the level relative to the rigid motion and the level above the "
+        "threshold of hearing",
+        source="section 8: the motion of the disk is not the primary sound source; the forcing excites modes",
+        details="{louder:.0f} dB(A) relative to the rigid motion of the disk; {audible:.0f} dB above the "
+        "threshold of hearing",
+        question=SOUND_QUESTION,
+        answers=AnswerSentences(
+            "vibrations, {louder:+.0f} dB(A) relative to the rigid motion",
+            "not the vibrations, {louder:+.0f} dB(A) relative to the rigid motion",
+            "undecided: vibrations, {louder:+.0f} dB(A) relative to the rigid motion",
+        ),
+    ),
     "contact_breaks_before_end": FindingText(
-        claim="Vibrations or waves break the contact before the motion ends",
-        short="contact breaks before the end",
+        claim="Vibration or unevenness breaks the contact before the motion ends",
+        short="vibration or unevenness breaks the contact",
         unit="times the final inclination (inclination at which contact is lost)",
         source="abstract: the vibrations will result in a loss of contact",
         details=shares_in_words,
     ),
     "air_carries_disk": FindingText(
-        claim="The air carries the disk at the end",
-        short="the air carries the disk",
+        claim="The air lifts the disk at the end",
+        short="the air lifts the disk",
         unit="1 if it does",
         source="the air film under the disk, Reynolds' equation",
     ),
     "table_brings_end_forward": FindingText(
         claim="The vibration of the table brings the end forward by at least 0.05 s",
-        short="the table ends it earlier",
+        short="the table ends the motion earlier",
         unit="s earlier than without its vibration",
         source="section 8: the vibrations will result in an abrupt halt",
     ),
     "precession_rises": FindingText(
         claim="The final precession rate is at least twice that halfway through the motion",
-        short="the precession doubles",
-        unit="times the mean precession rate halfway through the motion (in its last fiftieth)",
+        short="the precession rate doubles",
+        unit="times the mean precession rate halfway through the motion (in a later fiftieth)",
         source="abstract and section 1: the pitch rises sharply",
     ),
     "resonance_rises": FindingText(
-        claim="The resonance of the disk on its contact rises by at least a fifth",
-        short="the resonance rises by a fifth",
+        claim="The contact stiffens: the resonance of the disk on it, as on a rigid table, rises by at "
+        "least a fifth",
+        short="the contact resonance on a rigid table rises by a fifth",
         unit="times its frequency at the release (frequency at the end)",
         source="abstract: the pitch rises; contact laws of Hertz and Mindlin",
     ),

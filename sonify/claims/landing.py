@@ -1,17 +1,30 @@
-"""Findings on the halt of a disk that loses its rolling contact."""
+"""Findings on the halt of a disk and its cause, with or without an impact."""
 
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 
-from dynamics import Motion
+from dynamics import Motion, Outcome
 from dynamics.landing.equations import LandingState
 from dynamics.landing.landing_motion import TOUCH, LandingMotion
 from dynamics.landing.solution import solve_landing
 from dynamics.landing.stop import stop_below
 from dynamics.observables import precession_rate
+from sonify.claims.air import what_ends
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.limits import FINAL_ENERGY_SHARE
 
+OUTCOMES_WITHOUT_END = {
+    Outcome.ROLLING_ON,
+    Outcome.LIFTED_OFF,
+    Outcome.UPRIGHT,
+    Outcome.LEFT_TABLE,
+    Outcome.STALLED,
+    Outcome.CASCADE,
+}
+"""Outcomes of a rolling motion that no loss of energy has ended: the run was interrupted, or
+another motion follows."""
 RESTITUTIONS = (0.28, 0.46, 0.79)
 """Coefficients of restitution at which the loss in one impact is stated."""
 SLAP_DURATION = 3e-3
@@ -23,14 +36,54 @@ MIN_IMPACT_LOSS_SHARE = 1e-3
 
 
 def landing_findings(motion: Motion) -> list[Finding]:
-    """Return the findings on the end of a motion that loses its rolling contact."""
+    """Return the findings on the end of a motion.
+
+    Some need a loss of the rolling contact. Of a motion that begins without this contact, and
+    ends without it, only the film under the disk that finally lies flat is judged."""
     landing = motion.landing
+    at_rest = motion.outcome is Outcome.AT_REST
+    ended = end_findings(motion)
     if landing is None:
-        return []
-    found = [halt_is_abrupt(landing), one_impact_ends_it(landing)]
+        found = [one_impact_ends_it(motion)] if at_rest else []
+        if not motion.rolling.finding_groups and rests_on_air(motion):
+            found.insert(0, air_catches_disk(cast("LandingMotion", motion)))
+        return [*ended, *found]
+    found = [halt_is_abrupt(landing), one_impact_ends_it(motion)]
     if landing.model.film is not None:
         found.insert(1, air_catches_disk(landing))
-    return found
+    return [*ended, *found]
+
+
+def end_findings(motion: Motion) -> list[Finding]:
+    """Return what ends a motion, if its end is known.
+
+    It is judged on the rolling motion, unless this does not lose the last part of the energy.
+    Impacts end a rattling disk, see `sonify.claims.rattling`."""
+    rolling = motion.rolling
+    if "rattling" in rolling.finding_groups:
+        return []
+    is_interrupted = rolling.rolling_outcome in OUTCOMES_WITHOUT_END
+    if motion.outcome is Outcome.AT_REST and (
+        is_interrupted or ends_without_rolling(motion)
+    ):
+        return [what_ends(motion)]
+    return [] if is_interrupted else [what_ends(rolling)]
+
+
+def ends_without_rolling(motion: Motion) -> bool:
+    """Return True if the disk loses the last part of its energy after its rolling contact, or
+    never had this contact."""
+    if not motion.rolling.finding_groups:
+        return True
+    if motion.landing is None:
+        return False
+    first, left, last = motion.energy([0.0, motion.rolling.t[-1], motion.t[-1]])
+    return bool(left - last > FINAL_ENERGY_SHARE * (first - last))
+
+
+def rests_on_air(motion: Motion) -> bool:
+    """Return True if the disk finally lies on its film of air."""
+    return any(event.kind == "rests on a cushion of air" for event in motion.events)
 
 
 @finding(needs=("motion",), at_most=1.0)
@@ -63,11 +116,22 @@ def air_catches_disk(landing: LandingMotion) -> Measured:
 
 
 @finding(needs=("motion",), at_least=0.5)
-def one_impact_ends_it(landing: LandingMotion) -> Measured:
-    """The largest share of the energy at the first impact that one impact dissipates.
+def one_impact_ends_it(motion: Motion) -> Measured:
+    """The largest share of the final energy that one impact dissipates.
 
-    The details repeat it with other restitutions, shortly beyond the first impact.
-    """
+    After a landing, the final energy is that at the first impact, and the details repeat the
+    share with other restitutions. Otherwise it is the last part of the initial energy, and an
+    impact is the loss in the contact within SLAP_DURATION; a disk that never loses contact has
+    no impact."""
+    if motion.landing is not None:
+        return _largest_share_after_landing(motion.landing)
+    if not motion.contact_losses:
+        return Measured(0.0, variant="kept")
+    return Measured(_largest_share_of_contact(motion), variant="rattling")
+
+
+def _largest_share_after_landing(landing: LandingMotion) -> Measured:
+    """Return the largest loss in one impact over the energy at the first impact."""
     own = impacts(landing)
     if not len(own):
         return Measured(0.0)
@@ -79,6 +143,17 @@ def one_impact_ends_it(landing: LandingMotion) -> Measured:
         for restitution in RESTITUTIONS
     }
     return Measured(_largest_loss(own), details=details)
+
+
+def _largest_share_of_contact(motion: Motion) -> float:
+    """Return the largest loss in the contact within SLAP_DURATION over the final energy."""
+    t = motion.t
+    energy = motion.energy(t)
+    final_energy = FINAL_ENERGY_SHARE * (energy[0] - energy[-1])
+    start = np.argmax(energy - energy[-1] < final_energy)
+    lost = motion.energy_lost(t)["contact"]
+    in_window = np.interp(t[start:] + SLAP_DURATION, t, lost) - lost[start:]
+    return float(in_window.max() / final_energy)
 
 
 def _largest_loss(found: np.ndarray) -> float:
@@ -97,7 +172,7 @@ def _with_restitution(
         stop.radius, landing.disk.mass, restitution, stop.height, stop.stiffness
     )
     start = LandingState(*landing.solution.path(0.0))
-    solution = solve_landing(model._replace(stop=other), start, duration)
+    solution = solve_landing(replace(model, stop=other), start, duration)
     return replace(landing, solution=solution)
 
 

@@ -9,3 +9,5 @@ ALMOST_FLAT_INCLINATION = 2 * FLAT_INCLINATION
 time step."""
 MODE_BAND_HALF_WIDTH = 0.03
 """Half-width of the band around a mode, relative to its frequency."""
+CERTAIN_LOSS_FORCE_RMS = 0.4
+"""Rms of N'/weight above which a Gaussian vibration breaks the contact in every motion."""

@@ -51,7 +51,7 @@ def motion_findings(motion: Motion) -> list[Finding]:
 
 
 @finding(needs=("motion",), at_least=0.5)
-def slip_is_the_loss(motion: Motion):
+def slip_is_the_loss(motion: Motion) -> float | Measured:
     """The share of the energy lost while the disk slides, an upper bound on that of
     sliding friction.
 
@@ -66,7 +66,7 @@ def slip_is_the_loss(motion: Motion):
 
 
 @finding(needs=("motion",), at_most=0.5)
-def impacts_are_not_the_loss(motion: Motion):
+def impacts_are_not_the_loss(motion: Motion) -> Measured:
     """The share of the energy loss due to compression of the contact, with or without
     impacts.
 
@@ -87,7 +87,7 @@ def energy_lost_by_cause(motion: Motion) -> dict[str, float]:
 
 
 @finding(needs=("motion", "sound"), at_least=0.5)
-def force_peaks_sound(motion: Motion, sound: Sound):
+def force_peaks_sound(motion: Motion, sound: Sound) -> Measured:
     """The correlation of sound level and normal force after removal of slow
     variations."""
     smoothing_samples = 101  # of the median filter that removes slow variations
@@ -113,10 +113,10 @@ def force_peaks_sound(motion: Motion, sound: Sound):
 
 
 @finding(needs=("sound",), at_least=0.0)
-def deformation_makes_the_tone(sound: Sound):
+def deformation_makes_the_tone(sound: Sound) -> float:
     """The level of the modes driven by the smooth force relative to all other sound in
     the last second [dB(A)]."""
-    power = {name: weighted_power(sound, stem) for name, stem in sound.stems.items()}
+    power = {name: weighted_power(sound, [stem]) for name, stem in sound.stems.items()}
     bending = power.pop("ringing_smooth")
     return level_db(bending) - level_db(sum(power.values()))
 
@@ -124,7 +124,7 @@ def deformation_makes_the_tone(sound: Sound):
 @finding(
     needs=("modes",), at_least=17438 / 10945, at_most=17438 / 10945, tolerance=0.03
 )
-def mode_ratio(modes: Modes):
+def mode_ratio(modes: Modes) -> float:
     """The frequency ratio of the first two modes of the free disk with different
     orders."""
     second = modes.frequency[modes.order != modes.order[0]][0]

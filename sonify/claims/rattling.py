@@ -46,8 +46,6 @@ def findings_on_rattling(
     found = [disk_rattles(motion)]
     if motion.contact_losses:
         found.append(micro_flights(motion))
-        if scene.roughness is not None:
-            found.append(vibration_opens_contact(scene, motion))
     found.append(impacts_end_it(motion))
     rough = scene.roughness
     ended = motion.outcome is Outcome.AT_REST
@@ -61,7 +59,7 @@ def findings_on_rattling(
 
 
 @finding(needs=("motion", "contact law"), at_least=0.2)
-def disk_rattles(motion: RattlingMotion):
+def disk_rattles(motion: RattlingMotion) -> Measured:
     """The share of the time without contact.
 
     The margin assumes that the flights are independent events.
@@ -80,14 +78,16 @@ def disk_rattles(motion: RattlingMotion):
     return Measured(motion.open_share, margin, details)
 
 
-@finding(needs=("scene", "motion", "contact law"), at_least=0.5)
-def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Measured:
-    """The share of the time without contact that vanishes in a motion without the disk
-    modes.
+def open_share_without_modes(scene: Scene, motion: Motion) -> Measured:
+    """Return the share of the time without contact that vanishes in a motion without the
+    disk modes.
 
     The motion is repeated from the release without these modes and without roughness.
     The margin assumes that the flights are independent events."""
     max_repeated_duration = 0.4  # s
+    if not motion.contact_losses:
+        return Measured(0.0)
+    motion = cast(RattlingMotion, motion)
     until = min(float(motion.t[-1]), max_repeated_duration)
     numerics = replace(scene.numerics, time_limit=until)
     with_all, margin_with_all = open_share_until(motion, until)
@@ -144,7 +144,7 @@ def free_modes_are_heard(sound: Sound, modes: Modes) -> Measured:
 
 
 @finding(needs=("motion", "contact law"), at_least=0.5)
-def impacts_end_it(motion: RattlingMotion):
+def impacts_end_it(motion: RattlingMotion) -> Measured:
     """The share of the energy loss in the compression of the contacts.
 
     The margin is the relative error of the energy balance.
@@ -179,7 +179,7 @@ def rate_follows_unevenness(
 @finding(
     needs=("scene", "motion", "contact law"), at_least=1.0, at_most=1.0, tolerance=0.25
 )
-def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion):
+def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Measured:
     """The ratio of the precession rate to that of a disk slowed by impacts alone.
 
     The latter, f = (g/s)^(1/4)/(pi sqrt(k (t_end - t))), is independent of radius and
@@ -203,7 +203,7 @@ def impact_coefficient(damping_ratio: float) -> float:
 
     Mean values of simulated motions are interpolated in log k and the logarithm of the
     relative energy loss per impact."""
-    # restitution and k; tests/compliant/test_flat_rattle.py integrates the motions
+    # restitution and k; tests/stepping/test_rattling_disk.py integrates the motions
     means = ((0.793, 0.44), (0.523, 0.68), (0.370, 0.785), (0.1, 0.83))
     restitution, k = np.array(means).T
     loss = np.log(1 - restitution**2)

@@ -29,7 +29,7 @@ def is_paper_scene(scene: Scene) -> bool:
 def is_toy_disk(disk: Disk) -> bool:
     """Return True if a disk has the dimensions and the mass of the recorded toy."""
     toy = load_scene("granite").disk
-    return disk.shape == toy.shape and _agree(
+    return disk.shape == toy.shape and _agree_within_tolerance(
         (disk.radius, disk.thickness, disk.mass),
         (toy.radius, toy.thickness, toy.mass),
     )
@@ -52,10 +52,14 @@ def may_lie_on_granite(scene: Scene) -> bool:
 def _is_granite(contact: Contact) -> bool:
     """Return True if the table of a contact has the elastic constants of granite."""
     granite = load_scene("granite").contact
-    return _agree((contact.young, contact.poisson), (granite.young, granite.poisson))
+    return _agree_within_tolerance(
+        (contact.young, contact.poisson), (granite.young, granite.poisson)
+    )
 
 
-def _agree(values: tuple[float, ...], others: tuple[float, ...]) -> bool:
+def _agree_within_tolerance(
+    values: tuple[float, ...], others: tuple[float, ...]
+) -> bool:
     """Return True if all values agree within MAX_RELATIVE_DIFFERENCE."""
     pairs = zip(values, others, strict=True)
     return all(isclose(a, b, rel_tol=MAX_RELATIVE_DIFFERENCE) for a, b in pairs)

@@ -15,6 +15,11 @@ class Share(NamedTuple):
     high: float
 
     @property
+    def minority(self) -> int:
+        """Number of draws with the rarer answer."""
+        return min(self.holds, self.draws - self.holds)
+
+    @property
     def draw_count_text(self) -> str:
         """The number of draws in which the claim holds, as "k of n", and the interval of
         the share."""

@@ -120,7 +120,7 @@ def table_tone_rises(tone: SettlingRun) -> Measured:
 
 
 @finding(needs=("tone", "sound"), at_least=0.0)
-def table_carries_the_tone(sound: Sound, tone, error: float) -> Measured:
+def table_carries_the_tone(sound: Sound, tone: SettlingRun, error: float) -> Measured:
     """The level of the table relative to all other sound, in the third-octave band of
     the tone during the last second [dB]."""
     window = LEVEL_WINDOW_S / 4
@@ -129,6 +129,7 @@ def table_carries_the_tone(sound: Sound, tone, error: float) -> Measured:
     power = {}
     for name, stem in sound.stems.items():
         seen = spectrogram(stem, window, span=(begin, sound.source_end))
+        assert tone.t_end.value is not None, "the sound of a run is not cut"
         pitch = tone.rate(np.minimum(seen.time, tone.t_end.value - window / 2))
         distance = np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)
         near = np.abs(distance) < np.log(third_octave_edge)
@@ -139,16 +140,18 @@ def table_carries_the_tone(sound: Sound, tone, error: float) -> Measured:
 
 
 @finding(needs=("motion", "sound"), at_most=0.0)
-def table_takes_little(motion: Motion, sound: Sound, error: float):
+def table_takes_little(motion: Motion, sound: Sound, error: float) -> Measured:
     """The time before the end [s] at which the energy of the table modes first exceeds
     that of the disk, for one-way coupling."""
+    assert sound.table_energy is not None, "the table has modes"
     return time_of_energy_share(motion, sound.energy_time, sound.table_energy, error)
 
 
 @finding(needs=("motion", "sound"), at_most=0.5)
-def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float):
+def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float) -> Measured:
     """The time before the end [s] at which the table modes first have MIN_RELEVANT_SHARE
     of the energy of the disk."""
+    assert sound.table_energy is not None, "the table has modes"
     return time_of_energy_share(
         motion, sound.energy_time, sound.table_energy, error, MIN_RELEVANT_SHARE
     )

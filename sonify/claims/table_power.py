@@ -4,7 +4,7 @@ With one-way coupling the contact force drives the table, but the table does not
 disk. The heat in the table and its sound are then taken from nowhere. They must be small
 compared with the power that the disk loses in the same time."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from math import inf
 from typing import NamedTuple
 
@@ -18,8 +18,12 @@ from sonify.claims.finding import Measured, finding
 from sonify.claims.two_way import two_way_part
 from sonify.scene import Scene
 from sonify.sound.radiation import Listener
-from sonify.sound.sources.contact import ContactFilter
+from sonify.sound.sources.contact import ContactFilter, superposed_part
 from sonify.sound.sources.tabletop import shapes_at_contact, table_radiation
+
+Powers = Callable[[np.ndarray, np.ndarray, np.ndarray], tuple[float, float]]
+"""Function of times [s], forces [N] and a mask that returns the powers [W] which a
+table takes and radiates."""
 
 SAMPLE_RATE = 192_000
 """Rate [Hz] at which force and table are evaluated; it does not depend on the sound."""
@@ -98,18 +102,19 @@ def table_powers(
         yield TablePower(begin, end, lost, heat, radiated)
 
 
-def _contact_force(scene: Scene, motion: Motion):
+def _contact_force(scene: Scene, motion: Motion) -> Callable[[np.ndarray], np.ndarray]:
     """Return a function of times (k,) [s] that returns the normal force (k,) [N].
 
     The force includes the vibration that the sound superposes on a rigid motion."""
     is_smooth = scene.roughness is None or scene.contact.law == "rigid"
     has_law = motion.plan.tabulated_law is not None
-    if is_smooth or not has_law or motion.vibration_crossover is not None:
+    rigid = superposed_part(scene, motion)
+    if is_smooth or not has_law or rigid is None:
         return lambda t: motion.force(t)[:, 2]
 
-    def rough_force(t):
+    def rough_force(t: np.ndarray) -> np.ndarray:
         force = motion.force(t)[:, 2]
-        added = ContactFilter.along(motion, scene, SAMPLE_RATE, float(t[0]))
+        added = ContactFilter.along(rigid, scene, SAMPLE_RATE, float(t[0]))
         done = 0
         for block in added.blocks():
             part = block[: len(t) - done, 1]
@@ -122,7 +127,7 @@ def _contact_force(scene: Scene, motion: Motion):
     return rough_force
 
 
-def _powers_of_plate(scene: Scene, listener: Listener):
+def _powers_of_plate(scene: Scene, listener: Listener) -> Powers:
     """Return a function that returns the powers [W] which an infinite plate takes and
     radiates.
 
@@ -137,7 +142,9 @@ def _powers_of_plate(scene: Scene, listener: Listener):
     if air.density:
         radiation = air.density / (2 * np.pi * air.sound_speed * mass**2)
 
-    def take(t, force, inside):
+    def take(
+        t: np.ndarray, force: np.ndarray, inside: np.ndarray
+    ) -> tuple[float, float]:
         varying = float(np.var(force[inside]))
         return mobility * varying, radiation * varying
 
@@ -146,7 +153,7 @@ def _powers_of_plate(scene: Scene, listener: Listener):
 
 def _powers_of_modes(
     scene: Scene, motion: Motion, table: SurfaceModes, listener: Listener
-):
+) -> Powers:
     """Return a function that returns the powers [W] which table modes take and radiate.
 
     The radiated power assumes the pressure at the listener in all directions above the
@@ -160,7 +167,9 @@ def _powers_of_modes(
     if impedance:
         sphere = 2 * np.pi * listener.distance**2 / impedance
 
-    def take(t, force, inside):
+    def take(
+        t: np.ndarray, force: np.ndarray, inside: np.ndarray
+    ) -> tuple[float, float]:
         nodes = np.append(t[:-1:stride], t[-1])
         state = motion.at(nodes)
         count = int(inside.sum())
@@ -187,7 +196,7 @@ def _powers_of_modes(
     return take
 
 
-def vibration_power(speed, decay_rate: float, duration: float) -> float:
+def vibration_power(speed: np.ndarray, decay_rate: float, duration: float) -> float:
     """Return the mean power [W] that a mode of unit mass dissipates and stores.
 
     The vibration stores twice its mean kinetic energy; the energy of a slow, static
@@ -198,7 +207,9 @@ def vibration_power(speed, decay_rate: float, duration: float) -> float:
     return float(2 * decay_rate * squared.mean() + gained / (0.9 * duration))
 
 
-def modal_displacement(drive, frequency: float, decay_rate: float, rate: float):
+def modal_displacement(
+    drive: np.ndarray, frequency: float, decay_rate: float, rate: float
+) -> np.ndarray:
     """Return the displacement (k,) of a mode at rest under a modal force (k,).
 
     The poles and the static response are exact at the sample rate [Hz]."""

@@ -7,7 +7,8 @@ contact is undecided if these reruns disagree."""
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from math import inf
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -18,13 +19,17 @@ from dynamics.compliant.compliant_motion import (
     simulate_from,
 )
 from dynamics.compliant.state_conversion import preloaded_compliant_state
-from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, STATE
+from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.observables import precession_rate
 from dynamics.solver_settings import MIN_RELEVANT_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.limits import ALMOST_FLAT_INCLINATION, FINAL_ENERGY_SHARE
 from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene import Scene
+
+if TYPE_CHECKING:
+    from dynamics.compliant.stepping.model import CompliantModel
 
 HALF_STEP = "half_step"
 """Name of the rerun with half the time step."""
@@ -59,7 +64,9 @@ def two_way_part(motion: Motion) -> Any:
     )
 
 
-def energy_budget(motion: Motion, t, heard=None) -> EnergyBudget:
+def energy_budget(
+    motion: Motion, t: np.ndarray, heard: tuple[np.ndarray, np.ndarray] | None = None
+) -> EnergyBudget:
     """Return the `EnergyBudget` at times t (k,) [s] with two-way coupling.
 
     `heard` is the result of `sonify.claims.table.radiated_power`: times (e,) [s] and
@@ -145,8 +152,8 @@ def variation_runs(
     }
     expected = part.t[-1] - start
 
-    def rerun(number, model):
-        def show(t, inclination, doing):
+    def rerun(number: int, model: "CompliantModel") -> CompliantMotion:
+        def show(t: float, inclination: float, doing: str) -> None:
             watch((number + min(t / expected, 1.0)) / len(models))
 
         return simulate_from(
@@ -190,7 +197,7 @@ def two_way_start(part: CompliantMotion) -> float:
 
 
 @finding(needs=("scene", "motion"), at_least=0.05)
-def halt_comes_earlier(scene: Scene, motion: Motion):
+def halt_comes_earlier(scene: Scene, motion: Motion) -> Measured:
     """The time [s] by which the table modes advance the passage of FLAT_INCLINATION.
 
     The reference is the same disk and contact without table modes, from the onset of
@@ -211,7 +218,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
 
 
 @finding(needs=("scene", "motion"), at_least=0.05)
-def air_carries_earlier(scene: Scene, motion: Motion):
+def air_carries_earlier(scene: Scene, motion: Motion) -> Measured:
     """The time [s] by which the table modes advance the end of a disk that the air
     carries.
 
@@ -226,7 +233,9 @@ def air_carries_earlier(scene: Scene, motion: Motion):
     return Measured(t[-1] - part.t[-1], part.dt * FORCES_PER_ROW, details)
 
 
-def motion_without_table_modes(scene: Scene, part: CompliantMotion):
+def motion_without_table_modes(
+    scene: Scene, part: CompliantMotion
+) -> tuple[np.ndarray, np.ndarray]:
     """Return times (k,) [s] and inclinations (k,) [rad] of the motion without table
     modes.
 
@@ -251,7 +260,7 @@ def last_time_above(limit: float, t: np.ndarray, inclination: np.ndarray) -> flo
 
 
 @finding(needs=("scene", "motion"), at_least=0.5)
-def waves_make_the_halt(scene: Scene, motion: Motion):
+def waves_make_the_halt(scene: Scene, motion: Motion) -> Measured:
     """The share of the table modes in the energy lost by the disk and its contact
     during the halt."""
     budget = final_energy_budget(scene, motion)
@@ -263,7 +272,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
 
 
 @finding(needs=("scene", "motion"), at_least=0.5)
-def table_rings_at_the_halt(scene: Scene, motion: Motion):
+def table_rings_at_the_halt(scene: Scene, motion: Motion) -> Measured:
     """The share of the table modes in the energy of disk and table at their maximum
     energy."""
     t = times_towards_end(scene, motion)
@@ -274,7 +283,7 @@ def table_rings_at_the_halt(scene: Scene, motion: Motion):
 
 
 @finding(needs=("scene", "motion"), at_least=0.1)
-def disk_rings_at_the_halt(scene: Scene, motion: Motion):
+def disk_rings_at_the_halt(scene: Scene, motion: Motion) -> float:
     """The greatest energy of the elastic modes of the disk during the halt, relative to
     the total energy at its start."""
     budget = final_energy_budget(scene, motion)
@@ -282,13 +291,18 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion):
 
 
 @finding(needs=("motion",), at_least=1.0)
-def table_breaks_contact(motion: Motion):
-    """The number of losses of contact above the inclination ALMOST_FLAT_INCLINATION."""
-    return losses_above_flat(motion)
+def table_breaks_contact(
+    motion: Motion, measured: Measured | None = None
+) -> float | Measured:
+    """The number of losses of contact above the inclination ALMOST_FLAT_INCLINATION.
+
+    For a motion that is not repeated, `sonify.claims.loss_causes.table_vibration` gives
+    the `measured` value."""
+    return losses_above_flat(motion) if measured is None else measured
 
 
 @finding(needs=("motion",), at_least=1.0)
-def number_of_losses(motion: Motion, others: list[CompliantMotion]):
+def number_of_losses(motion: Motion, others: list[CompliantMotion]) -> Measured:
     """The number of losses of contact, which is chaotic unless it is 0."""
     number = losses_above_flat(motion)
     numbers = [losses_above_flat(other) for other in others]
@@ -297,17 +311,17 @@ def number_of_losses(motion: Motion, others: list[CompliantMotion]):
     return Measured(number, spread, details, "chaotic" if number or spread else "")
 
 
-def losses_above_flat(motion: Motion) -> int:
-    """Return the number of losses of contact that begin above
-    ALMOST_FLAT_INCLINATION."""
-    begins = [loss.t for loss in motion.contact_losses]
+def losses_above_flat(motion: Motion, since: float = -inf) -> int:
+    """Return the number of losses of contact that begin above ALMOST_FLAT_INCLINATION,
+    after a time [s]."""
+    begins = [loss.t for loss in motion.contact_losses if loss.t >= since]
     if not begins:
         return 0
     return int((motion.at(begins)[:, 1] > ALMOST_FLAT_INCLINATION).sum())
 
 
 @finding(needs=("scene", "motion"), at_least=0.8, at_most=1.2)
-def loss_at_resonance(scene: Scene, motion: Motion):
+def loss_at_resonance(scene: Scene, motion: Motion) -> Measured:
     """The ratio n Omega/w at the first loss of contact for the table mode closest to
     resonance, or 0."""
     if not motion.contact_losses:
@@ -325,7 +339,7 @@ def loss_at_resonance(scene: Scene, motion: Motion):
     return Measured(x[np.abs(x - 1).argmin()] if len(x) else 0.0, details=details)
 
 
-def times_towards_end(scene, motion):
+def times_towards_end(scene: Scene, motion: Motion) -> np.ndarray:
     """Return equally spaced times (k,) [s] from the onset of two-way coupling to
     the end."""
     time_count = 4000
@@ -333,7 +347,7 @@ def times_towards_end(scene, motion):
     return np.linspace(begin + two_way_start(part), motion.t[-1], time_count)
 
 
-def final_energy_budget(scene, motion) -> EnergyBudget:
+def final_energy_budget(scene: Scene, motion: Motion) -> EnergyBudget:
     """Return the budget of the last FINAL_ENERGY_SHARE of the energy at the onset of
     two-way coupling."""
     budget = energy_budget(motion, times_towards_end(scene, motion))

@@ -1,7 +1,7 @@
-"""Claims of the paper on the motion alone, judged with the simplest sufficient model of
-a scene.
+"""Claims of the paper on a motion, judged with the simplest sufficient model of a scene.
 
-Sweeps evaluate them for many draws of uncertain quantities, without rendering sound.
+Sweeps evaluate them for many draws of uncertain quantities. Only the last seconds of the
+sound are computed, for its level.
 """
 
 from dataclasses import replace
@@ -9,7 +9,6 @@ from dataclasses import replace
 import numpy as np
 
 from dynamics import Motion, Outcome
-from dynamics.compliant.law.linear_response import predicted_rms
 from dynamics.compliant.model_inputs import reason_against_rattling
 from dynamics.compliant.model_selection import (
     LIFT_OFF_FORCE_RMS,
@@ -17,15 +16,20 @@ from dynamics.compliant.model_selection import (
     greatest_curvature_number,
 )
 from dynamics.motion_plan import motion_basis
+from sonify.claims.air import carried_by_air, lift_exceeds_contact_since
 from sonify.claims.contact import (
     contact_conditions,
+    force_rms_along_motion,
     last_single_ellipse_time,
+    receptance_under_roughness,
     tabulated_law_of,
-    vibration_times,
 )
 from sonify.claims.finding import Finding, Measured, finding
+from sonify.claims.landing import one_impact_ends_it
+from sonify.claims.limits import ALMOST_FLAT_INCLINATION
+from sonify.claims.loss_causes import loss_cause_findings, wave_inclination
+from sonify.claims.rattling import impacts_end_it
 from sonify.claims.two_way import (
-    ALMOST_FLAT_INCLINATION,
     air_carries_earlier,
     halt_comes_earlier,
     two_way_part,
@@ -57,41 +61,54 @@ def simplest_scene(scene: Scene) -> Scene:
 
 
 def verdict_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return the findings that follow from the motion of `simplest_scene`."""
-    has_single_contact = "contact" in motion.finding_groups
-    found = [contact_breaks_before_end(scene, motion), air_carries_disk(motion)]
-    if scene.surface.kind != "rigid" and (has_single_contact or not motion.moves_table):
-        found.append(table_brings_end_forward(scene, motion))
-    found.append(precession_rises(motion))
+    """Return the findings that follow from the motion of `simplest_scene`.
+
+    `motion` is the whole motion, with its landing. A disk that rattles until it lies flat
+    has no rolling contact that the air could lift."""
+    rolling = motion.rolling
+    has_single_contact = "contact" in rolling.finding_groups
+    rattles = "rattling" in rolling.finding_groups
+    found = [
+        contact_breaks_before_end(scene, rolling),
+        *loss_cause_findings(scene, rolling),
+    ]
+    if not rattles:
+        found.append(air_carries_disk(rolling))
+    if rolling.film and "air" in rolling.finding_groups:
+        found.append(carried_by_air(rolling, rolling.film))
+    if scene.surface.kind != "rigid" and (
+        has_single_contact or not rolling.moves_table
+    ):
+        found.append(table_brings_end_forward(scene, rolling))
+    found.append(precession_rises(rolling))
     if scene.contact.law == "elastic" and has_single_contact:
-        found.append(resonance_rises(scene, motion))
+        found.append(resonance_rises(scene, rolling))
+    if rattles:
+        found.append(impacts_end_it(rolling))
+    if motion.outcome is Outcome.AT_REST:
+        found.append(one_impact_ends_it(motion))
     return found
 
 
 @finding(needs=("scene", "motion", "contact law"), at_least=1.0)
-def contact_breaks_before_end(scene: Scene, motion: Motion):
+def contact_breaks_before_end(scene: Scene, motion: Motion) -> Measured:
     """The ratio of the greatest inclination at which contact is lost to the final
     inclination.
 
     Roughness, waves of the surface and vibration of the table may break the contact;
     the ratio is 0 if none does."""
-    # Ratio of the inclination at which waves break a damped contact to (n^2 - 1)
-    # amplitude/radius
-    wavy_loss_ratio = 1.05
     end = max(float(motion.state[-1, 1]), ALMOST_FLAT_INCLINATION)
     vibrates = 0.0
     if motion.contact_losses:
         first = motion.contact_losses[0].t
-        is_final = first >= motion.t[-1] - 2e-3
-        lifted_by_film = is_final and motion.rolling_outcome is Outcome.AIRBORNE
+        lifted_by_film = (
+            motion.rolling_outcome is Outcome.AIRBORNE
+            and motion.film is not None
+            and first >= lift_exceeds_contact_since(motion, motion.film)
+        )
         if not lifted_by_film:
             vibrates = float(motion.at([max(first, 0.0)])[0, 1])
-    waves = scene.imperfection
-    wavy = 0.0
-    if waves is not None:
-        wavy = (
-            wavy_loss_ratio * (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
-        )
+    wavy = wave_inclination(scene)
     rough = rough_loss_inclination(scene, motion)
     details = {"rough": rough / end, "wavy": wavy / end, "vibrates": vibrates / end}
     return Measured(max(details.values()), details=details)
@@ -99,31 +116,23 @@ def contact_breaks_before_end(scene: Scene, motion: Motion):
 
 def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
     """Return the greatest inclination [rad] at which predicted vibration breaks the
-    contact, or 0."""
+    contact on the yielding table, or 0."""
     predicts = "contact" in motion.finding_groups and scene.contact.law == "elastic"
     if scene.roughness is None or not predicts:
         return 0.0
-    inclination, load, speed, _ = contact_conditions(motion, vibration_times(motion))
-    tabulated = tabulated_law_of(scene, motion)
-    rms = predicted_rms(
-        tabulated,
-        scene.roughness,
-        inclination,
-        load,
-        speed,
-        receptance=motion.plan.contact_receptance,
-    )
+    receptance = receptance_under_roughness(scene, motion)
+    inclination, load, rms, _ = force_rms_along_motion(scene, motion, receptance)
     return float(inclination[rms > LIFT_OFF_FORCE_RMS * load].max(initial=0.0))
 
 
 @finding(needs=("motion",), at_least=1.0)
-def air_carries_disk(motion: Motion):
+def air_carries_disk(motion: Motion) -> float:
     """1 if the motion ends with the disk carried by the air film, otherwise 0."""
     return float(motion.rolling_outcome is Outcome.AIRBORNE)
 
 
 @finding(needs=("scene", "motion"), at_least=0.05)
-def table_brings_end_forward(scene: Scene, motion: Motion):
+def table_brings_end_forward(scene: Scene, motion: Motion) -> float:
     """The time [s] by which the vibration of the table brings forward the end of the
     motion."""
     if motion.rolling_outcome is Outcome.AIRBORNE or two_way_part(motion) is None:
@@ -132,16 +141,18 @@ def table_brings_end_forward(scene: Scene, motion: Motion):
 
 
 @finding(needs=("motion",), at_least=2.0)
-def precession_rises(motion: Motion):
-    """The ratio of the mean precession rates in the last fiftieth and just before half
-    of the duration."""
-    end = motion.t[-1]
-    turned = motion.at(end * np.array([0.48, 0.5, 0.98, 1.0]))[:, 0]
-    return float(abs(turned[3] - turned[2]) / max(abs(turned[1] - turned[0]), 1e-9))
+def precession_rises(motion: Motion) -> float:
+    """The ratio of the greatest mean precession rate in a fiftieth of the duration, after
+    half of it, to that just before.
+
+    The greatest rate is that at the end, unless the disk comes to rest within the motion."""
+    turned = motion.at(motion.t[-1] * np.linspace(0.48, 1.0, 27))[:, 0]
+    turns = np.abs(np.diff(turned))
+    return float(turns[1:].max() / max(turns[0], 1e-9))
 
 
 @finding(needs=("scene", "motion", "contact law"), at_least=1.2)
-def resonance_rises(scene: Scene, motion: Motion):
+def resonance_rises(scene: Scene, motion: Motion) -> float:
     """The ratio of the final to the initial frequency of the contact resonance."""
     last = last_single_ellipse_time(motion)
     inclination, load, speed, _ = contact_conditions(motion, np.array([0.0, last]))

@@ -2,7 +2,7 @@
 A loop over scenes
 ==================
 
-Duration and peak pressure of the disk for three arms of rolling friction.
+Print the duration and the peak pressure for three arms of rolling friction.
 """
 
 from typing import Any

@@ -2,7 +2,7 @@
 A table of modes
 ================
 
-Frequencies and decay times of the published disk without a support.
+Print the frequencies and decay times of the free published disk.
 """
 
 from modal import Modes, eigenmodes

@@ -2,8 +2,8 @@
 One motion
 ==========
 
-The end of the published motion, its number of slides, and the state one second before
-the end."""
+Print the end of the published motion, its number of slides, and the state one second
+before the end."""
 
 from dynamics import Motion, simulate
 from sonify import load_scene

@@ -9,6 +9,7 @@ its `time_unit`.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 from dynamics import Loads, Motion, OwnLaw, simulate
 from dynamics.disk import GRAVITY
@@ -21,7 +22,9 @@ class Turbulent(OwnLaw):
 
     drag: float
 
-    def __call__(self, beta, omega, slip, law, flow) -> Loads:
+    def __call__(
+        self, beta: float, omega: Any, slip: Any, law: Any, flow: Any
+    ) -> Loads:
         """Return the loads at inclination beta and angular velocity omega; `flow` provides
         the elementary functions."""
         cos_a = flow.sin(beta)

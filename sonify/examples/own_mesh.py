@@ -2,7 +2,7 @@
 Your own mesh
 =============
 
-Modes of a body from any mesh file that meshio can read, such as a Gmsh file.
+Compute the modes of a body from any mesh file that meshio can read, such as a Gmsh file.
 
 Without a file, the example generates the mesh of a disk from a square grid with two
 layers."""

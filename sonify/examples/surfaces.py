@@ -1,9 +1,9 @@
 """
-Was the paper right?
-====================
+Answers on each surface
+=======================
 
-Print the table of the README from the findings of seven scenes. The last column is for
-the same scene with an air film under the disk."""
+Print the table of docs/surfaces.md from the findings of seven scenes. The last column is
+for the same scene with an air film under the disk."""
 
 from collections.abc import Mapping, Sequence
 

@@ -2,8 +2,8 @@
 A sweep as a table
 ==================
 
-Number of slips as a function of the arm of rolling friction and the static friction
-coefficient."""
+Print the number of slips as a function of the arm of rolling friction and the static
+friction coefficient."""
 
 import pandas as pd
 

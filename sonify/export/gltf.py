@@ -1,21 +1,25 @@
-"""Convert a motion to an animated glTF 2.0 model of disk, contact and table, with the
-y axis pointing upwards."""
+"""Write a motion as an animated glTF 2.0 model of disk, contact and table, with the y
+axis pointing upwards; requires the package pygltflib."""
 
-import json
-from base64 import b64encode
-from dataclasses import dataclass, field
-from itertools import pairwise
-from math import acos, ceil, pi
-from typing import Any
+from io import BytesIO
+from pathlib import Path
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import pygltflib as gltf
+import soundfile
 
-from dynamics import Disk, Motion
-from dynamics.contact_geometry import centre_height, edge_profile
-from dynamics.surface import PlateSurface
+from dynamics import Motion
 from sonify import __version__
-from sonify.export.disk_frame import contact_points, patch_frame
+from sonify.export.disk_frame import contact_points
+from sonify.export.model_geometry import (
+    Mesh,
+    body_poses,
+    disk_mesh,
+    marker_mesh,
+    table_mesh,
+    to_y_upwards,
+)
+from sonify.hearing.audio_source import read_samples, source_of_file
 from sonify.scene import Scene
 
 COLOURS = {
@@ -25,324 +29,178 @@ COLOURS = {
     "table": (0.86, 0.84, 0.8, 0.0),
 }
 """Red, green, blue and metallic factor of each material."""
+SOUND_EXTENSION = "KHR_audio_emitter"
+"""Extension of glTF, a draft of Khronos, for sounds at nodes of a model."""
 
 
-@dataclass
-class Mesh:
-    """Triangles of one or more materials with shared vertices."""
+class ModelBuilder:
+    """A glTF model with one buffer, to which data are appended."""
 
-    points: np.ndarray
-    normals: np.ndarray
-    triangles: dict[str, np.ndarray]
+    def __init__(self) -> None:
+        self.model = gltf.GLTF2(
+            asset=gltf.Asset(generator=f"eulers-disk-sonify {__version__}")
+        )
+        self._content = bytearray()
 
+    def add_view(self, content: bytes, target: int | None = None) -> int:
+        """Append bytes and return the index of their buffer view."""
+        self._content += bytes(-len(self._content) % 4)
+        view = gltf.BufferView(
+            buffer=0,
+            byteOffset=len(self._content),
+            byteLength=len(content),
+            target=target,
+        )
+        self._content += content
+        self.model.bufferViews.append(view)
+        return len(self.model.bufferViews) - 1
 
-@dataclass
-class Buffer:
-    """Binary part of a model with its buffer views and accessors."""
-
-    content: bytearray = field(default_factory=bytearray)
-    views: list[dict] = field(default_factory=list)
-    accessors: list[dict] = field(default_factory=list)
-
-    def add(
+    def add_accessor(
         self, values: np.ndarray, target: int | None = None, bounds: bool = False
     ) -> int:
         """Append float or index values (k,) or (k, n) and return the index of their
         accessor."""
-        gl_float = 5126
-        gl_unsigned_int = 5125
         is_index = values.dtype.kind in "iu"
         array = np.ascontiguousarray(values, "<u4" if is_index else "<f4")
-        view: dict[str, Any] = {
-            "buffer": 0,
-            "byteOffset": len(self.content),
-            "byteLength": array.nbytes,
-        }
-        if target is not None:
-            view["target"] = target
-        width = array.shape[1] if array.ndim == 2 else 1
-        accessor = {
-            "bufferView": len(self.views),
-            "componentType": gl_unsigned_int if is_index else gl_float,
-            "count": len(array),
-            "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[width],
-        }
+        columns = array.reshape(len(array), -1)
+        accessor = gltf.Accessor(
+            bufferView=self.add_view(array.tobytes(), target),
+            componentType=gltf.UNSIGNED_INT if is_index else gltf.FLOAT,
+            count=len(array),
+            type={1: gltf.SCALAR, 3: gltf.VEC3, 4: gltf.VEC4}[columns.shape[1]],
+        )
         if bounds:
-            columns = array.reshape(len(array), width)
-            accessor["min"] = columns.min(axis=0).tolist()
-            accessor["max"] = columns.max(axis=0).tolist()
-        self.content += array.tobytes()
-        self.views.append(view)
-        self.accessors.append(accessor)
-        return len(self.accessors) - 1
+            accessor.min = columns.min(axis=0).tolist()
+            accessor.max = columns.max(axis=0).tolist()
+        self.model.accessors.append(accessor)
+        return len(self.model.accessors) - 1
+
+    def add_mesh(self, name: str, mesh: Mesh) -> None:
+        """Append a mesh and a node of the same name."""
+        attributes = gltf.Attributes(
+            POSITION=self.add_accessor(mesh.points, gltf.ARRAY_BUFFER, bounds=True),
+            NORMAL=self.add_accessor(mesh.normals, gltf.ARRAY_BUFFER),
+        )
+        primitives = [
+            gltf.Primitive(
+                attributes=attributes,
+                indices=self.add_accessor(triangles.ravel(), gltf.ELEMENT_ARRAY_BUFFER),
+                material=list(COLOURS).index(material),
+            )
+            for material, triangles in mesh.triangles.items()
+        ]
+        self.model.nodes.append(gltf.Node(name=name, mesh=len(self.model.meshes)))
+        self.model.meshes.append(gltf.Mesh(name=name, primitives=primitives))
+
+    def animate(
+        self, times: np.ndarray, tracks: list[tuple[str, str, np.ndarray]]
+    ) -> None:
+        """Append an animation of nodes by linear interpolation.
+
+        Each track has the name of a node, "translation" or "rotation", and the values
+        (k, n) at the times (k,) [s]. The pose of the node is that of the first time.
+        """
+        clock = self.add_accessor(times, bounds=True)
+        names = [node.name for node in self.model.nodes]
+        animation = gltf.Animation(name="motion")
+        for name, path, values in tracks:
+            node = names.index(name)
+            setattr(self.model.nodes[node], path, values[0].tolist())
+            target = gltf.AnimationChannelTarget(node=node, path=path)
+            channel = gltf.AnimationChannel(
+                sampler=len(animation.samplers), target=target
+            )
+            animation.channels.append(channel)
+            sampler = gltf.AnimationSampler(
+                input=clock, output=self.add_accessor(values)
+            )
+            animation.samplers.append(sampler)
+        self.model.animations.append(animation)
+
+    def add_sound(self, name: str, wav: bytes, distance: float) -> None:
+        """Let a node emit a WAV file, which starts when the model is loaded.
+
+        Its level is that of the file up to a distance [m] from the node and falls as
+        one over the distance farther away."""
+        emitter = {
+            "name": name,
+            "type": "positional",
+            "sources": [0],
+            "positional": {"distanceModel": "inverse", "refDistance": distance},
+        }
+        audio = {"bufferView": self.add_view(wav), "mimeType": "audio/wav"}
+        source = {"name": "audible", "audio": 0, "autoPlay": True}
+        self.model.extensionsUsed.append(SOUND_EXTENSION)
+        self.model.extensions[SOUND_EXTENSION] = {
+            "audio": [audio],
+            "sources": [source],
+            "emitters": [emitter],
+        }
+        (node,) = (node for node in self.model.nodes if node.name == name)
+        node.extensions[SOUND_EXTENSION] = {"emitter": 0}
+
+    def file_content(self, as_text: bool) -> bytes:
+        """Return the content of a file: text (.gltf) with the buffer as base64, or
+        binary (.glb)."""
+        self.model.buffers = [gltf.Buffer(byteLength=len(self._content))]
+        self.model.set_binary_blob(bytes(self._content))
+        if not as_text:
+            return b"".join(self.model.save_to_bytes())
+        self.model.convert_buffers(gltf.BufferFormat.DATAURI)
+        return f"{self.model.gltf_to_json(indent=None)}\n".encode()
 
 
 def animated_model(
-    scene: Scene, motion: Motion, times: np.ndarray, as_text: bool
+    scene: Scene,
+    motion: Motion,
+    times: np.ndarray,
+    as_text: bool,
+    sound: Path | None = None,
 ) -> bytes:
     """Return the motion at times (k,) [s] as a glTF 2.0 file, binary (.glb) or text
     (.gltf).
 
     Lengths are in metres, and the y axis points upwards. The nodes are `table`,
     `disk` (animated translation and rotation) and `contact` (animated translation).
+    The disk emits the first channel of the file `sound`. Raises RecordingError if it
+    cannot be read.
     """
     state = motion.at(times)
     fillet = motion.rolling_fillet
     contact = to_y_upwards(contact_points(state, motion.disk, fillet))
     centre, quaternion = body_poses(state, motion.disk, fillet)
-    buffer = Buffer()
-    materials = list(COLOURS)
-    meshes = {
-        "table": table_mesh(scene, contact),
-        "disk": disk_mesh(motion.disk, fillet),
-        "contact": marker_mesh(0.03 * motion.disk.radius),
-    }
-    nodes: list[dict] = [{"name": name, "mesh": i} for i, name in enumerate(meshes)]
-    nodes[1] |= {"translation": centre[0].tolist(), "rotation": quaternion[0].tolist()}
-    nodes[2] |= {"translation": contact[0].tolist()}
-    clock = buffer.add(times, bounds=True)
-    animated = (
-        (1, "translation", centre),
-        (1, "rotation", quaternion),
-        (2, "translation", contact),
-    )
-    channels = [
-        {"sampler": i, "target": {"node": node, "path": path}}
-        for i, (node, path, _) in enumerate(animated)
+    builder = ModelBuilder()
+    builder.model.materials = [_material(name) for name in COLOURS]
+    builder.add_mesh("table", table_mesh(scene, contact))
+    builder.add_mesh("disk", disk_mesh(motion.disk, fillet))
+    builder.add_mesh("contact", marker_mesh(0.03 * motion.disk.radius))
+    builder.model.scene = 0
+    builder.model.scenes = [gltf.Scene(name=scene.name, nodes=[0, 1, 2])]
+    tracks = [
+        ("disk", "translation", centre),
+        ("disk", "rotation", quaternion),
+        ("contact", "translation", contact),
     ]
-    samplers = [
-        {"input": clock, "output": buffer.add(values), "interpolation": "LINEAR"}
-        for _, _, values in animated
-    ]
-    model: dict[str, Any] = {
-        "asset": {"version": "2.0", "generator": f"eulers-disk-sonify {__version__}"},
-        "scene": 0,
-        "scenes": [{"name": scene.name, "nodes": [0, 1, 2]}],
-        "nodes": nodes,
-        "meshes": [
-            _mesh_record(name, mesh, buffer, materials) for name, mesh in meshes.items()
-        ],
-        "materials": [_material_record(name) for name in materials],
-        "animations": [{"name": "motion", "channels": channels, "samplers": samplers}],
-        "accessors": buffer.accessors,
-        "bufferViews": buffer.views,
-    }
-    return (
-        _gltf_file(model, buffer.content)
-        if as_text
-        else _glb_file(model, buffer.content)
-    )
+    builder.animate(times, tracks)
+    if sound is not None:
+        listeners = scene.audio.listeners or [scene.audio.single_listener]
+        builder.add_sound("disk", _first_channel(sound), listeners[0].distance)
+    return builder.file_content(as_text)
 
 
-def to_y_upwards(points: np.ndarray) -> np.ndarray:
-    """Convert points (..., 3) from axes with z upwards to the axes of glTF with y
-    upwards."""
-    x, y, z = np.moveaxis(points, -1, 0)
-    return np.stack([x, z, -y], axis=-1)
+def _first_channel(path: Path) -> bytes:
+    """Return the first channel of a sound as a 16-bit WAV file; raises RecordingError if
+    it cannot be read."""
+    source = source_of_file(path)
+    samples = read_samples(source, 0, source.frames)
+    file = BytesIO()
+    soundfile.write(file, samples[:, 0], source.sample_rate, "PCM_16", format="WAV")
+    return file.getvalue()
 
 
-def body_poses(
-    state: np.ndarray, disk: Disk, fillet: float = 0.0
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return centres (k, 3) [m] and quaternions (k, 4) in the order x, y, z, w for
-    states (k, 11).
-
-    The quaternions rotate a body whose axis is along y; their signs are continuous in
-    time.
-    """
-    inclination = state[:, 1]
-    x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
-    c = np.cos(state[:, 2, None])
-    s = np.sin(state[:, 2, None])
-    height = centre_height(inclination, disk, fillet)
-    centre = np.column_stack([state[:, 3:5], height])
-    axes = np.stack(
-        [to_y_upwards(axis) for axis in (c * x + s * y, z, s * x - c * y)], axis=2
-    )
-    quaternion = Rotation.from_matrix(axes).as_quat()
-    reversals = np.einsum("ki,ki->k", quaternion[1:], quaternion[:-1]) < 0
-    quaternion[1:][np.cumsum(reversals) % 2 == 1] *= -1
-    return to_y_upwards(centre), quaternion
-
-
-def rim_sides(radius: float) -> int:
-    """Return the number of sides of the polygon that represents a rim of a radius
-    [m]."""
-    max_sagitta = 2e-7  # m, between the rim and the sides
-    wanted = pi / acos(max(1 - max_sagitta / radius, 0.0))
-    return min(max(ceil(wanted), 96), 4096)
-
-
-Strip = tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
-"""Points (k, 3) [m] and normals (k, 3) or (3,) of the two rings that bound a strip."""
-
-
-def _surface_strips(disk: Disk, fillet: float, sides: int) -> list[Strip]:
-    """Return the strips of the surface, each bounded by two rings (sides + 1, 3).
-
-    The first two are the cylindrical side and the upper face."""
-    angle = np.arange(sides + 1) % sides * 2 * np.pi / sides
-    outward = np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
-    up = np.array([0.0, disk.thickness / 2, 0.0])
-    axis = np.array([0.0, 1.0, 0.0])
-    inner = disk.inner_radius * outward
-    edge = edge_profile(disk, fillet, segments=8)
-    steps = np.linspace(0.0, pi / 2, len(edge))
-    rounded = [
-        (r * outward + level * axis, np.sin(tilt) * outward + np.cos(tilt) * axis)
-        for (r, level), tilt in zip(edge, steps, strict=True)
-    ]
-    face = (disk.radius - fillet) * outward
-    below = [(ring * [1, -1, 1], normal * [1, -1, 1]) for ring, normal in rounded]
-    strips = [
-        ((below[-1][0], outward), (rounded[-1][0], outward)),
-        ((face + up, axis), (inner + up, axis)),
-        ((inner - up, -axis), (face - up, -axis)),
-        *pairwise(below),
-        *pairwise(rounded[::-1]),
-    ]
-    if disk.inner_radius > 0:
-        strips.append(((inner + up, -outward), (inner - up, -outward)))
-    return strips
-
-
-def disk_mesh(disk: Disk, fillet: float = 0.0) -> Mesh:
-    """Return a disk or hoop centred at the origin, with its axis along y and a mark on
-    face and rim.
-
-    The outer edges are rounded with the radius `fillet` [m]."""
-    sides = rim_sides(disk.radius)
-    strips = _surface_strips(disk, fillet, sides)
-    count = sides + 1
-    points = np.concatenate([ring for strip in strips for ring, _ in strip])
-    normals = np.concatenate(
-        [np.broadcast_to(normal, (count, 3)) for strip in strips for _, normal in strip]
-    )
-    first = np.arange(sides)
-    halves = np.array([[0, 1, count + 1], [0, count + 1, count]])
-    triangles = [
-        2 * count * i + first[:, None, None] + halves for i in range(len(strips))
-    ]
-    rim_and_face = np.array(triangles[:2])
-    is_marked = first < sides / 24  # a coloured mark makes the spin visible
-    parts = {
-        "metal": [*rim_and_face[:, ~is_marked], *triangles[2:]],
-        "mark": [*rim_and_face[:, is_marked]],
-    }
-    return Mesh(
-        points=points,
-        normals=normals,
-        triangles={
-            name: _nondegenerate_triangles(points, np.concatenate(some).reshape(-1, 3))
-            for name, some in parts.items()
-        },
-    )
-
-
-def _nondegenerate_triangles(points, triangles):
-    """Return the triangles (n, 3) of nonzero area."""
-    a, b, c = points[triangles].swapaxes(0, 1)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return triangles[area > 0]
-
-
-def marker_mesh(radius: float) -> Mesh:
-    """Return a sphere of a radius [m] that marks the contact."""
-    latitude_bands = 12
-    latitude, longitude = np.meshgrid(
-        np.linspace(-pi / 2, pi / 2, latitude_bands + 1),
-        np.linspace(0, 2 * pi, 2 * latitude_bands + 1),
-        indexing="ij",
-    )
-    normals = np.stack(
-        [
-            np.cos(latitude) * np.sin(longitude),
-            np.sin(latitude),
-            np.cos(latitude) * np.cos(longitude),
-        ],
-        axis=-1,
-    ).reshape(-1, 3)
-    width = 2 * latitude_bands + 1
-    corner = np.add.outer(
-        width * np.arange(latitude_bands), np.arange(2 * latitude_bands)
-    ).reshape(-1, 1)
-    halves = np.array([[0, 1, width + 1], [0, width + 1, width]])
-    triangles = (corner + halves[:, None]).reshape(-1, 3)
-    return Mesh(
-        points=radius * normals, normals=normals, triangles={"contact": triangles}
-    )
-
-
-def table_mesh(scene: Scene, contact: np.ndarray) -> Mesh:
-    """Return the table top at y = 0: the plate of the scene, or a rectangle below the
-    motion."""
-    radius = scene.disk.radius
-    if isinstance(scene.surface, PlateSurface):
-        angle = np.arange(240) * 2 * np.pi / 240
-        x, y = scene.surface.place
-        middle = np.array([-x, 0.0, y])  # the disk is released at the origin
-        edge = scene.surface.radius * np.column_stack(
-            [np.cos(angle), 0 * angle, -np.sin(angle)]
-        )
-    else:
-        low = contact.min(axis=0) - 3 * radius
-        high = contact.max(axis=0) + 3 * radius
-        middle = (low + high) / 2 * [1.0, 0.0, 1.0]
-        a, _, b = (high - low) / 2
-        edge = np.array([[a, 0.0, b], [a, 0.0, -b], [-a, 0.0, -b], [-a, 0.0, b]])
-    first = np.arange(1, len(edge) + 1)
-    triangles = np.column_stack([0 * first, first, np.roll(first, -1)])
-    points = np.vstack([middle, middle + edge])
-    return Mesh(
-        points=points,
-        normals=np.tile([0.0, 1.0, 0.0], (len(points), 1)),
-        triangles={"table": triangles},
-    )
-
-
-def _mesh_record(name, mesh, buffer, materials):
-    gl_array_buffer = 34962
-    gl_element_array_buffer = 34963
-    attributes = {
-        "POSITION": buffer.add(mesh.points, gl_array_buffer, bounds=True),
-        "NORMAL": buffer.add(mesh.normals, gl_array_buffer),
-    }
-    primitives = [
-        {
-            "attributes": attributes,
-            "indices": buffer.add(triangles.ravel(), gl_element_array_buffer),
-            "material": materials.index(material),
-        }
-        for material, triangles in mesh.triangles.items()
-    ]
-    return {"name": name, "primitives": primitives}
-
-
-def _material_record(name):
+def _material(name: str) -> gltf.Material:
     *colour, metallic = COLOURS[name]
-    surface = {
-        "baseColorFactor": [*colour, 1.0],
-        "metallicFactor": metallic,
-        "roughnessFactor": 0.5,
-    }
-    return {"name": name, "pbrMetallicRoughness": surface}
-
-
-def _gltf_file(model, content):
-    uri = f"data:application/octet-stream;base64,{b64encode(content).decode()}"
-    buffers = [{"byteLength": len(content), "uri": uri}]
-    return (json.dumps(model | {"buffers": buffers}, allow_nan=False) + "\n").encode()
-
-
-def _glb_file(model, content):
-    """Return a .glb file: the header and two chunks, each padded to four bytes."""
-    model = model | {"buffers": [{"byteLength": len(content)}]}
-    text = json.dumps(model, allow_nan=False, separators=(",", ":")).encode()
-    chunks = ((b"JSON", text + b" " * (-len(text) % 4)), (b"BIN\0", bytes(content)))
-    body = b"".join(
-        len(data).to_bytes(4, "little") + kind + data for kind, data in chunks
+    surface = gltf.PbrMetallicRoughness(
+        baseColorFactor=[*colour, 1.0], metallicFactor=metallic, roughnessFactor=0.5
     )
-    header = (
-        b"glTF" + (2).to_bytes(4, "little") + (12 + len(body)).to_bytes(4, "little")
-    )
-    return header + body
+    return gltf.Material(name=name, pbrMetallicRoughness=surface)

@@ -63,7 +63,7 @@ def export_modes(
     return path
 
 
-def _check_strike(scene: Scene, form: str, strike_deg: float | None):
+def _check_strike(scene: Scene, form: str, strike_deg: float | None) -> None:
     """Raise InputError if the supported disk cannot be struck at this angle
     [degrees]."""
     if strike_deg is None:

@@ -10,8 +10,7 @@ from dynamics import Motion
 from dynamics.motion import COLUMNS, FORCE_COLUMNS
 from dynamics.observables import precession_rate
 from modal.blas_threads import one_blas_thread
-from sonify.export.gltf import animated_model
-from sonify.export.scene_source import scene_to_export
+from sonify.export.scene_source import folder_of_run, scene_to_export
 from sonify.extras import require_extra
 from sonify.plan.preflight import motion_plan_with_table, solve_motion
 from sonify.runtime.files import atomic_write
@@ -60,7 +59,8 @@ def export_motion(
     scene : Scene, str or Path
         Scene, shipped name, scene file, or the folder or run.json of an earlier run.
     form : str
-        File format, one of MOTION_SUFFIXES.
+        File format, one of MOTION_SUFFIXES. A model of a run in a folder contains its
+        audible.wav, if the folder has one.
     out : str or Path, optional
         Path of the file (default: <scene name>.<suffix>). A model is written as text if
         the name ends in .gltf.
@@ -78,13 +78,16 @@ def export_motion(
     Raises
     ------
     InputError
-        If the scene cannot be solved, if the rate is out of range, or if the package
-        for Parquet files is missing.
+        If the scene cannot be solved, if the rate is out of range, if the package for
+        models or Parquet files is missing, or if audible.wav is not readable.
     """
     if rate is not None and not (isfinite(rate) and rate > 0):
         raise InputError(f"--rate = {rate:g}: must be greater than 0")
     if form == "parquet":
         require_extra("--as parquet", "pyarrow", "sweep")
+    if form == "gltf":
+        require_extra("--as gltf", "pygltflib", "export")
+    sound = _sound_of_run(scene)
     scene, plan = scene_to_export(scene)
     path = Path(out or f"{scene.name}.{MOTION_SUFFIXES[form]}")
     stages = stages or Stages()
@@ -97,13 +100,23 @@ def export_motion(
     times = _row_times(motion, rate)
     with stages.stage(path.name), atomic_write(path) as temporary:
         if form == "gltf":
+            from sonify.export.gltf import animated_model
+
             as_text = path.suffix.lower() == ".gltf"
-            temporary.write_bytes(animated_model(scene, motion, times, as_text))
+            model = animated_model(scene, motion, times, as_text, sound)
+            temporary.write_bytes(model)
         elif form == "parquet":
             write_parquet(motion, times, temporary)
         else:
             write_csv(motion, times, temporary)
     return path
+
+
+def _sound_of_run(source: Scene | str | Path) -> Path | None:
+    """Return audible.wav in the folder of a run, or None if there is none."""
+    folder = folder_of_run(source)
+    sound = folder and folder / "audible.wav"
+    return sound if sound and sound.is_file() else None
 
 
 def aliasing_notice(motion: Motion, rate: float) -> str:
@@ -141,7 +154,7 @@ def motion_rows(motion: Motion, times: np.ndarray) -> tuple[list[str], np.ndarra
     return names, np.column_stack([times, *motion.at_and_force(times)])
 
 
-def write_parquet(motion: Motion, times: np.ndarray, path: Path):
+def write_parquet(motion: Motion, times: np.ndarray, path: Path) -> None:
     """Write the rows of a motion to a Parquet file, with `unit` in the metadata of each
     column."""
     import pyarrow as pa
@@ -156,7 +169,7 @@ def write_parquet(motion: Motion, times: np.ndarray, path: Path):
         pq.write_table(table, file)
 
 
-def write_csv(motion: Motion, times: np.ndarray, path: Path):
+def write_csv(motion: Motion, times: np.ndarray, path: Path) -> None:
     """Write the rows of a motion to a text file, with all digits of each number and the
     units in the header."""
     names, rows = motion_rows(motion, times)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from math import isfinite
 from pathlib import Path
 from struct import pack
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify import __version__
 from sonify.export.scene_source import scene_to_export
-from sonify.hearing.audio_source import read_samples
+from sonify.hearing.audio_source import AudioSource, read_samples
 from sonify.pipeline import DiskModesCache
 from sonify.plan.preflight import plan_with_modes, solve_motion
 from sonify.plan.table import audible_table, solve_table
@@ -25,12 +26,31 @@ from sonify.sound.mastering import Mastering
 from sonify.sound.playback import ScaledTrack
 from sonify.sound.pressure import Sound
 from sonify.sound.render import render_sound
-from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
+from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav, rounded
 
 FADE_IN = 0.005  # s
 CUT_FADE_IN = 0.1  # s, of a sound that begins later than the take
 FADE_OUT = 0.02  # s
 MIN_LENGTH = 0.5  # s, of the final part of a take
+
+
+class TakeContent(NamedTuple):
+    """Part of a sound that a take contains.
+
+    Attributes
+    ----------
+    last : float or None
+        Length of the final part that is written [s]; None for the whole sound.
+    audible : bool
+        Whether to write the content of audible.wav, which is A-weighted and mastered
+        for small loudspeakers, instead of the pressure.
+    """
+
+    last: float | None = None
+    audible: bool = False
+
+
+WHOLE_PRESSURE = TakeContent()
 
 
 @one_blas_thread
@@ -42,8 +62,7 @@ def export_takes(
     out: str | Path | None = None,
     stages: Stages | None = None,
     on_written: Callable[[Path], None] = lambda path: None,
-    last: float | None = None,
-    audible: bool = False,
+    content: TakeContent = WHOLE_PRESSURE,
 ) -> list[Path]:
     """Render variations of the sound of a scene and write each to a WAV file.
 
@@ -67,11 +86,8 @@ def export_takes(
         Receives the progress.
     on_written : callable
         Called with the path of each file when it is complete.
-    last : float, optional
-        Length of the final part that is written [s] (default: the whole take).
-    audible : bool
-        Whether to write the content of audible.wav, which is A-weighted and mastered
-        for small loudspeakers, instead of the pressure.
+    content : TakeContent
+        Part that is written (default: the pressure of the whole sound).
 
     Returns
     -------
@@ -86,6 +102,7 @@ def export_takes(
     """
     if rate is not None and rate not in (48000, 96000):
         raise InputError(f"--rate = {rate:g}: must be 48000 or 96000 for a sound")
+    last = content.last
     if last is not None and not (isfinite(last) and last >= MIN_LENGTH):
         raise InputError(f"--last = {last:g}: must be at least {MIN_LENGTH:g} s")
     scene, motion_plan = scene_to_export(scene)
@@ -101,14 +118,16 @@ def export_takes(
         for number, (take, changes) in enumerate(variations, 1):
             title = f"take {number} of {takes}"
 
-            def watch_take(share, note="", done=number - 1, title=title):
+            def watch_take(
+                share: float, note: str = "", done: int = number - 1, title: str = title
+            ) -> None:
                 watch((done + share) / takes, f"{title}{note and ': '}{note}")
 
             path = folder / f"{scene.name}-{number:0{max(2, len(str(takes)))}}.wav"
             try:
                 sound = sound_of_take(take, table, rendered, disk_modes, watch_take)
                 note = f"{title}, seed {seed}; {' '.join(changes)}"
-                write_take(sound, path, note, last, audible)
+                write_take(sound, path, note, content)
             except SceneError as error:
                 raise InputError(f"{title}: {error}") from None
             paths.append(path)
@@ -170,19 +189,15 @@ def sound_of_take(
 
 
 def write_take(
-    sound: Sound,
-    path: Path,
-    note: str,
-    last: float | None = None,
-    audible: bool = False,
+    sound: Sound, path: Path, note: str, content: TakeContent = WHOLE_PRESSURE
 ) -> None:
     """Write a sound without the silence at both ends, as 24-bit PCM with loop points.
 
-    Only its final part of the length `last` [s] is written, if this is given. The true
-    peak is below -1 dBTP. The text fields contain the scene, the program with its
-    version, the scale, and `note`. Raises InputError if the sound is silent or too long
-    for a WAV file.
+    Only the part that `content` selects is written. The true peak is below -1 dBTP. The
+    text fields contain the scene, the program with its version, the scale, and `note`.
+    Raises InputError if the sound is silent or too long for a WAV file.
     """
+    last, audible = content
     copy = sound.audible if audible else copy_below_limit(sound.playback_copy)
     rate = sound.sample_rate
     first, end = audible_range(copy)
@@ -204,7 +219,7 @@ def write_take(
         file.title = f"Euler's disk, {sound.name}"
         file.comment = f"{scale}; {note}"
         file.software = f"eulers-disk-sonify {__version__}"
-        file.write(samples)
+        file.write(rounded(samples, "PCM_24"))
 
 
 def copy_below_limit(copy: ScaledTrack) -> ScaledTrack:
@@ -214,7 +229,7 @@ def copy_below_limit(copy: ScaledTrack) -> ScaledTrack:
     return replace(copy, full_scale=copy.full_scale * copy.true_peak / limit)
 
 
-def audible_range(source) -> tuple[int, int]:
+def audible_range(source: AudioSource) -> tuple[int, int]:
     """Return the first sample and the end of the part that is not silent.
 
     The durations of the fades are added at both ends. The length is even, because some

@@ -2,6 +2,7 @@
 
 from dataclasses import asdict
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -19,7 +20,7 @@ from sonify.pipeline import solve
 from sonify.scene import Scene
 
 
-def simulated_numbers(scene: Scene, seconds: float) -> dict:
+def simulated_numbers(scene: Scene, seconds: float) -> dict[str, Any]:
     """Return the numbers of the last `seconds` [s] of a simulated scene.
 
     The numbers on bursts are those of a run detected in the simulated sound, as in a
@@ -41,7 +42,7 @@ def simulated_numbers(scene: Scene, seconds: float) -> dict:
         head = {
             "rate_at_1s": {"value": None, "low": 0.0, "high": 2 * turns["value"]},
             "exponent": _exact_value(_exponent_of_turns(end - time, rate, seconds)),
-            "events_per_turn": _events(None),
+            "events_per_turn": _bursts_per_turn(None),
         }
     return (
         head
@@ -50,7 +51,9 @@ def simulated_numbers(scene: Scene, seconds: float) -> dict:
     )
 
 
-def _exponent_of_turns(remaining, rate, seconds):
+def _exponent_of_turns(
+    remaining: np.ndarray, rate: np.ndarray, seconds: float
+) -> float:
     """Return the exponent n of rates (k,) that rise as remaining^-n until 0.1 s before
     the end."""
     last = (remaining > 0.1) & (remaining < seconds)
@@ -59,28 +62,30 @@ def _exponent_of_turns(remaining, rate, seconds):
     return -np.polyfit(np.log(even), logarithm, 1)[0]
 
 
-def _exact_value(value):
+def _exact_value(value: float) -> dict[str, Any]:
     return {"value": float(value), "low": float(value), "high": float(value)}
 
 
-def _events(count):
+def _bursts_per_turn(count: int | None) -> dict[str, Any]:
     """Return the number of bursts per turn, which is uncertain by a factor of two."""
     return {"value": count, "low": 1, "high": 2}
 
 
-def _numbers_of_bursts(run, span):
+def _numbers_of_bursts(run: SettlingRun, span: float) -> dict[str, dict[str, Any]]:
     """Return the rate `span` [s] before the end of a run, its exponent and its bursts
     per turn."""
-    own = float(run.rate(run.heard_until - span)) / run.rate_at_1s.value
+    reference = run.rate_at_1s.value
+    assert reference is not None, "only an end can be missing"
+    own = float(run.rate(run.heard_until - span)) / reference
     rate = {name: own * value for name, value in asdict(run.rate_at_1s).items()}
     return {
         "rate_at_1s": rate,
         "exponent": asdict(run.exponent),
-        "events_per_turn": _events(run.events_per_turn),
+        "events_per_turn": _bursts_per_turn(run.events_per_turn),
     }
 
 
-def numbers_of_run(source: AudioSource, run: SettlingRun) -> dict:
+def numbers_of_run(source: AudioSource, run: SettlingRun) -> dict[str, Any]:
     """Return rate, exponent, bursts and turns, band levels, lines, decays and levels
     over time.
 
@@ -89,19 +94,17 @@ def numbers_of_run(source: AudioSource, run: SettlingRun) -> dict:
     window. The interval of the turns includes the uncertain number of bursts per turn."""
     head = _numbers_of_bursts(run, run.reference_time)
     rate = head["rate_at_1s"]
+    end = run.t_end.value
+    assert end is not None, "a run that is fitted shows its end"
     turns = {
         "value": rate["value"] / run.events_per_turn,
         "low": rate["low"] / 2,
         "high": rate["high"],
     }
-    return (
-        head
-        | {"turns_at_1s": turns}
-        | sound_numbers(source, run.start, run.t_end.value)
-    )
+    return head | {"turns_at_1s": turns} | sound_numbers(source, run.start, end)
 
 
-def sound_numbers(source, start, end):
+def sound_numbers(source: AudioSource, start: float, end: float) -> dict[str, Any]:
     """Return band levels, lines, decays and levels over time between `start` and `end`
     [s]."""
     part_count = 4  # their scatter gives the intervals
@@ -120,7 +123,7 @@ def sound_numbers(source, start, end):
     levels = np.array(levels) - np.max(levels, axis=0)
     return {
         "bands": [
-            {"from": low, "to": high} | _mean(level)
+            {"from": low, "to": high} | _mean_with_interval(level)
             for (low, high), level in zip(bands, levels, strict=True)
         ],
         "seconds": end - start,
@@ -129,7 +132,7 @@ def sound_numbers(source, start, end):
     }
 
 
-def _mean(values):
+def _mean_with_interval(values: list[float] | np.ndarray) -> dict[str, Any]:
     """Return the mean of the values (p,) of the parts with its 95 % interval."""
     half = (
         student.ppf(0.975, len(values) - 1)
@@ -140,7 +143,9 @@ def _mean(values):
     return {"value": mean, "low": mean - float(half), "high": mean + float(half)}
 
 
-def _strongest_lines(frequency, power, samples, rate):
+def _strongest_lines(
+    frequency: np.ndarray, power: np.ndarray, samples: np.ndarray, rate: int
+) -> list[dict[str, Any]]:
     """Return frequency [Hz] and decay [1/s] of the strongest lines in samples (n,).
 
     `power` (parts, f) contains the spectra of the parts at `frequency` (f,) [Hz].
@@ -157,14 +162,16 @@ def _strongest_lines(frequency, power, samples, rate):
         centres = [np.average(frequency[near], weights=part) for part in power[:, near]]
         found.append(
             {
-                "frequency": _mean(centres),
+                "frequency": _mean_with_interval(centres),
                 "decay_rate": _decay_between_bursts(samples, rate, frequency[top]),
             }
         )
     return found
 
 
-def _decay_between_bursts(samples, rate, middle):
+def _decay_between_bursts(
+    samples: np.ndarray, rate: int, middle: float
+) -> dict[str, Any]:
     """Return the median rate [1/s] at which the amplitude of a line falls after its
     maxima."""
     averaging_time = 0.01  # s, longer than the beats of a pair of modes
@@ -200,7 +207,9 @@ def _decay_between_bursts(samples, rate, middle):
     }
 
 
-def _levels_before_the_end(source, start, end):
+def _levels_before_the_end(
+    source: AudioSource, start: float, end: float
+) -> dict[str, list[float]]:
     """Return remaining times [s] and A-weighted levels [dB re the loudest window]."""
     window = 0.1  # s
     seen = spectrogram(source, window, columns=1 << 16, span=(max(start, 0.0), end))

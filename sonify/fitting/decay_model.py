@@ -20,7 +20,7 @@ from dynamics import plan_motion, simulate
 from dynamics.disk import Friction, Release
 from dynamics.dissipation import Dissipation, resistance_of
 from dynamics.equations import disk_constants
-from dynamics.film.wedge import film_under
+from dynamics.film.wedge import film_of_scene, hole_share
 from dynamics.kinematics import energy
 from dynamics.observables import nutation_peaks, nutations_per_turn
 from dynamics.quasi_steady import steady_power
@@ -30,7 +30,7 @@ from dynamics.surface import Surface
 from sonify.fitting.settings import FIT
 from sonify.scene import Scene
 
-LAWS = ("rolling", "air", "law")
+FITTED_LAWS = ("rolling", "air", "law")
 """Names of the shares: contour friction, the air film, and the other laws of the
 scene."""
 NUTATION_SMOOTHING = np.hanning(2 * FIT.phases_per_turn + 1)[1:-1] / FIT.phases_per_turn
@@ -68,17 +68,15 @@ def rigid_table(scene: Scene) -> Surface:
     """Return a rigid table with the shape of the table of a scene."""
     table = scene.surface
     if not table.curvature:
-        return Surface()
-    return Surface(sag=table.sag, diameter=table.diameter, place=table.place)
+        return Surface(hole=table.hole)
+    return Surface(
+        sag=table.sag, diameter=table.diameter, place=table.place, hole=table.hole
+    )
 
 
 def has_film(scene: Scene) -> bool:
     """Return True if the scene has an air film with a known law."""
-    return (
-        scene.disk.shape == "solid"
-        and scene.air.film != "none"
-        and scene.air.pressure > 0
-    )
+    return hole_share(scene) < 1 and scene.air.film != "none" and scene.air.pressure > 0
 
 
 class DecayModel:
@@ -101,7 +99,7 @@ class DecayModel:
     """log(solved rate / steady rate) (b,) at the remaining times of the tabulated
     inclinations."""
 
-    def __init__(self, scene: Scene):
+    def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.disk = scene.disk
         self._solved: dict[bytes, dict[str, DecayModel]] = {}
@@ -124,7 +122,7 @@ class DecayModel:
         contour_power = np.array([steady_power(b, law, contour) for b in self.beta])
         film_power = np.zeros(len(self.beta))
         if has_film(scene):
-            film = film_under(self.disk, scene.air, scene.surface.curvature)
+            film = film_of_scene(scene)
             film_power = film.rotation_and_fall_powers(self.beta, spin)[0]
             # without this limit, the disk would never reach the table, and the end would
             # depend on inaudible details
@@ -140,10 +138,10 @@ class DecayModel:
 
         The lines are at the precession rate, twice this rate, the nutation rate, and
         the sum of precession and nutation rates, which a tilting disk radiates."""
-        ratios = {
+        ratios: dict[str, float | np.ndarray] = {
             "its double": 2.0,
-            "nutation": self._nutation,
-            SUM_LINE: 1.0 + self._nutation,
+            "nutation": self._nutation_frequency_ratio,
+            SUM_LINE: 1.0 + self._nutation_frequency_ratio,
         }
         lines = {"precession": self}
         for name, ratio in ratios.items():
@@ -152,20 +150,20 @@ class DecayModel:
         return lines
 
     @cached_property
-    def _nutation(self):
+    def _nutation_frequency_ratio(self) -> np.ndarray:
         """Nutations per turn of the contact (b,), from short motions without losses."""
         inclinations = [0.005, 0.02, 0.08, 0.3]  # rad
-        found = [self._nutations(beta) for beta in inclinations]
+        found = [self._nutation_frequency_ratio_at(beta) for beta in inclinations]
         return np.interp(np.log(self.beta), np.log(inclinations), found)
 
-    def _nutations(self, beta):
+    def _nutation_frequency_ratio_at(self, beta: float) -> float:
         turns = float(np.interp(beta, self.beta, self.rate))
         w3 = 2 * np.pi * turns * np.sin(beta)
         release = Release(
             inclination_deg=float(np.degrees(1.02 * beta)),
             omega=(0.0, self.disk.aspect * w3, w3),
         )
-        scene = self._scene_of(0.0, 0.0, 0.0)
+        scene = self._scene_with_shares(0.0, 0.0, 0.0)
         motion = simulate(
             replace(
                 scene,
@@ -176,43 +174,45 @@ class DecayModel:
         ).rolling
         return float(np.median(nutations_per_turn(motion)))
 
-    def remaining_time(self, shares) -> np.ndarray:
+    def remaining_time(self, shares: list[float] | np.ndarray) -> np.ndarray:
         """Return the remaining time (b,) [s] at every inclination for shares (3,) of
-        the LAWS."""
+        the FITTED_LAWS."""
         # below the tabulated inclinations, the time is a power of the inclination; the
         # exponent is 1/2 with the arms of the paper, and 0 for a squeezed film alone
         min_exponent = 0.49
         rate = self._time_per_log_inclination(shares)
-        growth = max(np.log(rate[1] / rate[0]) / self._step, min_exponent)
-        return self._integral(rate) + rate[0] / growth
+        growth = max(
+            np.log(rate[1] / rate[0]) / self._log_inclination_step, min_exponent
+        )
+        return self._integral_over_log_inclination(rate) + rate[0] / growth
 
     @property
-    def _step(self):
+    def _log_inclination_step(self) -> float:
         return np.log(self.beta[1] / self.beta[0])
 
-    def _time_per_log_inclination(self, shares):
+    def _time_per_log_inclination(self, shares: list[float] | np.ndarray) -> np.ndarray:
         """Return d(remaining time)/d(log inclination) (b,) [s]."""
         min_power = 1e-12 * self.powers[0]
         power = np.maximum(np.asarray(shares, float) @ self.powers, min_power)
         return self.energy_slope / power * self.disk.time_unit
 
-    def _integral(self, rate):
+    def _integral_over_log_inclination(self, rate: np.ndarray) -> np.ndarray:
         """Return the integral (b,) of a rate (b,) over the log inclination, by cubic
         interpolation."""
         ends = _extrapolated_value(rate[:4]), _extrapolated_value(rate[:-5:-1])
         padded = np.concatenate([ends[:1], rate, ends[1:]])
         each = 13 * (padded[1:-2] + padded[2:-1]) - padded[:-3] - padded[3:]
-        return self._step / 24 * np.append(0.0, np.cumsum(each))
+        return self._log_inclination_step / 24 * np.append(0.0, np.cumsum(each))
 
-    def _remaining_time_at(self, inclination, shares):
+    def _remaining_time_at(self, inclination: float, shares: np.ndarray) -> float:
         """Return the remaining time [s] at an inclination [rad], extrapolated by a
         power law."""
         time = self.remaining_time(shares)
-        growth = np.log(time[1] / time[0]) / self._step
+        growth = np.log(time[1] / time[0]) / self._log_inclination_step
         below = min(inclination / self.beta[0], 1.0) ** growth
         return float(np.interp(inclination, self.beta, time) * below)
 
-    def course(self, shares) -> np.ndarray:
+    def course(self, shares: list[float] | np.ndarray) -> np.ndarray:
         """Return remaining times [s], remaining periods and their rate [Hz] as an array
         (3, b).
 
@@ -220,7 +220,9 @@ class DecayModel:
         motion, the shares of that motion replace the given ones."""
         shares = shares if self.solved_shares is None else self.solved_shares
         time = self.remaining_time(shares)
-        turned = self._integral(self.rate * self._time_per_log_inclination(shares))
+        turned = self._integral_over_log_inclination(
+            self.rate * self._time_per_log_inclination(shares)
+        )
         if not self.excess_turns.any():
             return np.array([time, turned, self.rate])
         remaining = self.excess_turns[0]
@@ -235,7 +237,9 @@ class DecayModel:
             raise ValueError("the solved motion is far from any steady motion")
         return np.array([remaining, turned, rate])
 
-    def turns(self, remaining, shares) -> tuple[np.ndarray, np.ndarray]:
+    def turns(
+        self, remaining: np.ndarray, shares: list[float] | np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return the remaining periods and their rate [Hz] at remaining times (k,) > 0
         [s]."""
         time, turned, rate = self.course(shares)
@@ -243,20 +247,26 @@ class DecayModel:
         within = np.log(np.clip(remaining, time[0], time[-1]))
         return spline(within), spline.derivative()(within) / np.exp(within)
 
-    def frequency(self, remaining, shares) -> np.ndarray:
+    def frequency(
+        self, remaining: np.ndarray, shares: list[float] | np.ndarray
+    ) -> np.ndarray:
         """Return the rate of the periods (k,) [Hz] at remaining times (k,) > 0 [s],
         smoothed over slips."""
         return self.frequency_law(shares)(remaining)
 
-    def frequency_law(self, shares) -> Callable[[np.ndarray], np.ndarray]:
+    def frequency_law(
+        self, shares: list[float] | np.ndarray
+    ) -> Callable[[np.ndarray], np.ndarray]:
         """Return `frequency` as a function of the remaining times (k,) > 0 [s]."""
         return self._interpolant(shares, np.log(self.rate) + self.log_rate_ratio)
 
-    def inclination(self, remaining, shares) -> np.ndarray:
+    def inclination(self, remaining: np.ndarray, shares: np.ndarray) -> np.ndarray:
         """Return the inclination (k,) [rad] at remaining times (k,) [s]."""
         return self._interpolant(shares, np.log(self.beta))(remaining)
 
-    def _interpolant(self, shares, logarithm):
+    def _interpolant(
+        self, shares: list[float] | np.ndarray, logarithm: np.ndarray
+    ) -> Callable[[np.ndarray], np.ndarray]:
         """Return a quantity, given by its logarithm (b,) at the tabulated inclinations,
         as a function of the remaining time."""
         log_time = np.log(self.remaining_time(shares))
@@ -264,28 +274,28 @@ class DecayModel:
             np.interp(np.log(remaining), log_time, logarithm)
         )
 
-    def solved_line_models(self, shares) -> dict[str, "DecayModel"]:
-        """Return the spectral lines of a solved motion with shares (3,) of the LAWS, by
+    def solved_line_models(self, shares: np.ndarray) -> dict[str, "DecayModel"]:
+        """Return the spectral lines of a solved motion with shares (3,) of the FITTED_LAWS, by
         name.
 
         In contrast to steady motion, the centre moves and the disk slips. The lines are
         cached. Raises ValueError if the motion cannot be solved."""
         key = np.asarray(shares, float).tobytes()
         if key not in self._solved:
-            self._solved[key] = self._lines_of(shares)
+            self._solved[key] = self._solved_lines(shares)
         return self._solved[key]
 
-    def _lines_of(self, shares):
-        motion = simulate(self._scene_of(*map(float, shares))).rolling
+    def _solved_lines(self, shares: np.ndarray) -> "dict[str, DecayModel]":
+        motion = simulate(self._scene_with_shares(*map(float, shares))).rolling
         end = motion.t[-1] + self._remaining_time_at(
             motion.at(motion.t[-1:])[0, 1], shares
         )
         peaks = nutation_peaks(motion)
 
-        def turned(t):
+        def turned(t: np.ndarray) -> np.ndarray:
             return np.abs(motion.at(t)[:, 0]) / (2 * np.pi)
 
-        def nutated(t):
+        def nutated(t: np.ndarray) -> np.ndarray:
             return np.interp(t, peaks, np.arange(len(peaks)), left=np.nan, right=np.nan)
 
         counts = {
@@ -301,7 +311,13 @@ class DecayModel:
             for name, count in counts.items()
         }
 
-    def _of_solved_motion(self, count, last, end, shares):
+    def _of_solved_motion(
+        self,
+        count: Callable[[np.ndarray], np.ndarray],
+        last: float,
+        end: float,
+        shares: np.ndarray,
+    ) -> "DecayModel":
         """Return this line with the number of periods `count(t)` of a solved motion.
 
         The solved motion ends at the time `last` [s], and the decay at `end` [s].
@@ -329,7 +345,7 @@ class DecayModel:
         )
         return other
 
-    def _scene_of(self, rolling, air, law):
+    def _scene_with_shares(self, rolling: float, air: float, law: float) -> Scene:
         min_air = 1e-3  # a smaller share of the film is omitted
         tolerance = 1e-12  # an error of 0.01 turns in 1000 turns
         scene = self.scene
@@ -359,18 +375,22 @@ class DecayModel:
         )
 
 
-def _turn_spline(time, turned, rate):
+def _turn_spline(
+    time: np.ndarray, turned: np.ndarray, rate: np.ndarray
+) -> CubicHermiteSpline:
     """Return the cubic Hermite spline of turns (b,) over the log time, with given rates
     (b,)."""
     return CubicHermiteSpline(np.log(time), turned, rate * time)
 
 
-def _extrapolated_value(near):
+def _extrapolated_value(near: np.ndarray) -> float:
     """Extrapolate four equidistant values by a cubic to the point before the first."""
     return 4 * near[0] - 6 * near[1] + 4 * near[2] - near[3]
 
 
-def _log_solved_to_steady_rates(remaining, excess, frequency):
+def _log_solved_to_steady_rates(
+    remaining: np.ndarray, excess: np.ndarray, frequency: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the ascending centres (b,) [s] of blocks of turns, and log(rate of the
     solved motion / rate of the steady motion) (b,).
 

@@ -6,11 +6,17 @@ Impacts on an uneven table reduce the inclination as d beta/dt = -c sqrt(g/R)
 n = 1/3, and an air film a smaller n."""
 
 from copy import copy
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dynamics.disk import GRAVITY
-from sonify.fitting.decay_model import LAWS, DecayModel, has_film, neglected_parts
+from sonify.fitting.decay_model import (
+    FITTED_LAWS,
+    DecayModel,
+    has_film,
+    neglected_parts,
+)
 from sonify.fitting.least_squares import Fit, LineRates
 from sonify.fitting.line_selection import (
     Judged,
@@ -21,6 +27,10 @@ from sonify.fitting.line_selection import (
 from sonify.fitting.settings import FIT
 from sonify.hearing.recording_errors import RecordingError
 from sonify.hearing.settling.settings import SETTLING
+
+if TYPE_CHECKING:
+    from sonify.hearing.settling.joint_region import Estimate, JointRegion
+    from sonify.scene import Scene
 
 
 def judge_sound(decay: DecayModel, sound: RecordedRun) -> Judged:
@@ -37,7 +47,7 @@ def judge_sound(decay: DecayModel, sound: RecordedRun) -> Judged:
         if not has_bursts:
             raise
         return judge_bursts(decay, sound)
-    own_law = judged.values().get("law")
+    own_law = judged.fitted_shares().get("law")
     explained = own_law is not None and own_law.inner[0] <= 1.0 <= own_law.inner[1]
     if has_bursts and not explained:
         bursts = judge_bursts(decay, sound)
@@ -57,32 +67,19 @@ def judge_bursts(decay: DecayModel, sound: RecordedRun) -> Judged:
     line = decay.line_models[name]
     fall = np.sqrt(GRAVITY / decay.disk.radius)
 
-    def loss_coefficient(rate, exponent):
+    def loss_coefficient(rate: float | np.ndarray, exponent: float | np.ndarray) -> Any:
         beta = _inclination_at_rate(line, rate)
         return 2 * exponent * beta / (run.reference_time * fall)
 
     with_impacts = _line_with_impacts(decay, line, region)
     best = loss_coefficient(region.best_rate, region.best_exponent)
-    shares = np.array([0.0, 0.0, best])
     cells = loss_coefficient(region.rates, region.exponents)
-    least_error = SETTLING.exponent_resolution / region.best_exponent
-    low = cells.min() - least_error * best
-    high = cells.max() + least_error * best
-    draws = np.zeros((FIT.bootstrap_draws, 4))
-    random = np.random.default_rng(0)
-    draws[:, 0] = _draws(region.best_end, run.t_end.low, run.t_end.high, random)
-    draws[:, 3] = _draws(best, low, high, random)
+    least_error = SETTLING.exponent_resolution / region.best_exponent * best
+    low = cells.min() - least_error
+    high = cells.max() + least_error
+    fitted = _fit_of_impacts(sound, with_impacts, (low, best, high))
     ridge = sound.ridges[0]
     remaining = np.maximum(region.best_end - ridge.time, FIT.unused_end_duration)
-    fitted = Fit(
-        free=(2,),
-        ends=np.array([region.best_end]),
-        shares=shares,
-        draws=draws,
-        heard=(LineRates(with_impacts, ridge, ridge.frequency),),
-        residual=np.log(ridge.frequency / with_impacts.frequency(remaining, shares)),
-        sigma=ridge.error / ridge.frequency,
-    )
     # earlier rates do not depend on the end
     heard_rates = ridge.frequency[remaining > run.t_end.high - run.t_end.low]
     verdict, reason = _verdict(decay, run.exponent)
@@ -101,12 +98,40 @@ def judge_bursts(decay: DecayModel, sound: RecordedRun) -> Judged:
     )
 
 
-def _inclination_at_rate(line, rate):
+def _fit_of_impacts(
+    sound: RecordedRun, with_impacts: DecayModel, loss: tuple[float, float, float]
+) -> Fit:
+    """Return the fit with the lower limit, the best value and the upper limit of the
+    coefficient of impacts."""
+    low, best, high = loss
+    run = sound.run
+    end = run.region.best_end
+    shares = np.array([0.0, 0.0, best])
+    draws = np.zeros((FIT.bootstrap_draws, 4))
+    random = np.random.default_rng(0)
+    draws[:, 0] = _draws_with_interval(end, run.t_end.low, run.t_end.high, random)
+    draws[:, 3] = _draws_with_interval(best, low, high, random)
+    ridge = sound.ridges[0]
+    remaining = np.maximum(end - ridge.time, FIT.unused_end_duration)
+    return Fit(
+        free=(2,),
+        ends=np.array([end]),
+        shares=shares,
+        draws=draws,
+        heard=(LineRates(with_impacts, ridge, ridge.frequency),),
+        residual=np.log(ridge.frequency / with_impacts.frequency(remaining, shares)),
+        sigma=ridge.error / ridge.frequency,
+    )
+
+
+def _inclination_at_rate(line: DecayModel, rate: float | np.ndarray) -> Any:
     """Return the inclinations [rad] of a line at its frequencies [Hz]."""
     return np.interp(-rate, -line.rate, line.beta)
 
 
-def _line_with_impacts(decay, line, region):
+def _line_with_impacts(
+    decay: DecayModel, line: DecayModel, region: "JointRegion"
+) -> DecayModel:
     """Return a copy of a line whose third power is that of the best law of impacts of a
     joint region."""
     fall = np.sqrt(GRAVITY / decay.disk.radius)
@@ -122,7 +147,9 @@ def _line_with_impacts(decay, line, region):
     return with_impacts
 
 
-def _limits(scene, line, rates, coefficient):
+def _limits(
+    scene: "Scene", line: DecayModel, rates: np.ndarray, coefficient: float
+) -> dict[str, float]:
     """Return by law the limit at which it would dissipate all of the power.
 
     Impacts dissipate the power at the `coefficient`; `rates` [Hz] are those heard.
@@ -134,18 +161,20 @@ def _limits(scene, line, rates, coefficient):
         name: float(
             coefficient * np.min(line.powers[2, covered] / line.powers[number, covered])
         )
-        for number, name in enumerate(LAWS[:2])
+        for number, name in enumerate(FITTED_LAWS[:2])
         if name == "rolling" or has_film(scene)
     }
 
 
-def _draws(value, low, high, random):
+def _draws_with_interval(
+    value: float, low: float, high: float, random: np.random.Generator
+) -> np.ndarray:
     """Return random draws (d,) with a given median and 95 % interval."""
     normal = random.standard_normal(FIT.bootstrap_draws) / 1.96
     return value + np.where(normal < 0, normal * (value - low), normal * (high - value))
 
 
-def _verdict(decay, exponent):
+def _verdict(decay: DecayModel, exponent: "Estimate") -> tuple[str, str]:
     """Return the verdict that follows from the interval of an exponent, and its
     reason."""
     contour_exponent = 1 / 3
@@ -179,7 +208,7 @@ def _verdict(decay, exponent):
     )
 
 
-def _slope_of_heights(exponent):
+def _slope_of_heights(exponent: float) -> float:
     """Return H of the power spectrum k^-(1 + 2 H) of heights for an exponent n of the
     rate."""
     return (2 - 4 * exponent) / (1 - exponent)

@@ -1,20 +1,25 @@
 """Robust least-squares fit of the end of the motion and of the shares of
 dissipation."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.linalg import toeplitz
 from scipy.optimize import least_squares
 from scipy.stats import norm, t
 
-from sonify.fitting.decay_model import LAWS, DecayModel
-from sonify.fitting.phase_demodulation import Rates, rates
+from sonify.fitting.decay_model import FITTED_LAWS, DecayModel
+from sonify.fitting.phase_demodulation import Noise, Rates, rates
 from sonify.fitting.settings import FIT
 
-TINY = 1e-30
+if TYPE_CHECKING:
+    from scipy.optimize._optimize import OptimizeResult
+
+MIN_DIVISOR = 1e-30
+"""Least value of a divisor, which keeps a quotient with zero finite."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,7 +45,7 @@ class LineRates(NamedTuple):
 class Fit:
     """Fit of a decay to one sound, or the mean of the fits of several.
 
-    `ends` [s] and `heard` have one entry per sound. `shares` (3,) belong to the LAWS;
+    `ends` [s] and `heard` have one entry per sound. `shares` (3,) belong to the FITTED_LAWS;
     those with indices in `free` were fitted. `draws` (d, sounds + 3) are bootstrap draws
     of ends and shares. `residual` (k,) is log(measured / fitted rate) for all blocks of
     `heard`, and `sigma` (k,) its error due to noise."""
@@ -58,12 +63,12 @@ class Fit:
         """Robust relative standard deviation of the measured from the fitted rates."""
         return _robust_deviation(self.residual)
 
-    def values(self) -> dict[str, Value]:
-        """Return the fitted shares of the LAWS by name."""
-        names = (*LAWS[:2], self.heard[0].line.third_share_name)
-        return {names[i]: self.value(len(self.ends) + i) for i in self.free}
+    def fitted_shares(self) -> dict[str, Value]:
+        """Return the fitted shares of the FITTED_LAWS by name."""
+        names = (*FITTED_LAWS[:2], self.heard[0].line.third_share_name)
+        return {names[i]: self.parameter(len(self.ends) + i) for i in self.free}
 
-    def value(self, i: int) -> Value:
+    def parameter(self, i: int) -> Value:
         """Return entry i of the ends of the sounds followed by the shares."""
         best = np.append(self.ends, self.shares)[i]
         low, inner_low, inner_high, high = np.percentile(
@@ -97,9 +102,9 @@ def fit(
     line: DecayModel,
     sound: ToneSignal,
     end: float,
-    shares,
+    shares: np.ndarray,
     free: tuple[int, ...],
-    lengths=FIT.block_lengths,
+    lengths: tuple[float, ...] = FIT.block_lengths,
     refined: bool = False,
 ) -> Fit:
     """Fit a decay to the rates of a spectral line in a sound.
@@ -108,7 +113,7 @@ def fit(
     start close to 0. Raises ValueError if fewer than eight blocks of the sound have a
     clear tone."""
     min_block_count = 8
-    problem = None
+    problem: _Problem | None = None
     for length in lengths:
         heard = line_rates(line, sound, end, shares, length)
         if len(heard.rates.time) < min_block_count:
@@ -118,11 +123,17 @@ def fit(
         problem = _Problem(heard, np.array(shares, float), free, sound.filtered)
         solution = problem.solve(end, refined, final=length == lengths[-1])
         end, shares, _ = problem.unpack(solution.x)
+    assert problem is not None, "there is at least one length"
     return _with_intervals(problem, solution.x)
 
 
 def line_rates(
-    line: DecayModel, sound: ToneSignal, end: float, shares, length, noise_of=np.mean
+    line: DecayModel,
+    sound: ToneSignal,
+    end: float,
+    shares: np.ndarray,
+    length: float,
+    noise_of: Noise = np.mean,
 ) -> LineRates:
     """Return the rates of a line in a sound, demodulated with the decay of the line for
     an end [s] and shares (3,).
@@ -137,7 +148,9 @@ def line_rates(
     return LineRates(line, found, steady)
 
 
-def fit_to_rates(heard: LineRates, end: float, shares, free):
+def fit_to_rates(
+    heard: LineRates, end: float, shares: np.ndarray, free: tuple[int, ...]
+) -> tuple[float, np.ndarray, float]:
     """Return end, shares and robust cost of the decay that best fits the given rates.
 
     The sound is not demodulated again.
@@ -148,20 +161,20 @@ def fit_to_rates(heard: LineRates, end: float, shares, free):
     return end, shares, float(solution.cost)
 
 
-def values_in_words(values: dict[str, Value]) -> str:
-    """Format values with their names and 95 % intervals."""
+def fitted_shares_in_words(shares: dict[str, Value]) -> str:
+    """Format fitted shares with their names and 95 % intervals."""
     return ", ".join(
         f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)"
-        for name, v in values.items()
+        for name, v in shares.items()
     )
 
 
-def _robust_deviation(residual) -> float:
+def _robust_deviation(residual: np.ndarray) -> float:
     """Return a robust standard deviation about 0."""
     return float(1.48 * np.median(np.abs(residual)))
 
 
-def _relative_error(h):
+def _relative_frequency_error(h: Rates) -> np.ndarray:
     return np.hypot(h.error / h.frequency, FIT.min_rate_error)
 
 
@@ -178,13 +191,13 @@ class _Problem:
     filtered: bool
 
     @cached_property
-    def unit(self):
+    def unit(self) -> np.ndarray:
         """Units of the free shares."""
-        min_units = np.array([1e-5, 0.05, 0.05])  # of the LAWS
+        min_units = np.array([1e-5, 0.05, 0.05])  # of the FITTED_LAWS
         free = list(self.free)
         return np.maximum(self.shares[free], min_units[free])
 
-    def unpack(self, x):
+    def unpack(self, x: np.ndarray) -> tuple[float, np.ndarray, float]:
         """Return end [s], shares (3,) and corner frequency [Hz], which is 0 without a
         filter."""
         expected_corner = 50.0  # Hz; it is as uncertain
@@ -193,7 +206,7 @@ class _Problem:
         shares[list(self.free)] = x[1:count] * self.unit
         return x[0], shares, x[count] * expected_corner if self.filtered else 0.0
 
-    def residual(self, x):
+    def residual(self, x: np.ndarray) -> np.ndarray:
         """Return log(measured / model) of every block, divided by its error.
 
         If the sound is filtered, the last entry is the relative deviation of the corner
@@ -202,10 +215,12 @@ class _Problem:
         line, h, steady = self.heard
         remaining = np.maximum(end - h.time, FIT.unused_end_duration / 10)
         model = _through_high_pass(line.frequency_law(shares), remaining, corner)
-        deviation = np.log(steady / model) / _relative_error(h)
+        deviation = np.log(steady / model) / _relative_frequency_error(h)
         return np.concatenate([deviation, x[1 + len(self.free) :] - 1.0])
 
-    def solve(self, end: float, refined: bool = False, final: bool = False):
+    def solve(
+        self, end: float, refined: bool = False, final: bool = False
+    ) -> "OptimizeResult":
         """Return the solution from an initial end [s], as in scipy."""
         max_corner = 4.0  # times its expected value
         min_start = 1e-4 if refined else 0.05  # of a share, in its unit
@@ -232,7 +247,9 @@ class _Problem:
         )
 
 
-def _through_high_pass(frequency, remaining, corner):
+def _through_high_pass(
+    frequency: Callable[[np.ndarray], np.ndarray], remaining: np.ndarray, corner: float
+) -> np.ndarray:
     """Return the apparent rate (k,) [Hz] after a second-order Butterworth high-pass
     filter.
 
@@ -249,17 +266,17 @@ def _through_high_pass(frequency, remaining, corner):
     return here + (lead[0] - lead[1]) / (2 * step * remaining) / (2 * np.pi)
 
 
-def _with_intervals(problem, x):
+def _with_intervals(problem: _Problem, x: np.ndarray) -> Fit:
     """Return the fit for unknowns x, with bootstrap draws from runs of residuals and a
     linearised solution.
 
-    The draws are enlarged by `_enlargement`.
+    The draws are enlarged by `_deviation_enlargement`.
     """
     draw_count = FIT.bootstrap_draws
     residual = problem.residual(x)
     scale = max(_robust_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
-    sigma = _relative_error(problem.heard.rates)
+    sigma = _relative_frequency_error(problem.heard.rates)
     count = len(sigma)
     noise = _bootstrap_noise(residual, count, len(x))
     jacobian = _jacobian(problem.residual, x)
@@ -267,7 +284,7 @@ def _with_intervals(problem, x):
         jacobian.T * weight
     )
     deviations = noise @ inverse.T
-    deviations *= _enlargement(
+    deviations *= _deviation_enlargement(
         deviations.std(axis=0), residual[:count], jacobian[:count], inverse[:, :count]
     )
     moved = x - deviations
@@ -287,7 +304,9 @@ def _with_intervals(problem, x):
     )
 
 
-def _bootstrap_noise(residual, count, unknown_count):
+def _bootstrap_noise(
+    residual: np.ndarray, count: int, unknown_count: int
+) -> np.ndarray:
     """Return bootstrap draws (d, k) of the noise of residuals (k,), from runs of the first
     `count` with random signs.
 
@@ -309,7 +328,9 @@ def _bootstrap_noise(residual, count, unknown_count):
     return np.hstack([noise.reshape(draw_count, -1)[:, :count], corner])
 
 
-def _jacobian(function, x):
+def _jacobian(
+    function: Callable[[np.ndarray], np.ndarray], x: np.ndarray
+) -> np.ndarray:
     """Return derivatives (k, n) from second-order one-sided differences, which keep
     shares positive."""
     steps = 1e-4 * np.maximum(np.abs(x), 0.05)
@@ -321,7 +342,9 @@ def _jacobian(function, x):
     return np.stack(columns, axis=1)
 
 
-def _enlargement(found, residual, jacobian, inverse):
+def _deviation_enlargement(
+    found: np.ndarray, residual: np.ndarray, jacobian: np.ndarray, inverse: np.ndarray
+) -> np.ndarray:
     """Return factors (n,) for the bootstrap deviations of the unknowns, whose standard
     deviations are `found` (n,).
 
@@ -340,7 +363,7 @@ def _enlargement(found, residual, jacobian, inverse):
     independent = left * count / np.sum(correlation**2)
     degrees_of_freedom = max(independent, min_degrees_of_freedom)
     student = t.ppf(0.975, degrees_of_freedom) / norm.ppf(0.975)
-    return student * np.maximum(np.sqrt(expected) / np.maximum(found, TINY), 1.0)
+    return student * np.maximum(np.sqrt(expected) / np.maximum(found, MIN_DIVISOR), 1.0)
 
 
 def pool_fits(fits: list[Fit]) -> Fit:
@@ -356,9 +379,9 @@ def pool_fits(fits: list[Fit]) -> Fit:
         one.draws[:, len(one.ends) :][:, free] - value
         for one, value in zip(fits, values, strict=True)
     ]
-    unit = np.maximum(np.sqrt([np.mean(d**2, axis=0) for d in deviations]), TINY).max(
-        axis=0
-    )
+    unit = np.maximum(
+        np.sqrt([np.mean(d**2, axis=0) for d in deviations]), MIN_DIVISOR
+    ).max(axis=0)
     information = np.array(
         [np.linalg.pinv((d / unit).T @ (d / unit) / len(d)) for d in deviations]
     )

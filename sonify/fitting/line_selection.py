@@ -4,13 +4,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
+from typing import Any
 
 import numpy as np
 from scipy.signal import resample_poly
 
-from sonify.fitting.decay_model import LAWS, DecayModel, has_film, neglected_parts
+from sonify.fitting.decay_model import (
+    FITTED_LAWS,
+    DecayModel,
+    has_film,
+    neglected_parts,
+)
 from sonify.fitting.least_squares import (
-    TINY,
+    MIN_DIVISOR,
     Fit,
     LineRates,
     ToneSignal,
@@ -59,7 +65,7 @@ class RecordedRun:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Judged:
-    """Fit of the LAWS to the sound of a run, and the verdict.
+    """Fit of the FITTED_LAWS to the sound of a run, and the verdict.
 
     `signal` is "tone" or "envelope", `line` the spectral line, and `model` "steady" or
     "solved". `verdict` is "rolling", "air", "both", "impacts", "not this scene" or
@@ -94,9 +100,9 @@ class Judged:
         stream = self.stream and replace(self.stream, samples=np.zeros(0))
         return replace(self, stream=stream)
 
-    def values(self) -> dict[str, Value]:
+    def fitted_shares(self) -> dict[str, Value]:
         """Return the fitted shares `rolling`, `air` and `law`, by name."""
-        return self.fit.values()
+        return self.fit.fitted_shares()
 
 
 def detect_run(
@@ -150,7 +156,7 @@ def detect_run(
     )
 
 
-def _check_not_clipped(samples, name):
+def _check_not_clipped(samples: np.ndarray, name: str) -> None:
     """Raise RecordingError if runs of samples are at full scale.
 
     An unclipped tone has more samples just below full scale than at full scale.
@@ -258,7 +264,7 @@ class LineFit:
         one = self.fit
         own_first = sorted(self.streams, key=lambda signal: signal != self.signal)
         seen = sum(
-            _evidence(
+            _evidence_near_line(
                 line,
                 self.streams[signal],
                 one.ends[0],
@@ -281,7 +287,14 @@ class LineFit:
         )
 
 
-def _evidence(line, stream, end, shares, length, near=FIT.max_rate_deviation):
+def _evidence_near_line(
+    line: DecayModel,
+    stream: ToneSignal,
+    end: float,
+    shares: np.ndarray,
+    length: float,
+    near: float = FIT.max_rate_deviation,
+) -> float:
     """Return the evidence for a line, the sum of log(1 + signal-to-noise ratio) over
     blocks near it.
 
@@ -292,7 +305,7 @@ def _evidence(line, stream, end, shares, length, near=FIT.max_rate_deviation):
     return np.log1p(found.clear[is_near]).sum() / FIT.block_overlap
 
 
-def _tracks_of_sound(decay, sound):
+def _tracks_of_sound(decay: DecayModel, sound: RecordedRun) -> list[LineFit]:
     """Return the tracks of a sound, at most one for each signal and line.
 
     Each ridge is assigned to each of MAIN_LINES in turn. For each assignment, lines are
@@ -301,21 +314,28 @@ def _tracks_of_sound(decay, sound):
     has_envelope = sound.rate > 2 * MIN_ENVELOPE_FREQUENCY_HZ
     signals = ("tone", "envelope") if has_envelope else ("tone",)
     streams = {signal: tone_signal(sound, signal) for signal in signals}
-    found = {}
+    found: dict[Any, LineFit] = {}
     for ridge, name in product(sound.ridges, MAIN_LINES):
         try:
             guess = _initial_guess(decay, decay.line_models[name], ridge, sound.end)
         except ValueError:
             continue
+        end, shares = guess
         heard = {
-            (signal, line): _evidence(
-                decay.line_models[line], streams[signal], *guess, FIT.block_lengths[0]
+            (signal, line): _evidence_near_line(
+                decay.line_models[line],
+                streams[signal],
+                end,
+                shares,
+                FIT.block_lengths[0],
             )
             for signal, line in product(signals, MAIN_LINES)
         }
         best_first = sorted(heard, key=heard.__getitem__, reverse=True)
         tracks = (
-            _track(decay, streams, *pair, *guess) for pair in best_first if heard[pair]
+            _fit_track_of_line(decay, streams, *pair, *guess)
+            for pair in best_first
+            if heard[pair]
         )
         track = next((track for track in tracks if track is not None), None)
         if track is not None:
@@ -324,12 +344,19 @@ def _tracks_of_sound(decay, sound):
     if not found:
         disk = decay.scene.name
         raise RecordingError(
-            f"{sound.name}: no tone matches a decay of the disk '{disk}'"
+            f"{sound.name}: no tone agrees with a motion of the disk of the scene '{disk}'"
         )
     return list(found.values())
 
 
-def _track(decay, streams, signal, line, end, shares):
+def _fit_track_of_line(
+    decay: DecayModel,
+    streams: dict[str, ToneSignal],
+    signal: str,
+    line: str,
+    end: float,
+    shares: np.ndarray,
+) -> LineFit | None:
     """Return the track of a line in a signal, fitted from a guess of end and shares.
 
     Returns None if the fit fails or its end is too far from the guess.
@@ -353,7 +380,7 @@ def _track(decay, streams, signal, line, end, shares):
     )
 
 
-def _fitted_laws(decay):
+def _fitted_laws(decay: DecayModel) -> tuple[int, ...]:
     """Return the indices of the fitted laws.
 
     The other laws of the scene are fitted if it has no contour friction.
@@ -383,7 +410,7 @@ def tone_signal(sound: RecordedRun, signal: str) -> ToneSignal:
     )
 
 
-def _rates_of_event(event):
+def _rates_of_event(event: SettlingRun) -> Rates:
     """Return the rates of an event, along its ridge or at 200 times of its law."""
     relative_error = 0.03
     if event.ridge:
@@ -396,12 +423,14 @@ def _rates_of_event(event):
     return Rates(time, frequency, relative_error * frequency, 1 + 0 * time, 0 * time)
 
 
-def _initial_guess(decay, line, ridge, end):
+def _initial_guess(
+    decay: DecayModel, line: DecayModel, ridge: Rates, end: float
+) -> tuple[float, np.ndarray]:
     """Return the end and the shares for which a line is closest to a ridge.
 
     Each fitted law is tried alone, and then the first two together. In a scene with
     contour friction, the share of the other laws is 1."""
-    initial_shares = np.array([1e-4, 1.0, 1.0])  # of the LAWS
+    initial_shares = np.array([1e-4, 1.0, 1.0])  # of the FITTED_LAWS
     heard = LineRates(line, ridge, ridge.frequency)
     sought = _fitted_laws(decay)
     tried = []
@@ -413,13 +442,13 @@ def _initial_guess(decay, line, ridge, end):
     return min(tried, key=lambda one: one[2])[:2]
 
 
-def _best_tracks(tracks, share):
+def _best_tracks(tracks: list[LineFit], share: float) -> list[LineFit]:
     """Return the tracks whose score is at least `share` times the best one."""
     best = max((track.score for track in tracks), default=0.0)
     return [track for track in tracks if track.score >= share * best]
 
 
-def _is_steady_sufficient(track, decay):
+def _is_steady_sufficient(track: LineFit, decay: DecayModel) -> bool:
     """Return True if the steady motion fits well, up to slips, and the solved motions
     fit much worse."""
     max_spread = 2.5e-3
@@ -431,7 +460,9 @@ def _is_steady_sufficient(track, decay):
     )
 
 
-def _refined_tracks(tracks, decay, length, rounds=1):
+def _refined_tracks(
+    tracks: list[LineFit], decay: DecayModel, length: float, rounds: int = 1
+) -> list[LineFit]:
     """Return tracks refined by successive solved motions until their shares converge.
 
     Each motion is solved with the shares of the previous fit; `length` is the number of
@@ -441,7 +472,7 @@ def _refined_tracks(tracks, decay, length, rounds=1):
     for track in tracks:
         for _ in range(rounds):
             try:
-                lines, one = _refit(track, decay, length)
+                lines, one = _refit_to_solved_motion(track, decay, length)
             except (ValueError, ArithmeticError):
                 break  # the motion does not exist
             moved = np.abs(one.shares - track.fit.shares)
@@ -456,7 +487,9 @@ def _refined_tracks(tracks, decay, length, rounds=1):
     return found
 
 
-def _refit(track, decay, length):
+def _refit_to_solved_motion(
+    track: LineFit, decay: DecayModel, length: float
+) -> tuple[dict[str, DecayModel], Fit]:
     """Return the lines of the motion solved with the shares of a track, and the new
     fit.
 
@@ -464,7 +497,9 @@ def _refit(track, decay, length):
     """
     one = track.fit
 
-    def fitted(lines, end, shares):
+    def fitted(
+        lines: dict[str, DecayModel], end: float, shares: np.ndarray
+    ) -> tuple[dict[str, DecayModel], Fit]:
         line = lines[track.line]
         lengths = (length,)
         return lines, fit(
@@ -480,7 +515,7 @@ def _refit(track, decay, length):
         return fitted(decay.solved_line_models(shares), end, shares)
 
 
-def _mean_of_equivalent_fits(fits, decay):
+def _mean_of_equivalent_fits(fits: list[Fit], decay: DecayModel) -> Fit:
     """Return the mean of the fits that explain the sound about equally well.
 
     The motions of these fits slip at different times. The bootstrap draws include the
@@ -510,7 +545,7 @@ def with_film_error(decay: DecayModel, one: Fit) -> Fit:
     film_error = 0.06  # a thin-wedge law changes the share `rolling` by up to 8 %
     power, fall = _powers_by_law(decay, one)
     error = film_error * one.shares[1] * (power[1] @ fall)
-    error = error / np.maximum(power @ fall, TINY)
+    error = error / np.maximum(power @ fall, MIN_DIVISOR)
     error[[law for law in range(3) if law not in one.free]] = 0.0
     draws = one.draws.copy()
     moved = np.random.default_rng(1).standard_normal(len(draws))
@@ -518,19 +553,19 @@ def with_film_error(decay: DecayModel, one: Fit) -> Fit:
     return replace(one, draws=draws)
 
 
-def _share_errors_of_missing_power(decay, one):
+def _share_errors_of_missing_power(decay: DecayModel, one: Fit) -> np.ndarray:
     """Return the uncertainty of each fitted share (3,) due to power that the model may
     miss."""
     # for a hoop, precession overestimates the power by 0.7 %, and nutation not at all
     unknown_share = 0.004
     power, fall = _powers_by_law(decay, one)
     unknown = unknown_share * (one.shares @ power @ fall)
-    unknown = unknown / np.maximum(power @ fall, TINY)
+    unknown = unknown / np.maximum(power @ fall, MIN_DIVISOR)
     return np.where(np.isin(range(3), one.free), unknown, 0.0)
 
 
-def _powers_by_law(decay, one):
-    """Return the power of each of the LAWS (3, 60) at inclinations covered by the
+def _powers_by_law(decay: DecayModel, one: Fit) -> tuple[np.ndarray, np.ndarray]:
+    """Return the power of each of the FITTED_LAWS (3, 60) at inclinations covered by the
     sound.
 
     The weights (60,) of the inclinations are also returned; they are energy
@@ -539,22 +574,23 @@ def _powers_by_law(decay, one):
         [end - h.rates.time for end, h in zip(one.ends, one.heard, strict=True)]
     )
     covered = np.clip([remaining.min(), remaining.max()], 1e-3, None)
-    beta = np.geomspace(*decay.inclination(covered, one.shares), 60)
+    lowest, highest = decay.inclination(covered, one.shares)
+    beta = np.geomspace(lowest, highest, 60)
     powers = np.array([np.interp(beta, decay.beta, power) for power in decay.powers])
     return powers, np.gradient(beta)
 
 
 def shares_of_power(decay: DecayModel, one: Fit) -> dict[str, tuple[float, float]]:
-    """Return the 95 % interval of the share of each of the LAWS in the lost energy.
+    """Return the 95 % interval of the share of each of the FITTED_LAWS in the lost energy.
 
     The energy is that lost during the part of the motion covered by the sound.
     """
     power, fall = _powers_by_law(decay, one)
     each = np.clip(one.draws[:, -3:, None] * power, 0, None)
-    share = each / np.maximum(each.sum(axis=1, keepdims=True), TINY) * fall
+    share = each / np.maximum(each.sum(axis=1, keepdims=True), MIN_DIVISOR) * fall
     share = share.sum(axis=2) / fall.sum()
     low, high = np.percentile(share, [2.5, 97.5], axis=0)
-    return {name: (float(low[i]), float(high[i])) for i, name in enumerate(LAWS)}
+    return {name: (float(low[i]), float(high[i])) for i, name in enumerate(FITTED_LAWS)}
 
 
 def verdict_of(decay: DecayModel, one: Fit) -> str:

@@ -10,7 +10,7 @@ from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 
 
 def in_worker_processes(
-    function: Callable, tasks: list[tuple], count: int
+    function: Callable[..., Any], tasks: list[tuple[Any, ...]], count: int
 ) -> Iterator[Any]:
     """Yield `function(*task)` for every task in order, computed by `count` worker
     processes.
@@ -18,12 +18,12 @@ def in_worker_processes(
     Exceptions raised by the function are raised again. If its process dies, a task has
     the result RecordingError, and the remaining tasks have a new process.
     """
-    idle: SimpleQueue = SimpleQueue()
+    idle: SimpleQueue[Any] = SimpleQueue[Any]()
     processes = [WorkerProcess() for _ in range(count)]
     for process in processes:
         idle.put(process)
 
-    def done(task):
+    def done(task: tuple[Any, ...]) -> Any:
         process = idle.get()
         try:
             return process.call(function, *task)

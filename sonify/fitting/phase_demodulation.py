@@ -5,6 +5,7 @@ multiplication by exp(-2 pi i turns), the slope of the phase within a block is t
 deviation from the expected rate. The rising pitch therefore causes no spectral
 smearing."""
 
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +13,9 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.interpolate import CubicHermiteSpline
 
 from sonify.fitting.settings import FIT
+
+Noise = Callable[..., np.ndarray]
+"""Function of powers (..., f) and `axis` that returns the noise."""
 
 
 class Rates(NamedTuple):
@@ -29,12 +33,12 @@ class Rates(NamedTuple):
 
 
 def rates(
-    samples,
+    samples: np.ndarray,
     rate: float,
     first: float,
-    course,
+    course: np.ndarray,
     length: float,
-    noise_of=np.mean,
+    noise_of: Noise = np.mean,
 ) -> Rates:
     """Return the rates of the tone in samples (n,) at `rate` [Hz] from the time `first`
     [s] on.
@@ -48,13 +52,13 @@ def rates(
     heard = _demodulated_bins(samples, rate, first, course)
     is_clear, *_ = _clear_blocks(heard, length, noise_of)
     begin = _first_clear_block(is_clear) * _bins_per_step(length)
-    heard = [x[begin:] for x in heard]
-    min_length = FIT.block_overlap * len(heard[0]) / FIT.bins_per_turn / max_block_count
-    is_clear, *found = _clear_blocks(heard, max(length, min_length), noise_of)
+    later = [x[begin:] for x in heard]
+    min_length = FIT.block_overlap * len(later[0]) / FIT.bins_per_turn / max_block_count
+    is_clear, *found = _clear_blocks(later, max(length, min_length), noise_of)
     return Rates(*(x[is_clear] for x in found))
 
 
-def _first_clear_block(is_clear):
+def _first_clear_block(is_clear: np.ndarray) -> int:
     """Return the index of the first of the blocks (b,) after the unclear beginning.
 
     In noise and speech, a tenth of the blocks are clear.
@@ -62,15 +66,19 @@ def _first_clear_block(is_clear):
     min_clear_share = 0.5
     if not len(is_clear):
         return 0
-    return len(is_clear) - 1 - np.argmax(np.cumsum(is_clear[::-1] - min_clear_share))
+    return (
+        len(is_clear) - 1 - int(np.argmax(np.cumsum(is_clear[::-1] - min_clear_share)))
+    )
 
 
-def _bins_per_step(length):
+def _bins_per_step(length: float) -> int:
     """Return the number of bins between the starts of successive blocks."""
     return round(length * FIT.bins_per_turn) // FIT.block_overlap
 
 
-def _clear_blocks(heard, length, noise_of):
+def _clear_blocks(
+    heard: Sequence[np.ndarray], length: float, noise_of: Noise
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return a mask of the blocks (b,) with a clear tone, and the fields of Rates
     (b,)."""
     min_tone_to_noise = 4.0  # power
@@ -78,11 +86,10 @@ def _clear_blocks(heard, length, noise_of):
     size = round(length * FIT.bins_per_turn)
     if len(t) < size:
         return np.zeros(0, bool), *np.zeros((5, 0))
-    blocks = (
-        sliding_window_view(x, size)[:: _bins_per_step(length)]
-        for x in (demodulated, t)
-    )
-    middle, mean, missed, error, clear = _block_rates(*blocks, noise_of)
+    step = _bins_per_step(length)
+    blocks = sliding_window_view(demodulated, size)[::step]
+    times = sliding_window_view(t, size)[::step]
+    middle, mean, missed, error, clear = _block_rates(blocks, times, noise_of)
     expected = np.interp(middle, t, frequency)
     is_clear = (clear > min_tone_to_noise) & (
         np.abs(missed) < FIT.max_rate_deviation * expected
@@ -90,13 +97,15 @@ def _clear_blocks(heard, length, noise_of):
     return is_clear, middle, expected + missed, error, clear, missed / mean
 
 
-def _demodulated_bins(samples, rate, first, course):
+def _demodulated_bins(
+    samples: np.ndarray, rate: float, first: float, course: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the demodulated tone averaged over each bin, times [s] and expected rates,
     each (b,)."""
     time, turned, frequency = course[:, course[2] < rate / 2.5]
     last = first + (len(samples) - 1) / rate
     if len(time) < 2 or time[-1] < first or time[0] > last:
-        return [np.zeros(0)] * 3
+        return np.zeros(0), np.zeros(0), np.zeros(0)
     begin, stop = CubicHermiteSpline(time, turned, frequency)(
         np.clip([first, last], time[0], time[-1])
     )
@@ -114,7 +123,9 @@ def _demodulated_bins(samples, rate, first, course):
     return demodulated, (t[1:] + t[:-1]) / 2, 1 / (FIT.bins_per_turn * np.diff(t))
 
 
-def _block_rates(demodulated, t, noise_of):
+def _block_rates(
+    demodulated: np.ndarray, t: np.ndarray, noise_of: Noise
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return centre, mean rate, deviation, error and signal-to-noise ratio (b,) of
     blocks (b, bins).
 

@@ -1,16 +1,17 @@
 """Output files of a fit: fit.json, fit.csv, a picture and a short page."""
 
 import csv
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from io import StringIO
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from sonify.fitting.decay_model import has_film, neglected_parts
-from sonify.fitting.least_squares import Fit, values_in_words
-from sonify.fitting.line_selection import shares_of_power
+from sonify.fitting.least_squares import Fit, Value, fitted_shares_in_words
+from sonify.fitting.line_selection import Judged, shares_of_power
 from sonify.fitting.result import Fits, Fitted
 from sonify.fitting.settings import FIT
 from sonify.report.figure import (
@@ -20,14 +21,17 @@ from sonify.report.figure import (
     png_figure,
 )
 from sonify.report.recording import spectral_line_record
-from sonify.report.write import write_json
 from sonify.runtime.files import (
     atomic_write,
     claimed_folder,
     first_matching_folder,
-    readable_text,
+    write_text,
 )
-from sonify.runtime.json_values import json_safe
+from sonify.runtime.json_values import json_safe, write_json
+from sonify.runtime.markdown import markdown_table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 MAX_PANELS = 6
 """Largest number of recordings that are drawn."""
@@ -49,11 +53,8 @@ def write_fits(
         write_json(json_safe(record), folder / "fit.json")
         with atomic_write(folder / "fit.png") as temporary:
             draw(fits, temporary)
-        with atomic_write(folder / "fit.csv") as temporary:
-            rows = readable_text(_as_csv(table(record)))
-            temporary.write_text(rows, encoding="utf-8")
-        with atomic_write(folder / "fit.md") as temporary:
-            temporary.write_text(readable_text(page(fits, record)), encoding="utf-8")
+        write_text(_as_csv(table(record)), folder / "fit.csv")
+        write_text(page(fits, record), folder / "fit.md")
         if simulated:
             files = [{"file": one.file, "measured": one.measured} for one in fits.files]
             record = {"scene": fits.scene.name, "files": files, "simulated": simulated}
@@ -77,7 +78,7 @@ def as_json(fits: Fits) -> dict[str, Any]:
         ],
         "skipped": fits.skipped,
         "pooled": {
-            "t_end": asdict(fits.pool.value(0)) if len(fits.files) == 1 else None,
+            "t_end": asdict(fits.pool.parameter(0)) if len(fits.files) == 1 else None,
             **_values_of_laws(
                 fits.values(),
                 {name: min(one[name] for one in limits) for name in common},
@@ -88,14 +89,16 @@ def as_json(fits: Fits) -> dict[str, Any]:
     }
 
 
-def _record_of_recording(fitted: Fitted, known) -> dict[str, Any]:
+def _record_of_recording(
+    fitted: Fitted, known: list[tuple[str, float]]
+) -> dict[str, Any]:
     judged = fitted.judged
     rates = judged.fit.heard[0].rates
     measured = slice(0 if judged.stream is None else None)
     return {
         "file": fitted.file,
-        "t_end": asdict(judged.fit.value(0)),
-        **_values_of_laws(judged.values(), judged.limits),
+        "t_end": asdict(judged.fit.parameter(0)),
+        **_values_of_laws(judged.fitted_shares(), judged.limits),
         "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
         "contour_friction_fits": judged.contour_fits,
@@ -124,7 +127,9 @@ def _fitted_rates(one: Fit) -> np.ndarray:
     return rates.frequency * np.exp(-one.residual[: len(rates.time)])
 
 
-def _values_of_laws(values, limits) -> dict[str, Any]:
+def _values_of_laws(
+    values: Mapping[str, Value], limits: Mapping[str, float]
+) -> dict[str, Any]:
     """Return the values by name, including `rolling` and `air` in any case.
 
     A law that was not fitted has no value, only an upper limit, or the value 0 without
@@ -162,21 +167,23 @@ def sentences(fits: Fits) -> list[str]:
     """Return the results as sentences."""
     lines = [line for fitted in fits.files for line in _sentences_of_recording(fitted)]
     if len(fits.files) > 1:
-        lines.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
+        lines.insert(
+            0, f"{fits.verdict}: together; {fitted_shares_in_words(fits.values())}"
+        )
     if not has_film(fits.scene):
         lines.append("air was not considered because the scene has no air film")
     lines += [f"not fitted: {one.reason}" for one in fits.not_fitted]
     return lines + neglected_parts(fits.scene)
 
 
-def _sentences_of_recording(fitted):
+def _sentences_of_recording(fitted: Fitted) -> Iterator[str]:
     judged = fitted.judged
-    end = fitted.judged.fit.value(0)
+    end = fitted.judged.fit.parameter(0)
     method = f"{judged.line} in the {judged.signal}, {judged.model} motion"
     if judged.stream is not None:
         method += f", spread {judged.fit.spread:.2%}"
     yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {method}"
-    yield f"  {values_in_words(judged.values())}"
+    yield f"  {fitted_shares_in_words(judged.fitted_shares())}"
     yield from _sentences_on_bursts(judged)
     if not judged.explained:
         yield (
@@ -190,16 +197,16 @@ def _sentences_of_recording(fitted):
             "  contour friction and film do not suffice; the other laws of the scene take more than a tenth "
             "of the power"
         )
-    if judged.values():
+    if judged.fitted_shares():
         detected = "be detected"
         if not fitted.radius_shows:
             detected = "not be detected; the shares would compensate for it"
         yield f"  an error of 10 % in the radius would {detected}"
 
 
-def _sentences_on_bursts(judged):
+def _sentences_on_bursts(judged: Judged) -> Iterator[str]:
     """Yield what depends on the number of bursts per turn, and limits of other laws."""
-    impacts = judged.values().get("impacts")
+    impacts = judged.fitted_shares().get("impacts")
     if judged.stream is not None or impacts is None:
         return
     run = judged.run
@@ -238,7 +245,7 @@ def _line_table(record: dict[str, Any]) -> list[list[str]]:
     return rows
 
 
-def _line_row(name, c):
+def _line_row(name: str, c: dict[str, Any]) -> list[str]:
     near = []
     if c["matched"]:
         near.append(
@@ -268,26 +275,16 @@ def page(fits: Fits, record: dict[str, Any]) -> str:
         "",
         "![measured and fitted rates](fit.png)",
         "",
-        *_as_markdown(table(record)),
+        markdown_table(table(record)),
     ]
     line_table = _line_table(record)
     if len(line_table) > 1:
         lines += ["", "Spectral lines and the nearest resonances of the scene:", ""]
-        lines += _as_markdown(line_table)
+        lines.append(markdown_table(line_table))
     return "\n".join(lines) + "\n"
 
 
-def _as_markdown(rows):
-    """Return a Markdown table whose first row is the header."""
-    lines = ["| " + " | ".join(_cell(text) for text in row) + " |" for row in rows]
-    return [lines[0], "|---" * len(rows[0]) + "|", *lines[1:]]
-
-
-def _cell(text):
-    return text.replace("|", "\\|")
-
-
-def _as_csv(rows):
+def _as_csv(rows: Sequence[Sequence[str]]) -> str:
     """Return the text of a CSV file; cells with a comma are in quotes."""
     text = StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
@@ -301,13 +298,13 @@ def comparison_sentences(fits: Fits, simulated: dict[str, Any] | None) -> list[s
     rows = [(Path(one.file).name, one.measured) for one in fits.files]
     return [
         f"{name}: one second before the end, or at the start if it is later, turns per second "
-        f"{_interval(numbers['turns_at_1s'])}, bursts {_interval(numbers['rate_at_1s'])}, "
-        f"exponent {_interval(numbers['exponent'])}"
+        f"{_interval_text(numbers['turns_at_1s'])}, bursts {_interval_text(numbers['rate_at_1s'])}, "
+        f"exponent {_interval_text(numbers['exponent'])}"
         for name, numbers in [*rows, ("simulated", simulated)]
     ]
 
 
-def _interval(estimate):
+def _interval_text(estimate: dict[str, Any]) -> str:
     value = (
         "not determined" if estimate["value"] is None else f"{estimate['value']:.3g}"
     )
@@ -325,7 +322,7 @@ def _fitted_rate(numbers: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
     return remaining, rate
 
 
-def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
+def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path) -> None:
     """Draw measured and simulated turns, band levels, decays of lines, and levels over
     time."""
     shown = [(file_label(one.file), one.measured) for one in fits.files[:MAX_PANELS]]
@@ -364,7 +361,12 @@ def draw_comparison(fits: Fits, simulated: dict[str, Any], path: Path):
         place_legend_above(rates, frameon=False)
 
 
-def _draw_intervals(panel, places, estimates, style):
+def _draw_intervals(
+    panel: "Axes",
+    places: Sequence[float],
+    estimates: Sequence[dict[str, Any]],
+    style: dict[str, Any],
+) -> None:
     """Draw the determined values of estimates with their intervals."""
     determined = [
         (place, *(estimate[key] for key in ("value", "low", "high")))
@@ -375,17 +377,17 @@ def _draw_intervals(panel, places, estimates, style):
     panel.errorbar(at, middle, (middle - low, high - middle), fmt="o", **style)
 
 
-def draw(fits: Fits, path: Path):
+def draw(fits: Fits, path: Path) -> None:
     """Draw measured and fitted rates over the remaining time, and their differences."""
     shown = fits.files[:MAX_PANELS]
     with png_figure(
         path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False
     ) as (_, axes):
         for (above, below), fitted in zip(axes.T, shown, strict=True):
-            _draw_one(above, below, fitted)
+            _draw_fitted_run(above, below, fitted)
 
 
-def _draw_one(above, below, fitted):
+def _draw_fitted_run(above: "Axes", below: "Axes", fitted: Fitted) -> None:
     one = fitted.judged.fit
     decay = fitted.judged.decay
     rates = one.heard[0].rates

@@ -4,13 +4,14 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from math import inf
 from pathlib import Path
+from typing import Any
 
 from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
 from sonify.fitting.comparison import numbers_of_run
 from sonify.fitting.decay_model import DecayModel
 from sonify.fitting.impacts import judge_sound
-from sonify.fitting.least_squares import Fit, Value, pool_fits, values_in_words
+from sonify.fitting.least_squares import Fit, Value, fitted_shares_in_words, pool_fits
 from sonify.fitting.line_selection import (
     Judged,
     detect_run,
@@ -33,6 +34,9 @@ from sonify.runtime.workers import core_count
 from sonify.scene import Scene, from_document, load_scene
 from sonify.scene_errors import InputError
 
+DEFAULT_SCENE = "granite"
+"""Scene of a fit without one: the toy on a plane slab that does not act on its motion."""
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fitted:
@@ -47,10 +51,10 @@ class Fitted:
     radius_shows: bool
     carriers: list[SpectralLine]
     truncation: Truncation | None
-    measured: dict
+    measured: dict[str, Any]
 
-    def __repr__(self):
-        return f"Fitted({self.file}: {self.judged.verdict}; {values_in_words(self.judged.values())})"
+    def __repr__(self) -> str:
+        return f"Fitted({self.file}: {self.judged.verdict}; {fitted_shares_in_words(self.judged.fitted_shares())})"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,7 +94,7 @@ class Fits:
     Examples
     --------
     >>> from sonify import fit
-    >>> fits = fit("recordings", scene="toy")  # doctest: +SKIP
+    >>> fits = fit("recordings", scene="granite")  # doctest: +SKIP
     >>> fits.values()["rolling"].value  # contour friction  # doctest: +SKIP
     """
 
@@ -111,16 +115,16 @@ class Fits:
             The dimensionless shares "rolling", "air" and "law", each with its 95 %
             interval.
         """
-        return self.pool.values()
+        return self.pool.fitted_shares()
 
-    def __repr__(self):
-        return f"Fits({len(self.files)} recordings: {self.verdict}; {values_in_words(self.values())})"
+    def __repr__(self) -> str:
+        return f"Fits({len(self.files)} recordings: {self.verdict}; {fitted_shares_in_words(self.values())})"
 
 
 @one_blas_thread
 def fit(
     files: str | Path | Iterable[str | Path],
-    scene: Scene | str | Path = "toy",
+    scene: Scene | str | Path = DEFAULT_SCENE,
     watch: Watch = ignore_progress,
     span: tuple[float, float] = (0.0, inf),
     notice: Callable[[str], None] = lambda line: None,
@@ -175,7 +179,7 @@ def fit(
     fitted = []
     errors = {}
     tasks = [(path, scene.document, span) for path in paths]
-    for path, one in zip(paths, _attempts(tasks), strict=True):
+    for path, one in zip(paths, _fits_or_errors(tasks), strict=True):
         if isinstance(one, Fitted):
             fitted.append(one)
         else:
@@ -186,7 +190,7 @@ def fit(
         raise _error_of_all(list(errors.values()), not_fitted)
     judged = [one.judged for one in fitted]
     decay, pool = pool_judged(judged)
-    verdict = _verdict_together(judged, decay, pool)
+    verdict = _common_verdict(judged, decay, pool)
     return Fits(
         scene=scene,
         files=fitted,
@@ -198,7 +202,7 @@ def fit(
     )
 
 
-def _attempts(tasks) -> Iterator[Fitted | Exception]:
+def _fits_or_errors(tasks: list[tuple[Any, ...]]) -> Iterator[Fitted | Exception]:
     """Yield the fit of every recording, or the exception that ended it."""
     min_parallel_count = 3
     if len(tasks) < min_parallel_count:
@@ -206,7 +210,7 @@ def _attempts(tasks) -> Iterator[Fitted | Exception]:
     return in_worker_processes(fit_or_error, tasks, min(core_count(), len(tasks)))
 
 
-def fit_or_error(*task) -> Fitted | Exception:
+def fit_or_error(*task: Any) -> Fitted | Exception:
     """Return the fit of one recording, or the exception that ended it; the arguments
     are those of `fit_one`."""
     try:
@@ -215,7 +219,7 @@ def fit_or_error(*task) -> Fitted | Exception:
         return error
 
 
-def _not_fitted(path, error):
+def _not_fitted(path: str | Path, error: Exception) -> NotFitted:
     is_input_error = isinstance(error, InputError)
     reason = str(error) if is_input_error else f"{type(error).__name__}: {error}"
     if not reason.startswith(str(path)):
@@ -223,7 +227,7 @@ def _not_fitted(path, error):
     return NotFitted(file=str(path), reason=reason, is_input_error=is_input_error)
 
 
-def _error_of_all(errors, not_fitted):
+def _error_of_all(errors: list[Exception], not_fitted: list[NotFitted]) -> Exception:
     """Return the error if no recording can be fitted: a failure of the program, if there
     is one."""
     failures = [error for error in errors if not isinstance(error, InputError)]
@@ -251,7 +255,7 @@ def pool_judged(judged: list[Judged]) -> tuple[DecayModel, Fit]:
     return first.decay, with_film_error(first.decay, pool_fits(fits))
 
 
-def _verdict_together(judged, decay, pool):
+def _common_verdict(judged: list[Judged], decay: DecayModel, pool: Fit) -> str:
     """Return the verdict on all recordings, which is "mixed" for impacts and other
     causes."""
     verdicts = {one.verdict for one in judged}
@@ -265,7 +269,7 @@ def _verdict_together(judged, decay, pool):
 
 @one_blas_thread
 def fit_one(
-    path: Path, document: dict, span: tuple[float, float] = (0.0, inf)
+    path: Path, document: dict[str, Any], span: tuple[float, float] = (0.0, inf)
 ) -> Fitted:
     """Return the fit of one recording within a span [s], for a scene given as its
     document.
@@ -297,9 +301,10 @@ def is_radius_determined(judged: Judged) -> bool:
     return all(spread is None or spread > max_spread for spread in spreads)
 
 
-def _spread_with_radius(judged, factor):
+def _spread_with_radius(judged: Judged, factor: float) -> float | None:
     """Return the spread of the fit of a disk with another radius; None if the fit
     fails."""
+    assert judged.stream is not None, "the fit is that of a tone"
     scene = judged.decay.scene
     one = judged.fit
     disk = replace(

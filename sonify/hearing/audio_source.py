@@ -66,7 +66,7 @@ class Truncation:
     held: float
     announced: float | None
 
-    def __str__(self):
+    def __str__(self) -> str:
         announced = (
             "the header states no length"
             if self.announced is None
@@ -105,17 +105,21 @@ class SoundFile:
     path: str | Path
 
     @cached_property
-    def _piped(self) -> bytes | None:
+    def _pipe_content(self) -> bytes | None:
         """Content of a pipe, which can be read only once; None for other files."""
         path = Path(self.path)
         return path.read_bytes() if path.is_fifo() else None
 
     def stream(self) -> BinaryIO:
         """Return the open binary file. Raises OSError if it is unreadable."""
-        return open(self.path, "rb") if self._piped is None else BytesIO(self._piped)
+        return (
+            open(self.path, "rb")
+            if self._pipe_content is None
+            else BytesIO(self._pipe_content)
+        )
 
     @cached_property
-    def _mp3(self) -> Mp3 | None:
+    def _mp3_frames(self) -> Mp3 | None:
         """Frames of an MP3 file, or of MP3 in a WAV file; None for other files.
 
         libsndfile opens a file first, unless it begins like an MP3 file."""
@@ -143,14 +147,14 @@ class SoundFile:
             return flac_header(file)
 
     @cached_property
-    def _replaced(self) -> dict[int, bytes]:
+    def _replaced_header_bytes(self) -> dict[int, bytes]:
         """Replaced bytes of the header of the file, by position."""
         flac = self._flac
         if flac is None:
             with self.stream() as file:
                 return patched_sizes(file)
 
-        def is_decodable(count):
+        def is_decodable(count: int) -> bool:
             """Return True if sample number `count`, from 1, can be decoded."""
             with (
                 suppress(soundfile.LibsndfileError),
@@ -165,7 +169,9 @@ class SoundFile:
         return flac.patch(largest_flac_length(is_decodable))
 
     @contextmanager
-    def _open_patched(self, replaced):
+    def _open_patched(
+        self, replaced: dict[int, bytes]
+    ) -> Iterator[soundfile.SoundFile]:
         """Yield the open sound in the file with some bytes replaced."""
         with self.stream() as file:
             content = PatchedFile(file, replaced)
@@ -176,15 +182,15 @@ class SoundFile:
     def open(self) -> Iterator[soundfile.SoundFile]:
         """Yield the open sound; a missing or incorrect length in its header is
         replaced."""
-        if self._mp3 is None or self._mp3.content is None:
-            with self._open_patched(self._replaced) as sound:
+        if self._mp3_frames is None or self._mp3_frames.content is None:
+            with self._open_patched(self._replaced_header_bytes) as sound:
                 yield sound
             return
-        with soundfile.SoundFile(BytesIO(self._mp3.content)) as sound:
+        with soundfile.SoundFile(BytesIO(self._mp3_frames.content)) as sound:
             yield sound
 
     @cached_property
-    def _header(self):
+    def _header(self) -> tuple[int, int, str, str]:
         with self.open() as file:
             return file.samplerate, file.frames, file.format, file.extra_info
 
@@ -216,8 +222,8 @@ class SoundFile:
         unknown_length = 0x7FFF0000  # bytes, in the header of a stream
         rate, announced, kind, notes = self._header
         held = self.frames / rate
-        if self._mp3 is not None:
-            missing = self._mp3.missing_frames * self._mp3.samples / rate
+        if self._mp3_frames is not None:
+            missing = self._mp3_frames.missing_frames * self._mp3_frames.samples / rate
             return Truncation(held, held + missing) if missing else None
         if kind == "OGG":
             with self.stream() as file:
@@ -241,7 +247,7 @@ class SoundFile:
         left = self.frames - start
         with self.open() as file:
             if start:
-                _move(file, min(start, self.frames))
+                _seek_or_read_to(file, min(start, self.frames))
             while left > 0:
                 count = min(BLOCK_SIZE, left)
                 try:
@@ -254,7 +260,7 @@ class SoundFile:
                     break
 
 
-def _move(file, start):
+def _seek_or_read_to(file: soundfile.SoundFile, start: int) -> None:
     """Move from the start of a sound to a sample; read up to it if it is not seekable."""
     if file.seekable():
         file.seek(start)

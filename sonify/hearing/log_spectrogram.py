@@ -67,7 +67,7 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
         level[:, here] = _levels(samples, rate, time, frequency[here], window)
     row, column, offset = local_maxima(level)
     pitch = np.log2(frequency[0]) + (column + offset) / BINS_PER_OCTAVE
-    contrast = _contrast(level)
+    contrast = _replace_by_contrast(level)
     height = contrast[row, column]
     high = height > min_peak_contrast
     peaks = np.array([time[row[high]], pitch[high], height[high]])
@@ -76,7 +76,7 @@ def log_spectrogram(samples: np.ndarray, rate: float) -> LogSpectrogram:
     )
 
 
-def _contrast(level: np.ndarray) -> np.ndarray:
+def _replace_by_contrast(level: np.ndarray) -> np.ndarray:
     """Replace levels (t, f) [dB] by their contrast [dB] and return it."""
     dynamic_range = 60.0  # dB below the maximum at the same frequency
     min_contrast = -6.0  # dB

@@ -1,13 +1,10 @@
-"""A-weighting, threshold of hearing, loudness and roughness of a sound pressure."""
+"""A-weighting, threshold of hearing and loudness of a sound pressure."""
 
 from dataclasses import dataclass
-from importlib.util import find_spec
-from math import gcd
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.signal import resample_poly
 
 from dynamics.a_weighting import a_weighting_db as a_weighting_db
 from sonify.hearing.audio_source import AudioSource, read_samples, source_of
@@ -29,15 +26,6 @@ HANN_NOISE_BANDWIDTH_BINS = 1.5
 """Equivalent noise bandwidth of a Hann window."""
 LEVEL_WINDOW_S = 0.4
 """Window length that resolves the third-octave bands at 20 and 25 Hz."""
-ROUGHNESS_OMITTED_MESSAGE = (
-    "The roughness of the sound, which requires mosqito: "
-    'python -m pip install -e ".[roughness]".'
-)
-
-
-class MissingExtraError(Exception):
-    """Raised if a computation requires an extra that is not installed; the message
-    names it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,7 +46,7 @@ def audibility(pressure: AudioSource | str | Path) -> Audibility:
     above 20 Hz."""
     spectrum = spectrogram(pressure, LEVEL_WINDOW_S, columns=600)
     weighted = 10 ** (a_weighting_db(spectrum.frequency) / 10) @ spectrum.power
-    above_threshold = band_levels(spectrum) - HEARING_THRESHOLD_DB[:, None]
+    above_threshold = levels_above_threshold(spectrum)
     return Audibility(
         time=spectrum.time,
         a_weighted=level_db(weighted / HANN_NOISE_BANDWIDTH_BINS),
@@ -79,6 +67,12 @@ def band_levels(spectrum: Spectrogram) -> np.ndarray:
         ]
     )
     return level_db(power / HANN_NOISE_BANDWIDTH_BINS)
+
+
+def levels_above_threshold(spectrum: Spectrogram) -> np.ndarray:
+    """Return the levels (29, t) of third-octave bands relative to the threshold of
+    hearing [dB]."""
+    return band_levels(spectrum) - HEARING_THRESHOLD_DB[:, None]
 
 
 def level_db(mean_square: ArrayLike) -> np.ndarray:
@@ -107,41 +101,3 @@ def loudness_lufs(sound: AudioSource | str | Path) -> float:
             read_samples(source, max(frames - 600 * rate, 0), frames)[:, :5]
         )
     )
-
-
-def omitted_analyses() -> list[str]:
-    """Return descriptions of the analyses that are omitted because an extra is not
-    installed."""
-    return [] if find_spec("mosqito") else [ROUGHNESS_OMITTED_MESSAGE]
-
-
-def roughness(
-    pressure: AudioSource | str | Path, end: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa] before `end`
-    [s].
-
-    The windows cover the last two seconds. The model is that of Daniel & Weber (1997)
-    in windows of 0.2 s; 1 asper is the roughness of a tone of 1 kHz and 60 dB that is
-    fully modulated at 70 Hz. Raises MissingExtraError if mosqito is not installed, and
-    ValueError for less than one window."""
-    try:
-        from mosqito.sq_metrics import roughness_dw
-    except ImportError:
-        raise MissingExtraError(ROUGHNESS_OMITTED_MESSAGE) from None
-    analysed_length = 2.0  # s
-    window_length = 0.2  # s
-    model_rate = 48000  # Hz
-    source = source_of(pressure)
-    rate = source.sample_rate
-    last = min(int(end * rate), source.frames)
-    first = max(last - int(analysed_length * rate), 0)
-    if last - first < window_length * rate:
-        raise ValueError(
-            f"the roughness requires at least {window_length:g} s of sound"
-        )
-    samples = read_samples(source, first, last).mean(axis=1)
-    common = gcd(rate, model_rate)
-    samples = resample_poly(samples, model_rate // common, rate // common)
-    asper, _, _, time = roughness_dw(samples, model_rate, overlap=0)
-    return first / rate + np.asarray(time), np.asarray(asper)

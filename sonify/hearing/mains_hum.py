@@ -37,7 +37,7 @@ def without_hum(samples: np.ndarray, rate: float) -> np.ndarray:
     return samples
 
 
-def _steady_tones(frames, bin_count):
+def _steady_tones(frames: np.ndarray, bin_count: int) -> np.ndarray:
     """Return the interpolated bins of the steady tones in the lowest `bin_count` bins
     of the spectra of frames (t, n).
 

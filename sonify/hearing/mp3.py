@@ -5,7 +5,6 @@ frame; it refuses files that do not begin with a frame. This module counts the f
 the file. Source: ISO 11172-3 and 13818-3, section 2.4; the Xing and LAME headers."""
 
 from dataclasses import dataclass
-from pathlib import Path
 from struct import pack, unpack_from
 from typing import BinaryIO, NamedTuple
 
@@ -63,15 +62,6 @@ class Mp3:
         return announced - self.frames if self.frames < announced - 1 else 0
 
 
-def read_mp3(path: str | Path) -> Mp3 | None:
-    """Return the frames of a file, or None if it is not an MP3 file.
-
-    Raises OSError if the file is unreadable.
-    """
-    with open(path, "rb") as file:
-        return mp3_frames(file)
-
-
 def mp3_frames(file: BinaryIO) -> Mp3 | None:
     """Return the frames of an open file, or None if it is not an MP3 file."""
     tags_end = audio_start(file)
@@ -82,18 +72,18 @@ def mp3_frames(file: BinaryIO) -> Mp3 | None:
     file.seek(tags_end + offset)
     data = file.read()
     header = frame_header(data, 0)
+    assert header is not None, "the offset is that of a frame"
     place = _find_length_header(data, header)
     begin = 0 if place is None else header.length
     frames, end = _count_frames(data, begin, header.kind)
     if place is None:
-        content = _length_header_frame(data[:4], header, frames) + data[:end]
-        return Mp3(frames, None, header.samples, content)
+        whole = _length_header_frame(data[:4], header, frames) + data[:end]
+        return Mp3(frames, None, header.samples, whole)
     flags = unpack_from(">I", data, place + 4)[0]
     announced = unpack_from(">I", data, place + 8)[0] if flags & 1 else None
+    content = data[:end] if offset else None
     if frames != announced:
         content = _with_lengths(data[:end], place, flags, frames, end)
-    else:
-        content = data[:end] if offset else None
     return Mp3(frames, announced, header.samples, content)
 
 
@@ -133,7 +123,7 @@ def frame_header(data: bytes, at: int) -> FrameHeader | None:
     )
 
 
-def _first_frame_position(data):
+def _first_frame_position(data: bytes) -> int | None:
     """Return the position of the first frame, or None if there is none.
 
     Two more frames of its kind follow it, or the end of the data."""
@@ -145,22 +135,24 @@ def _first_frame_position(data):
     return None
 
 
-def _begins_frames(data, at):
+def _begins_frames(data: bytes, at: int) -> bool:
     """Return True if three frames of one kind begin at a position, or fewer up to the
     end of the data."""
     first = frame_header(data, at)
     header = first
     for _ in range(2):
-        if header is None or header.kind != first.kind:
+        if header is None or first is None or header.kind != first.kind:
             return False
         at += header.length
         if at >= len(data):
             return True
         header = frame_header(data, at)
-    return header is not None and header.kind == first.kind
+    if header is None or first is None:
+        return False
+    return header.kind == first.kind
 
 
-def _find_length_header(data, header):
+def _find_length_header(data: bytes, header: FrameHeader) -> int | None:
     """Return the position of the Xing or LAME header in the first frame, or None if
     there is none."""
     place = 4 + header.side_size
@@ -171,7 +163,7 @@ def _find_length_header(data, header):
     )
 
 
-def _count_frames(data, begin, kind):
+def _count_frames(data: bytes, begin: int, kind: tuple[int, int]) -> tuple[int, int]:
     """Return the number of complete frames of a kind after `begin`, and the end of the
     last one."""
     frames = 0
@@ -190,7 +182,7 @@ def _count_frames(data, begin, kind):
     return frames, end
 
 
-def _length_header_frame(start, header, frames):
+def _length_header_frame(start: bytes, header: FrameHeader, frames: int) -> bytes:
     """Return a silent frame that announces a number of frames; it starts with the bytes
     `start`."""
     word = unpack_from(">I", start)[0] | 1 << 16  # without a checksum
@@ -200,7 +192,9 @@ def _length_header_frame(start, header, frames):
     return frame.ljust(header.length, b"\0")
 
 
-def _with_lengths(data, place, flags, frames, length):
+def _with_lengths(
+    data: bytes, place: int, flags: int, frames: int, length: int
+) -> bytes:
     """Return the data with the numbers of frames and bytes written into the header at
     `place`.
 

@@ -71,7 +71,7 @@ def advice_on_table(file: BinaryIO) -> str | None:
     with suppress(*ZIP_ERRORS):
         if is_spreadsheet(file):
             return SPREADSHEET_ADVICE
-        if any(table_form(text) for text in _texts(file, 1 << 12)):
+        if any(table_form(text) for text in _texts_of_export(file, 1 << 12)):
             return None
     return ""
 
@@ -86,7 +86,7 @@ def read_table(file: BinaryIO, path: str | Path) -> SampledTable:
     try:
         if is_spreadsheet(file):
             raise unreadable(path, SPREADSHEET_ADVICE)
-        for text in _texts(file):
+        for text in _texts_of_export(file):
             form = table_form(text)
             if form is None:
                 continue
@@ -127,7 +127,7 @@ def is_spreadsheet(file: BinaryIO) -> bool:
     return any(name.startswith(SPREADSHEET_MEMBERS) for name in names)
 
 
-def _texts(file, length=-1) -> Iterator[str]:
+def _texts_of_export(file: BinaryIO, length: int = -1) -> Iterator[str]:
     """Yield the text of an open file or of each text in a ZIP file, up to a `length`
     [bytes]."""
     if not is_zip(file):
@@ -167,10 +167,10 @@ def table_form(text: str) -> TableForm | None:
     for separator in SEPARATORS:
         header = next(csv.reader([header_line], delimiter=separator), [])
         units = [TIME_COLUMN_PATTERN.fullmatch(name.strip()) for name in header]
-        found = [index for index, unit in enumerate(units) if unit]
+        found = [(index, unit) for index, unit in enumerate(units) if unit]
         if found and len(header) > 1:
-            time = found[0]
-            is_in_ms = units[time][1].lower() == "ms"
+            time, unit = found[0]
+            is_in_ms = unit[1].lower() == "ms"
             amplitude = 0 if time else 1
             return TableForm(
                 separator, len(header), time, amplitude, 1e3 if is_in_ms else 1.0
@@ -178,7 +178,7 @@ def table_form(text: str) -> TableForm | None:
     return None
 
 
-def _sampled_table(text, form):
+def _sampled_table(text: str, form: TableForm) -> SampledTable:
     """Return the amplitudes of a table, resampled at equal intervals.
 
     Rows at its end without a number are left out. Raises TableError for an invalid
@@ -206,7 +206,7 @@ def _sampled_table(text, form):
     return SampledTable(np.interp(even, t, x), rate)
 
 
-def _pair_of_numbers(row, form, line):
+def _pair_of_numbers(row: list[str], form: TableForm, line: int) -> list[float]:
     """Return time and amplitude in a row; a missing number is NaN."""
     if any(row[form.columns :]):
         raise TableError(f"line {line} has more cells than its header")
@@ -216,7 +216,7 @@ def _pair_of_numbers(row, form, line):
     ]
 
 
-def _number(cell, line):
+def _number(cell: str, line: int) -> float:
     """Return the number in a cell, NaN if it is empty."""
     text = cell.strip().replace(",", ".").replace("\N{MINUS SIGN}", "-")
     try:

@@ -179,7 +179,12 @@ def listen_to_known_disk(
     return replace(heard, tone=tone.result())
 
 
-def _with_spectral_lines(source, part, begin=0.0, tone=None):
+def _with_spectral_lines(
+    source: AudioSource,
+    part: tuple[np.ndarray, int, float, float],
+    begin: float = 0.0,
+    tone: SettlingRun | None = None,
+) -> Heard:
     """Return the analysis of a sound that begins at a time [s] of its file, with the
     spectral lines of the `part` that `read` returned, and with the tone of the sound."""
     samples, rate, start, duration = part
@@ -198,7 +203,9 @@ def _with_spectral_lines(source, part, begin=0.0, tone=None):
     )
 
 
-def read(sound: AudioSource | str | Path, end: float | None = None):
+def read(
+    sound: AudioSource | str | Path, end: float | None = None
+) -> tuple[np.ndarray, int, float, float]:
     """Return samples (n,) of the loudest channel, their rate [Hz] and start [s], and
     the duration [s].
 
@@ -233,7 +240,7 @@ def read(sound: AudioSource | str | Path, end: float | None = None):
     return samples - samples.mean(), rate, start / rate, source.frames / rate
 
 
-def envelope(samples, rate) -> tuple[np.ndarray, float]:
+def envelope(samples: np.ndarray, rate: float) -> tuple[np.ndarray, float]:
     """Return the squared envelope of the sound above 700 Hz without its mean, and its
     sample rate [Hz]."""
     envelope_rate = 2000  # Hz
@@ -245,7 +252,7 @@ def envelope(samples, rate) -> tuple[np.ndarray, float]:
     return square - square.mean(), rate / down
 
 
-def _analysed_part(source, end):
+def _analysed_part(source: AudioSource, end: float | None) -> tuple[int, int]:
     """Return the first frame of the analysed part and the frame after its last one."""
     rate = source.sample_rate
     max_frames = int(MAX_ANALYSED_LENGTH_S * rate)

@@ -34,7 +34,7 @@ def recording_files(
     return found
 
 
-def _recordings_in_folder(folder, notice):
+def _recordings_in_folder(folder: Path, notice: Callable[[str], object]) -> list[Path]:
     """Return the recordings in a folder in order."""
     recordings = []
     lines = []

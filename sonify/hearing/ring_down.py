@@ -4,16 +4,22 @@ The band around each peak of the spectrum is shifted to zero frequency and decim
 The poles follow from the rotational invariance of the signal subspace (ESPRIT; Roy &
 Kailath 1989)."""
 
+from bisect import bisect_left
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from scipy.linalg import hankel, svd
+from scipy.fft import fft, ifft, next_fast_len
+from scipy.linalg import blas, hankel, lapack
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
+from scipy.sparse.linalg import LinearOperator, svds
 
 from sonify.hearing.spectral_lines import MIN_LINE_FREQUENCY_HZ
 from sonify.hearing.time_frequency import baseband
 
 LINE_BAND_HALF_WIDTH = 120.0  # Hz; closer lines are resolved in a common band
+MAX_ORDER = 8
+"""Largest number of decaying exponentials in a band."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,7 +96,7 @@ def decaying_lines(samples: np.ndarray, rate: float) -> list[DecayingLine]:
     ]
 
 
-def _lines_of_band(samples, rate, middle):
+def _lines_of_band(samples: np.ndarray, rate: float, middle: float) -> list[Any]:
     """Return amplitude, frequency [Hz], decay rate and its error [1/s] of each line within
     LINE_BAND_HALF_WIDTH of a frequency [Hz]."""
     min_explained_power = 0.9  # of the power of the band, by its lines
@@ -103,7 +109,7 @@ def _lines_of_band(samples, rate, middle):
     offset = np.angle(poles) / (2 * np.pi * interval)
     amplitude, error, explained = _amplitudes(low, poles, interval)
     if explained < min_explained_power:
-        return [_modulated(low, interval, middle)]
+        return [_modulated_decay(low, interval, middle)]
     begin = (taps - 1) / 2 / rate
     kept = (
         (decay > 0)
@@ -116,7 +122,9 @@ def _lines_of_band(samples, rate, middle):
     return list(lines[kept])
 
 
-def _modulated(signal, interval, middle):
+def _modulated_decay(
+    signal: np.ndarray, interval: float, middle: float
+) -> tuple[float, float, float, float]:
     """Return amplitude, frequency, decay rate and its error of a modulated decaying
     signal (n,).
 
@@ -143,25 +151,87 @@ def _modulated(signal, interval, middle):
     return 10 ** (height / 20), middle, -slope * to_decay, error * to_decay
 
 
-def _poles(signal):
+def _poles(signal: np.ndarray) -> np.ndarray:
     """Return the poles of decaying exponentials in a complex signal (n,).
 
-    Their number follows from the singular values.
+    Their number follows from the singular values of the Hankel matrix of the signal.
     """
-    rows = max(len(signal) // 2, 2)
-    vectors, values, _ = svd(
-        hankel(signal[:rows], signal[rows - 1 :]),
-        full_matrices=False,
-        lapack_driver="gesvd",
-    )
-    noise = np.median(values)
-    order = int(np.count_nonzero(values[:8] > max(6 * noise, 0.01 * values[0])))
-    subspace = vectors[:, :order]
+    vectors, values = _largest_singular_triplets(signal)
+    subspace = vectors[:, : _count_exponentials(signal, values)]
     rotation = np.linalg.lstsq(subspace[:-1], subspace[1:])[0]
     return np.linalg.eigvals(rotation)
 
 
-def _amplitudes(signal, poles, interval):
+def _hankel_rows(signal: np.ndarray) -> int:
+    """Return the number of rows of the Hankel matrix, at most that of its columns."""
+    return max(len(signal) // 2, 2)
+
+
+def _largest_singular_triplets(signal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the left vectors (rows, MAX_ORDER) of the Hankel matrix of a signal (n,) with
+    the largest singular values (MAX_ORDER,), in decreasing order.
+
+    The Lanczos method needs only products with the matrix, which are convolutions."""
+    rows = _hankel_rows(signal)
+    columns = len(signal) - rows + 1
+    size = next_fast_len(len(signal))
+    spectrum = fft(signal, size)
+
+    def product(vector: np.ndarray) -> np.ndarray:
+        inner = ifft(spectrum * fft(vector[::-1], size))
+        return inner[len(vector) - 1 : len(signal)]
+
+    matrix = LinearOperator(
+        (rows, columns),
+        matvec=lambda vector: product(vector.ravel()),
+        rmatvec=lambda vector: product(vector.ravel().conj()).conj(),
+        dtype=complex,
+    )
+    start = np.random.default_rng(1).standard_normal(rows).astype(complex)
+    vectors, values, _ = svds(
+        matrix, MAX_ORDER, v0=start, return_singular_vectors="u", solver="arpack"
+    )
+    falling = np.argsort(-values)
+    return vectors[:, falling], values[falling]
+
+
+def _count_exponentials(signal: np.ndarray, values: np.ndarray) -> int:
+    """Return the number of decaying exponentials in a signal (n,): the number of its
+    largest singular `values` above 1 % of the first one and six times their median.
+
+    The energy of the other singular values bounds the median; only if this does not
+    decide, the singular values below a sixth of these `values` are counted."""
+    median_factor = 6.0
+    strong = values[values > 0.01 * values[0]]
+    rows = _hankel_rows(signal)
+    place = np.arange(len(signal))
+    entries = np.minimum(np.minimum(place + 1, place[::-1] + 1), rows)
+    rest = entries @ np.square(np.abs(signal)) - np.sum(np.square(values))
+    squared_bound = rest / (rows / 2 - len(values))
+    if strong[-1] > median_factor * np.sqrt(max(squared_bound, 0)):
+        return len(strong)
+    gram = blas.zherk(1.0, hankel(signal[:rows], signal[rows - 1 :]), lower=1)
+
+    def is_noise(value: float) -> bool:
+        return 2 * _eigenvalues_below(gram, (value / median_factor) ** 2) < rows
+
+    return bisect_left(strong, True, key=is_noise)
+
+
+def _eigenvalues_below(matrix: np.ndarray, limit: float) -> int:
+    """Return the number of eigenvalues below a limit of a Hermitian matrix, given by its
+    lower triangle (n, n): that of the negative pivots, by Sylvester's law of inertia.
+
+    Each pivot of two rows has one negative eigenvalue."""
+    shifted = matrix - limit * np.eye(len(matrix))
+    factor, pivots, _ = lapack.zhetrf(shifted, lower=1, lwork=64 * len(matrix))
+    pairs = int(np.count_nonzero(pivots < 0)) // 2
+    return pairs + int(np.count_nonzero(factor.diagonal().real[pivots > 0] < 0))
+
+
+def _amplitudes(
+    signal: np.ndarray, poles: np.ndarray, interval: float
+) -> tuple[np.ndarray, np.ndarray, float]:
     """Return the amplitudes of poles in a signal (n,) and the standard errors of their
     decay rates.
 

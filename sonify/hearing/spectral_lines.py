@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from statistics import median
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import make_interp_spline
@@ -71,7 +72,9 @@ class PeakTrack:
     half_width: float = 0.0
 
 
-def find_spectral_lines(samples, rate: float, start: float = 0.0) -> list[SpectralLine]:
+def find_spectral_lines(
+    samples: np.ndarray, rate: float, start: float = 0.0
+) -> list[SpectralLine]:
     """Return at most 12 lines and noise bands of samples (n,) at `rate` [Hz], in order
     of decreasing level.
 
@@ -97,7 +100,12 @@ def find_spectral_lines(samples, rate: float, start: float = 0.0) -> list[Spectr
     return sorted(lines, key=lambda line: -line.level)[:max_count]
 
 
-def _add_sidebands(lines, centre, offsets, bin_width):
+def _add_sidebands(
+    lines: list[SpectralLine],
+    centre: SpectralLine,
+    offsets: np.ndarray,
+    bin_width: float,
+) -> list[SpectralLine]:
     """Return the lines with the sidebands at `offsets` (k,) [Hz] from a centre.
 
     The sidebands are assigned to a line at the frequency of the centre if the line is
@@ -105,14 +113,14 @@ def _add_sidebands(lines, centre, offsets, bin_width):
     Weaker lines among the sidebands are removed."""
     max_order = 3
     low, middle, high = np.percentile(offsets, [5, 50, 95]).tolist()
-    sides = {"sidebands": (middle,), "rates": (low, high)}
+    sides: dict[str, Any] = {"sidebands": (middle,), "rates": (low, high)}
     same = [
         line
         for line in lines
         if abs(line.frequency - centre.frequency) < bin_width
-        and _overlap(line, centre) > 0
+        and _common_duration(line, centre) > 0
     ]
-    duration = sum(_overlap(line, centre) for line in same)
+    duration = sum(_common_duration(line, centre) for line in same)
     heard = duration > (centre.end - centre.begin) / 2
     modulated = [replace(line, **sides) for line in same] if heard else same
     others = [
@@ -125,21 +133,23 @@ def _add_sidebands(lines, centre, offsets, bin_width):
     return [*modulated, *others]
 
 
-def _is_weaker_nearby(line, centre, max_distance):
+def _is_weaker_nearby(
+    line: SpectralLine, centre: SpectralLine, max_distance: float
+) -> bool:
     """Return True if a line is weaker than a centre and within `max_distance` [Hz] of
     it for most of the duration of the line."""
     near = abs(line.frequency - centre.frequency) < max_distance
-    long = _overlap(line, centre) > (line.end - line.begin) / 2
+    long = _common_duration(line, centre) > (line.end - line.begin) / 2
     return near and long and line.level < centre.level
 
 
-def _overlap(line, other):
+def _common_duration(line: SpectralLine, other: SpectralLine) -> float:
     """Return the duration [s] of the overlap of two lines; negative if there is a gap
     between them."""
     return min(line.end, other.end) - max(line.begin, other.begin)
 
 
-def _background(level):
+def _background_level(level: np.ndarray) -> np.ndarray:
     """Return the background (t, f) of levels (t, f), interpolated between the medians
     in 32 bands.
 
@@ -157,13 +167,13 @@ def _background(level):
     )
 
 
-def _spectral_peaks(level, bin_width):
+def _spectral_peaks(level: np.ndarray, bin_width: float) -> np.ndarray:
     """Return frames, frequencies [Hz] and levels [dB] (3, n) of the peaks of levels
     (t, f).
 
     The returned levels are relative to the background.
     """
-    raised = level - _background(level)
+    raised = level - _background_level(level)
     frame, top, offset = local_maxima(raised, MIN_PROMINENCE_DB)
     column = top + offset
     height = raised[frame, top]
@@ -182,7 +192,9 @@ def _spectral_peaks(level, bin_width):
     ]
 
 
-def _merge_noise_bands(tracks, level, bin_width):
+def _merge_noise_bands(
+    tracks: list[PeakTrack], level: np.ndarray, bin_width: float
+) -> list[PeakTrack]:
     """Return the tracks of the lines and of the noise bands in levels (t, f).
 
     A line that is not prominent above a noise band is part of the band. A band that is
@@ -206,7 +218,7 @@ def _merge_noise_bands(tracks, level, bin_width):
     return tracks
 
 
-def _octave_medians(grid):
+def _octave_medians(grid: np.ndarray) -> np.ndarray:
     """Return the running median (t, c) over an octave of levels (t, c) on the grid."""
     background_width = 1200.0  # cents
     background_step = 10  # columns
@@ -218,7 +230,7 @@ def _octave_medians(grid):
     )
 
 
-def _find_noise_bands(level, bin_width):
+def _find_noise_bands(level: np.ndarray, bin_width: float) -> list[PeakTrack]:
     """Return the tracks of the noise bands in levels (t, f)."""
     smoothing_width = 120.0  # cents
     averaged_frames = 5
@@ -239,17 +251,19 @@ def _find_noise_bands(level, bin_width):
     return [band for band in bands if band.half_width < max_half_width]
 
 
-def _grid_frequency(column):
+def _grid_frequency(column: np.ndarray) -> np.ndarray:
     """Return the frequency [Hz] at a fractional column of the grid for noise bands."""
     return MIN_LINE_FREQUENCY_HZ * 2 ** (column * BAND_GRID_SPACING_CENTS / 1200)
 
 
-def _running_medians(level, size):
+def _running_medians(level: np.ndarray, size: int) -> np.ndarray:
     """Return the running medians of levels (t, f) over `size` columns."""
     return np.array([median_filter(row, size) for row in level])
 
 
-def _centre_noise_band(track, mean, grid):
+def _centre_noise_band(
+    track: PeakTrack, mean: np.ndarray, grid: np.ndarray
+) -> PeakTrack:
     """Return a track with the centroids of a noise band and its median half-width.
 
     The limits of the band are where the time-averaged levels `mean` (t, f) fall to half
@@ -274,7 +288,7 @@ def _centre_noise_band(track, mean, grid):
     )
 
 
-def _is_inside(track, band, max_distance):
+def _is_inside(track: PeakTrack, band: PeakTrack, max_distance: float) -> bool:
     """Return True if a track is within `max_distance` [cents] of the centre of a band
     in most of its frames."""
     centre = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
@@ -282,7 +296,7 @@ def _is_inside(track, band, max_distance):
     return np.sum(near) > len(track.frame) / 2
 
 
-def _split_at_bends(track):
+def _split_at_bends(track: PeakTrack) -> list[PeakTrack]:
     """Return the parts of a track after repeated bisection until the drifts of both
     halves agree."""
     half = len(track.frame) // 2
@@ -295,20 +309,23 @@ def _split_at_bends(track):
         )
         for part in (slice(half), slice(half, None))
     ]
-    if half < MIN_TRACK_FRAMES or _drifts_agree(
-        *(_fit_line(part, 0.0, 1.0, 0.0) for part in parts)
-    ):
+    if half < MIN_TRACK_FRAMES:
+        return [track]
+    first, second = (_fit_line(part, 0.0, 1.0, 0.0) for part in parts)
+    if _drifts_agree(first, second):
         return [track]
     return [straight for part in parts for straight in _split_at_bends(part)]
 
 
-def _drifts_agree(line, other):
+def _drifts_agree(line: SpectralLine, other: SpectralLine) -> bool:
     """Return True if the drifts of two lines agree within their errors."""
     error = np.hypot(line.drift_error, other.drift_error)
     return abs(line.drift - other.drift) < SIGNIFICANT_DRIFT_SIGMAS * error
 
 
-def _track_peaks(peaks, frame_count, max_step):
+def _track_peaks(
+    peaks: np.ndarray, frame_count: int, max_step: float
+) -> list[PeakTrack]:
     """Return the tracks of peaks (3, n) in `frame_count` frames, starting from the
     highest peak.
 
@@ -328,15 +345,15 @@ def _track_peaks(peaks, frame_count, max_step):
     for seed in np.argsort(-level):
         if not free[seed]:
             continue
-        chosen = [seed]
+        found = [seed]
         for frames in (
             range(frame[seed] + 1, frame_count),
             range(frame[seed] - 1, -1, -1),
         ):
-            chosen += _continue_track(
+            found += _continue_track(
                 seed, frames, in_frame, cents, level, free, max_step
             )
-        chosen = np.array(sorted(chosen, key=lambda peak: frame[peak]))
+        chosen = np.array(sorted(found, key=lambda peak: frame[peak]))
         steps = np.diff(cents[chosen], prepend=cents[seed])
         fluctuation = np.median(np.abs(steps))
         exclusion = max(min_exclusion, exclusion_per_fluctuation * fluctuation)
@@ -348,7 +365,15 @@ def _track_peaks(peaks, frame_count, max_step):
     return tracks
 
 
-def _continue_track(seed, frames, in_frame, cents, level, free, max_step):
+def _continue_track(
+    seed: int,
+    frames: range,
+    in_frame: list[np.ndarray],
+    cents: np.ndarray,
+    level: np.ndarray,
+    free: np.ndarray,
+    max_step: float,
+) -> list[int]:
     """Return the peaks that continue a track from its seed through successive frames.
 
     The next peak is the highest one within `max_step` [cents] of the median of the last
@@ -370,7 +395,7 @@ def _continue_track(seed, frames, in_frame, cents, level, free, max_step):
     return track[1:]
 
 
-def _jackknife_errors(t, cents):
+def _jackknife_errors(t: np.ndarray, cents: np.ndarray) -> np.ndarray:
     """Return the jackknife errors (2,) of the line fitted to cents (k,) at times (k,)."""
     max_jackknife_parts = 8
     min_frames_per_part = 3  # because the frames overlap
@@ -380,12 +405,12 @@ def _jackknife_errors(t, cents):
     estimates = np.array(
         [_robust_linear_fit(t[other], cents[other]) for other in others]
     )
-    count = len(estimates)
-    deviation = estimates - estimates.mean(axis=0)
-    return np.sqrt((count - 1) / count * np.square(deviation).sum(axis=0))
+    return np.sqrt((len(estimates) - 1) * estimates.var(axis=0))
 
 
-def _fit_line(track, start, hop, bin_width):
+def _fit_line(
+    track: PeakTrack, start: float, hop: float, bin_width: float
+) -> SpectralLine:
     """Return the line with linear drift [cents/s] that fits a track, with jackknife
     errors."""
     min_peak_error = 0.02  # bins
@@ -414,7 +439,7 @@ def _fit_line(track, start, hop, bin_width):
     )
 
 
-def _robust_linear_fit(t, cents):
+def _robust_linear_fit(t: np.ndarray, cents: np.ndarray) -> np.ndarray:
     """Return intercept and slope of a linear fit of cents (k,) at times t (k,) [s]
     without outliers."""
     keep = np.ones(len(t), bool)
@@ -425,7 +450,9 @@ def _robust_linear_fit(t, cents):
     return np.array([intercept, slope])
 
 
-def _find_sidebands(peaks, bin_width):
+def _find_sidebands(
+    peaks: np.ndarray, bin_width: float
+) -> tuple[np.ndarray, list[tuple[PeakTrack, np.ndarray]]]:
     """Return a mask of the peaks (3, n) that are sidebands, and the tracks and offsets
     of their centres.
 
@@ -458,14 +485,16 @@ def _find_sidebands(peaks, bin_width):
     return is_sideband, centres
 
 
-def _is_smooth(offsets):
+def _is_smooth(offsets: np.ndarray) -> bool:
     """Return True if the changes of offsets (k,) between frames are less than half of
     their total variation."""
     variation = np.median(np.abs(offsets - np.median(offsets)))
     return np.median(np.abs(np.diff(offsets))) < 0.5 * variation
 
 
-def _count_offsets(middle, offset):
+def _count_offsets(
+    middle: np.ndarray, offset: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the number of different offsets of symmetric pairs about each trial centre
     (p,), and the largest number about nearby trial centres.
 
@@ -483,7 +512,7 @@ def _count_offsets(middle, offset):
     return count, np.maximum(np.roll(highest, shift), np.roll(highest, -shift))
 
 
-def _peak_pairs(peaks):
+def _peak_pairs(peaks: np.ndarray) -> np.ndarray:
     """Return the indices (2, n) of all pairs of peaks (3, m) in a frame that may be
     symmetric sidebands."""
     min_offset = 6.0  # Hz

@@ -64,7 +64,7 @@ def spectrogram(
     sound: AudioSource | str | Path,
     window: float,
     columns: int = 1600,
-    span=(0.0, inf),
+    span: tuple[float, float] = (0.0, inf),
 ) -> Spectrogram:
     """Return the spectrogram of a source or file with Hann windows of `window` [s].
 
@@ -94,7 +94,7 @@ def spectrogram(
     )
 
 
-def _power(samples, weights, hop):
+def _power(samples: np.ndarray, weights: np.ndarray, hop: int) -> np.ndarray:
     """Return mean squares (t, f) of sines in weighted windows of samples (n, c), `hop`
     samples apart.
 

@@ -108,7 +108,9 @@ def patched_sizes(file: BinaryIO) -> dict[int, bytes]:
     return {}
 
 
-def _chunks(file: BinaryIO, first: int, form: str) -> Iterator[tuple[bytes, int, int]]:
+def _chunks_of_file(
+    file: BinaryIO, first: int, form: str
+) -> Iterator[tuple[bytes, int, int]]:
     """Yield name, size and position of the content of each chunk of a file.
 
     `form` is the binary form of the head of a chunk, its name and its size."""
@@ -125,7 +127,7 @@ def _chunks(file: BinaryIO, first: int, form: str) -> Iterator[tuple[bytes, int,
 
 
 def _patched_caf_sizes(file: BinaryIO) -> dict[int, bytes]:
-    for name, size, content in _chunks(file, 8, ">4sQ"):
+    for name, size, content in _chunks_of_file(file, 8, ">4sQ"):
         if name == b"data":
             length = file.seek(0, SEEK_END)
             return (
@@ -140,7 +142,7 @@ def _patched_wav_size(file: BinaryIO, stated_length: int) -> dict[int, bytes]:
     """Return the size of the sound in a file whose header was never completed; the
     stated length of the file then ends before the sound."""
     max_size = 2**32 - 1  # bytes
-    for name, size, content in _chunks(file, 12, "<4sI"):
+    for name, size, content in _chunks_of_file(file, 12, "<4sI"):
         if name == b"data":
             held = min(file.seek(0, SEEK_END) - content, max_size)
             is_missing = size == 0 and stated_length <= content
@@ -152,7 +154,7 @@ def _patched_rf64_sizes(file: BinaryIO) -> dict[int, bytes]:
     max_size = 2**32 - 1  # bytes; the size of a chunk is then in the chunk ds64
     sizes = None
     bytes_per_frame = 1
-    for name, size, content in _chunks(file, 12, "<4sI"):
+    for name, size, content in _chunks_of_file(file, 12, "<4sI"):
         file.seek(content)
         if name == b"ds64":
             sizes = content

@@ -12,11 +12,15 @@ from dynamics.film.wedge import (
     boundary_layer_ratio,
     compressibility_number,
     film_under,
+    hole_share,
     squeeze_number,
 )
+from dynamics.landing.lift_off import predict_lift_off
+from dynamics.landing.stop import DEFAULT_STOP_HEIGHT
 from dynamics.observables import precession_rate
 from dynamics.quasi_steady import steady_power
 from dynamics.steady_motion import max_steady_inclination, steady_precession
+from sonify.claims.loss_causes import wave_inclination
 from sonify.plan import sentences
 from sonify.plan.plan import Decision, Plan
 from sonify.scene import Scene
@@ -31,8 +35,7 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     published = published_law_notes(scene)
     if decided.film:
         choice = sentences.FILM_ACTS_CHOICE
-        modelled = [*sentences.FILM_MODELLED]
-        neglected = [*sentences.FILM_NEGLECTED]
+        modelled, neglected = film_sentences(scene)
         if published:
             neglected.append(sentences.AIR_COUNTED_TWICE)
     else:
@@ -46,7 +49,60 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     decision = Decision(
         subject="air film under the disk", choice=choice, reason=decided.reason
     )
-    return plan.with_additions(decision, modelled=modelled, left_out=neglected)
+    plan = plan.with_additions(decision, modelled=modelled, left_out=neglected)
+    return plan.with_additions(lift_off(scene)) if decided.film else plan
+
+
+def film_sentences(scene: Scene) -> tuple[list[str], list[str]]:
+    """Return sentences on what the film under a disk models and neglects."""
+    hole = scene.surface.hole
+    bore = 2 * scene.disk.inner_radius
+    motion, sound = sentences.FILM_MODELLED
+    modelled = [motion] if bore else [motion, sound]
+    neglected = [sentences.RING_NEGLECTED] if bore else [*sentences.FILM_NEGLECTED]
+    if hole > bore:
+        modelled.append(sentences.HOLE_MODELLED.format(hole=hole))
+        neglected.append(sentences.HOLE_NEGLECTED)
+    elif bore:
+        modelled.append(sentences.RING_MODELLED.format(hole=bore))
+    return modelled, neglected
+
+
+def lift_off(scene: Scene) -> Decision:
+    """Return the prediction whether the film lifts the disk off the table."""
+    depth = scene.surface.curvature * scene.disk.radius**2 / 2
+    found = predict_lift_off(scene.disk, scene.air, depth, hole_share(scene))
+    heights, first_flight = obstacles_to_lift_off(scene)
+    lifts = found.happens(heights, first_flight)
+    if lifts:
+        choice = sentences.FILM_LIFTS_DISK.format(
+            inclination=found.inclination, turns=found.precession_rate / (2 * np.pi)
+        )
+    elif heights >= found.max_stop_height:
+        choice = sentences.HEIGHTS_PREVENT_LIFT_OFF.format(
+            height=heights * 1e6, limit=found.max_stop_height * 1e6
+        )
+    else:
+        choice = sentences.WAVES_BREAK_CONTACT_FIRST.format(
+            inclination=first_flight, lower=found.inclination
+        )
+    reason = sentences.LIFT_OFF_OF_PLANE_FILM
+    if scene.surface.curvature:
+        reason = sentences.LIFT_OFF_FROM_BOWL
+    elif scene.imperfection or heights >= found.inclination * scene.disk.radius:
+        reason = sentences.LIFT_OFF_FROM_WAVES
+    return Decision(subject="lift-off on the air film", choice=choice, reason=reason)
+
+
+def obstacles_to_lift_off(scene: Scene) -> tuple[float, float]:
+    """Return the height [m] that holds the film open, and the inclination [rad] at which
+    waves first break the contact."""
+    heights = DEFAULT_STOP_HEIGHT
+    if scene.roughness:
+        heights += np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
+    if scene.imperfection:
+        heights += scene.imperfection.amplitude
+    return heights, wave_inclination(scene)
 
 
 def absorption_sentences(scene: Scene) -> tuple[list[str], list[str]]:

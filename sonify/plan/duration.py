@@ -11,7 +11,7 @@ from sonify.scene import Scene
 class RunCosts(NamedTuple):
     """Measured times [s] on two idle cores, by which the duration of a run is predicted."""
 
-    start_and_page: float = 4.0
+    start_and_page: float = 3.0
     """Imports, modes, findings and page."""
     sound: float = 0.07
     """Per second of sound."""
@@ -36,7 +36,7 @@ def predicted_run_seconds(scene: Scene, motion: MotionPlan) -> float:
     compilations come in addition.
     """
     costs = RunCosts()
-    seconds = _predicted_motion_seconds(motion)
+    seconds = predicted_motion_seconds(motion)
     per_second = costs.sound
     if motion.tabulated_law is not None:
         per_second += costs.contact_sound
@@ -52,7 +52,7 @@ def predicted_run_seconds(scene: Scene, motion: MotionPlan) -> float:
     return predicted + costs.step * motion.step_rate * seconds
 
 
-def _predicted_motion_seconds(motion: MotionPlan) -> float:
+def predicted_motion_seconds(motion: MotionPlan) -> float:
     """Return a rough prediction of the duration of a motion [s]."""
     scene = motion.scene
     if motion.contact.kind == "many" and scene.roughness:

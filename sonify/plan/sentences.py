@@ -34,8 +34,8 @@ SOLVER_REASONS = {
 }
 """Reason for the solver of the modes, by kind of support."""
 SUPPORT_COMPARISON_REASON = (
-    "on its contact, as on the paper's patch, the disk also oscillates as a rigid body, but on springs "
-    "that stiffen as it falls; the other modes are almost those of the free disk"
+    "on its contact the disk also oscillates as a rigid body, as for the patch in the paper, but on "
+    "springs that stiffen as it falls; the other modes are almost those of the free disk"
 )
 
 SUPPORT_MODELLED = {
@@ -71,8 +71,8 @@ RIGID_DISK_REASON = (
 CONTACT_MODELLED = {
     "rigid": (),
     "filter": (
-        "The edge and the table are elastic (Hertz, Mindlin, Kalker): a linear filter along the "
-        "rigid motion adds the force excited by height variations and force jumps.",
+        "The edge and the table are elastic (Hertz, Mindlin, Kalker): a linear filter, applied to "
+        "the rigid motion, adds the force excited by height variations and force jumps.",
     ),
     "full": (
         "The edge and the table are elastic (Hertz, Mindlin, Kalker): the disk moves on this "
@@ -88,8 +88,8 @@ CONTACT_MODELLED = {
 }
 RATTLING_FILM_MODELLED = (
     "The air film is modelled as under a disk in contact, which is valid while hops are low "
-    "compared with the mean gap. The film law does not apply to the final part of the motion, in "
-    "which the rim rises by less than ten times the heights of the table."
+    "compared with the mean gap. It is not valid in the final part of the motion, in which the "
+    "rim rises by less than ten times the heights of the table."
 )
 RATTLING_FILM_NEGLECTED = (
     "The effect of the film on the modes of the disk before the end; the sound that heave and tilt "
@@ -128,6 +128,22 @@ FILM_MODELLED = (
     "closed film only the upper face radiates. The film damps and detunes the modes and weakens "
     "their radiation; the inertia of its air and heat conduction to both faces are included.",
 )
+HOLE_MODELLED = (
+    "The air below the disk escapes at its rim and into a hole of {hole:g} m in the table, which stays "
+    "under the centre of the disk; the film is that of the ring between them."
+)
+RING_MODELLED = (
+    "The air below the ring escapes at its rim and into its hole of {hole:g} m, where the pressure is "
+    "that of the room."
+)
+RING_NEGLECTED = (
+    "The effect of the film on the sound of the ring: on the radiation and damping of its modes and on "
+    "the air expelled from the gap."
+)
+HOLE_NEGLECTED = (
+    "The hole changes neither the modes of the table nor the damping of the modes of the disk by the "
+    "film, nor the sound of the expelled air."
+)
 WAVY_TABLE_MODELLED = (
     "The table is wavy along the contact circle, which moves with the disk; the contact is at the "
     "smallest gap between rim and waves."
@@ -165,6 +181,11 @@ ROUGH_TABLE_MODELLED = (
     "receptance of all its modes at the moving contact (two-way coupling of the vibration). One-way "
     "coupling would change the A-weighted level of the table by {level:+.1f} dB."
 )
+ROUGH_HAND_OVER_MODELLED = (
+    "Below an inclination of {inclination:.2g} rad, time steps with all modes of the table continue "
+    "the motion on the rough contact. At the hand-over, the modes are at rest under the weight; their "
+    "vibration rises within their decay times, while that of the linear filter fades."
+)
 ROUGH_TABLE_NEGLECTED = (
     "Friction on the yielding table, and the damping of its modes by their own sound."
 )
@@ -173,8 +194,12 @@ FILM_REACTION_NEGLECTED = (
     "the A-weighted level of the table by at most {change:.1f} dB."
 )
 LINEAR_TABLE_LIMIT = (
-    "A valid model of the contact vibration below an inclination of {inclination:.2g} rad: "
-    "{limit}. The linear filter is used there too."
+    "The limit of the linear filter, which is also used below an inclination of "
+    "{inclination:.2g} rad although {limit}."
+)
+TABLE_YIELDS_THEN_MOVES = (
+    "yields to the vibration of the rough contact, radiates sound, and moves with the disk below an "
+    "inclination of {inclination:.2g} rad"
 )
 TABLE_MOVES_AND_SOUNDS = "moves with the disk and radiates sound"
 TABLE_MOVES_BELOW_INCLINATION = "radiates sound, and moves with the disk below an inclination of {inclination:.2g} rad"
@@ -191,6 +216,27 @@ MOTION_ACTION_REASON = (
 INFINITE_ACTION_REASON = (
     "surface.action = {action!r}: only a table with modes can be coupled to the motion"
 )
+FILM_LIFTS_DISK = (
+    "the film lifts the disk at an inclination of {inclination:.2g} rad, at {turns:.3g} turns per "
+    "second"
+)
+HEIGHTS_PREVENT_LIFT_OFF = (
+    "the film cannot lift the disk: asperities or waves of {height:.3g} um hold it open; the limit is "
+    "{limit:.2g} um"
+)
+WAVES_BREAK_CONTACT_FIRST = (
+    "waves break the contact at {inclination:.2g} rad, before the film lifts the disk at "
+    "{lower:.2g} rad"
+)
+LIFT_OFF_OF_PLANE_FILM = (
+    "prediction for a film above a plane that alone resists the motion; contour friction raises the "
+    "inclination by up to 12 %"
+)
+LIFT_OFF_FROM_BOWL = (
+    "prediction for a film above a concave table that alone resists the motion; it is 4 % too high if "
+    "the table lowers it by a quarter, and 30 % if by two thirds"
+)
+LIFT_OFF_FROM_WAVES = "prediction for a film above a plane, which is not valid over waves that are as high as its gap"
 FILM_ACTS_CHOICE = "acts on the motion and on the sound"
 FILM_OMITTED_CHOICE = "does not act"
 ABSORPTION_SENTENCE = (
@@ -228,8 +274,7 @@ WALL_SOUND_NEGLECTED = {
     ),
 }
 NEGLECTED_IN_DRAFT = (
-    "The psychoacoustic roughness, the picture of the sound sources and the oblique views of the "
-    "modes.",
+    "The picture of the sound sources and the oblique views of the modes.",
 )
 MODAL_REACTION_NEGLECTED = (
     "The sound of impacts; the effect of the elastic modes on the motion."
@@ -284,7 +329,7 @@ VACUUM_NEGLECTED = (
     "The air under the disk: it would slow and lift the disk, and flow around the rim while the film "
     "is open, so that the pressure of heave and tilt is overestimated until late in the motion.",
 )
-AIR_COUNTED_TWICE = "Double counting: the scene has a published law of air drag in addition to the film."
+AIR_COUNTED_TWICE = "Double counting of the air: the scene has a published law of air drag in addition to the film."
 NO_ERROR_PREDICTION_WITH_TABLE = (
     "A prediction of the error of the table's sound samples relative to a finer run."
 )

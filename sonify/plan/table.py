@@ -78,13 +78,22 @@ def with_table(plan: Plan, scene: Scene, modes: SurfaceModes | None) -> Plan:
 
 
 def with_rough_table(plan: Plan) -> Plan:
-    """Return the plan with the effect of the table on the filter of a rough contact."""
+    """Return the plan with the effect of the table on a rough contact: on its filter, and
+    on the motion after a hand-over to time steps."""
     found = plan.motion.rough_table
-    if found is None or not plan.motion.filter_is_two_way:
+    if found is None:
+        return plan
+    is_handed_over = plan.motion.switches_to_two_way
+    if is_handed_over:
+        handed_over = sentences.ROUGH_HAND_OVER_MODELLED.format(
+            inclination=plan.motion.two_way.inclination
+        )
+        plan = plan.with_additions(modelled=[handed_over])
+    if not plan.motion.filter_is_two_way:
         return plan
     modelled = [sentences.ROUGH_TABLE_MODELLED.format(level=found.level_error)]
     neglected = [sentences.ROUGH_TABLE_NEGLECTED, film_reaction_sentence(plan.motion)]
-    if found.linear_until:
+    if found.linear_until and not is_handed_over:
         limit = sentences.LINEAR_TABLE_LIMIT.format(
             inclination=found.linear_until, limit=found.limit
         )
@@ -94,12 +103,18 @@ def with_rough_table(plan: Plan) -> Plan:
 
 def film_reaction_sentence(motion: MotionPlan) -> str:
     """Return a sentence on the neglected reaction of the air, with the largest change of
-    level at the inclinations of the plan."""
+    level at the inclinations of the plan at which the filter is used and the gap exceeds
+    the mean free path."""
     assert motion.rough_table is not None
-    changes = [
-        film_level_change(motion, float(beta))
-        for beta in motion.rough_table.inclination
-    ]
+    inclination = motion.rough_table.inclination
+    air = motion.scene.air
+    free_path = air.mean_free_path if air.pressure else 0.0
+    lowest = free_path / motion.scene.disk.radius
+    if motion.switches_to_two_way:
+        lowest = max(lowest, motion.two_way.inclination)
+    first = inclination[:1]  # the filter is used at the release
+    filtered = np.union1d(first, inclination[inclination >= lowest])
+    changes = [film_level_change(motion, float(beta)) for beta in filtered]
     return sentences.FILM_REACTION_NEGLECTED.format(change=np.abs(changes).max())
 
 
@@ -187,8 +202,9 @@ def table_action(motion: MotionPlan) -> Decision:
     """Return the decision on two-way coupling with the table."""
     action = motion.scene.surface.action
     reaction = motion.two_way
-    choice = sentences.TABLE_MOVES_AND_SOUNDS
-    if action == "motion":
+    if action == "motion" and motion.filter_is_two_way:
+        reason = f"surface.action = 'motion': {reaction.reason}"
+    elif action == "motion":
         reason = sentences.MOTION_ACTION_REASON
     elif action == "sound":
         reason = "surface.action = 'sound'"
@@ -196,19 +212,25 @@ def table_action(motion: MotionPlan) -> Decision:
         reason = f"surface.action = 'auto': {reaction.reason}"
         if reaction.reason_unsolved:
             reason += f", but {reaction.reason_unsolved}"
-        if reaction.is_two_way and motion.is_two_way_from_release:
+        if reaction.is_two_way and motion.contact.kind == "many":
             reason += sentences.FROM_RELEASE_CLAUSE
-        elif reaction.is_two_way:
-            choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(
-                inclination=reaction.inclination
-            )
-            if motion.contact.kind == "rigid":
-                choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
+    return Decision(subject="table", choice=table_choice(motion), reason=reason)
+
+
+def table_choice(motion: MotionPlan) -> str:
+    """Return what the table does, in words."""
+    below = motion.two_way.inclination
     if motion.filter_is_two_way:
-        choice = sentences.TABLE_YIELDS_AND_SOUNDS
-    elif not reaction.is_two_way:
-        choice = sentences.TABLE_SOUNDS_ONLY
-    return Decision(subject="table", choice=choice, reason=reason)
+        if motion.switches_to_two_way:
+            return sentences.TABLE_YIELDS_THEN_MOVES.format(inclination=below)
+        return sentences.TABLE_YIELDS_AND_SOUNDS
+    if motion.switches_to_two_way:
+        choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(inclination=below)
+        is_rigid = motion.contact.kind == "rigid"
+        return choice + sentences.ON_ELASTIC_CONTACT_CLAUSE * is_rigid
+    if motion.two_way.is_two_way:
+        return sentences.TABLE_MOVES_AND_SOUNDS
+    return sentences.TABLE_SOUNDS_ONLY
 
 
 def audible_table_modes(

@@ -6,6 +6,7 @@ from math import inf
 from typing import Any
 
 from dynamics import MotionPlan
+from dynamics.film.wedge import hole_share
 from sonify.scene import SIZE_KEYS, Scene
 
 
@@ -32,8 +33,8 @@ def has_no_spectrum(scene: Scene) -> bool:
 
 
 def has_no_film(scene: Scene) -> bool:
-    """Return True if no air film can exist, as in a vacuum or under a shell."""
-    return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
+    """Return True if no air film can exist, as in a vacuum or without a flat face."""
+    return scene.air.pressure == 0.0 or hole_share(scene) >= 1
 
 
 def is_rattling(plan: MotionPlan) -> bool:
@@ -101,6 +102,13 @@ UNUSED_KEY_RULES: tuple[tuple[str, Callable[[Scene, MotionPlan], bool]], ...] = 
             and scene.friction.arm_pivoting != "contact"
         ),
     ),
+    (
+        "surface.hole",
+        lambda scene, plan: (
+            plan.film_decision.film is None
+            or scene.surface.hole <= 2 * scene.disk.inner_radius
+        ),
+    ),
     ("surface.diameter", lambda scene, plan: not scene.surface.sag),
     (
         "surface.place",
@@ -130,7 +138,8 @@ UNUSED_KEY_RULES: tuple[tuple[str, Callable[[Scene, MotionPlan], bool]], ...] = 
     (
         "numerics.final_inclination",
         lambda scene, plan: (
-            scene.surface.action == "motion" or scene.imperfection is not None
+            (scene.surface.action == "motion" and not plan.filter_is_two_way)
+            or scene.imperfection is not None
         ),
     ),
     ("numerics.contact", lambda scene, plan: plan.contact.kind == "rigid"),

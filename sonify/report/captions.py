@@ -22,7 +22,7 @@ def describe_spectrogram(result: "Result") -> str:
     """Return a description of the spectrogram."""
     heard = result.heard
     tones = ""
-    if heard and heard.tone:
+    if heard and heard.tone and heard.tone.ridge:
         tones += f", a tone that rises by a factor of {heard.tone.ridge.factor:.2g}"
     if heard and heard.lines:
         frequencies = ", ".join(f"{line.frequency:.0f} Hz" for line in heard.lines)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from sonify.claims.details import unit_and_details
 from sonify.claims.surface_summary import complete_answers
 from sonify.plan.plan import omissions_after_end
+from sonify.plan.rungs import rung_line
 from sonify.report.headline import headline, violated_balance
 
 if TYPE_CHECKING:
@@ -21,8 +22,10 @@ LINE_LENGTH = 100
 
 
 def closing_lines(result: "Result") -> list[str]:
-    """Return the headline, the answers, failed checks, and the number of checks and
-    findings of a run, with the paths of its pictures and its page."""
+    """Return the last lines of a run.
+
+    These are the headline, the answers, the rung of the model, failed checks, the number
+    of checks and findings, and the paths of the pictures and the page."""
     assert result.out is not None
     failed = [check for check in result.checks if not check.passed]
     counts = (
@@ -31,6 +34,7 @@ def closing_lines(result: "Result") -> list[str]:
     return [
         *wrapped(headline(result.findings)),
         *answer_lines(result),
+        rung_line(result.plan.motion, LINE_LENGTH),
         *(shorten(line, LINE_LENGTH) for line in check_lines(failed)),
         counts,
         str(result.out / "spectrogram.png"),

@@ -1,21 +1,36 @@
 """Lay out figures in a common style and write them as PNG files."""
 
 import warnings
+from collections.abc import Iterator
 from contextlib import contextmanager
+from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormatter
-from numpy.lib.stride_tricks import sliding_window_view
 from PIL import Image
 
 from sonify.runtime.files import readable_text
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+
+PicturePath = str | PathLike[str] | BinaryIO
+"""Path of a picture, or the open file to which it is written."""
+
 
 @contextmanager
-def png_figure(path, rows, columns, size, **options):
+def png_figure(
+    path: PicturePath,
+    rows: int,
+    columns: int,
+    size: tuple[float, float],
+    **options: Any,
+) -> Iterator[tuple[Figure, Any]]:
     """Yield a figure of `size` [in] with axes (rows, columns).
 
     On exit, write it to `path`, a path or an open file, as an opaque PNG of 256
@@ -43,7 +58,7 @@ def png_figure(path, rows, columns, size, **options):
     drawn.quantize(256, Image.Quantize.FASTOCTREE).save(path, "PNG", compress_level=6)
 
 
-def _fix_layout(panel):
+def _fix_layout(panel: "Axes") -> None:
     """Limit the number of ticks and fix the positions of title and axis labels.
 
     Many ticks are slow to draw, and matplotlib would measure every tick to place the
@@ -56,26 +71,31 @@ def _fix_layout(panel):
             formatter = axis.get_major_formatter()
             if isinstance(formatter, ScalarFormatter):
                 formatter.set_powerlimits(plain_exponents)
-    width, height = panel.get_window_extent().size / panel.figure.dpi
+    width, height = np.asarray(panel.get_window_extent().size) / panel.figure.dpi
     for side in ("left", "center"):
         panel.set_title(panel.get_title(side), loc=side, y=1.0)
     panel.xaxis.set_label_coords(0.5, -0.3 / height)
     panel.yaxis.set_label_coords(-0.58 / width, 0.5)
 
 
-def file_label(path):
+def file_label(path: str | PathLike[str]) -> str:
     """Return the name of a file as a label; dollars in it do not begin a formula."""
     return readable_text(Path(path).name).replace("$", r"\$").lstrip("_")
 
 
-def label_plain_decades(axis):
-    """Label a logarithmic axis with plain numbers at 1, 2, 5, 10 ..."""
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+def label_plain_decades(
+    axis: "Axis", multiples: tuple[float, ...] = (1.0, 2.0, 5.0)
+) -> None:
+    """Label a logarithmic axis with plain numbers at `multiples` of powers of ten.
+
+    Numbers with exponents would load a parser of formulas.
+    """
+    axis.set_major_locator(LogLocator(subs=multiples))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_locator(NullLocator())
 
 
-def place_legend_above(panel, columns: int = 3, **options):
+def place_legend_above(panel: "Axes", columns: int = 3, **options: Any) -> None:
     """Place the legend above the right end of a panel; the title is at the left."""
     panel.legend(
         loc="lower right",
@@ -89,7 +109,9 @@ def place_legend_above(panel, columns: int = 3, **options):
     )
 
 
-def running_range(y, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def running_range(
+    y: np.ndarray, share: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the running mean, minimum and maximum (c,) of evenly spaced samples y
     (k,).
 
@@ -98,19 +120,20 @@ def running_range(y, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     mere trend does not produce a band; they never exceed the range of y within the
     window.
     """
+    # slow to import
+    from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
+
     column_count = 1000
-    size = max(round(share * len(y)), 1)
+    window: dict[str, Any] = {
+        "size": max(round(share * len(y)), 1),
+        "mode": "nearest",  # the end samples are repeated
+    }
+    mean = uniform_filter1d(y, **window)
+    lowest, highest = (
+        mean + limit(y - mean, **window)
+        for limit in (minimum_filter1d, maximum_filter1d)
+    )
+    lower = np.maximum(lowest, minimum_filter1d(y, **window))
+    upper = np.minimum(highest, maximum_filter1d(y, **window))
     every = slice(None, None, max(len(y) // column_count, 1))
-    mean = _windows(y, size).mean(axis=1)
-    around = _windows(y, size)[every]
-    deviation = _windows(y - mean, size)[every]
-    lower = np.maximum(mean[every] + deviation.min(axis=1), around.min(axis=1))
-    upper = np.minimum(mean[every] + deviation.max(axis=1), around.max(axis=1))
-    return mean[every], lower, upper
-
-
-def _windows(y, size):
-    """Return the window (k, size) around each sample of y (k,); the end samples are
-    repeated."""
-    before = size // 2
-    return sliding_window_view(np.pad(y, (before, size - 1 - before), "edge"), size)
+    return mean[every], lower[every], upper[every]

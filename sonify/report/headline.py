@@ -52,7 +52,7 @@ def answered_in_one_sentence(findings: Iterable[Finding]) -> str:
             yes, no = words[key]
             clauses.append(yes if by_key[key].holds else no)
     if lost_to_air:
-        clauses.append("finally the air carries it")
+        clauses.append("finally the air lifts it")
     if not clauses:
         return ""
     *first, last = clauses

@@ -6,7 +6,7 @@ from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Body
 
 
-def side_nodes(axis, end):
+def side_nodes(axis: int, end: int) -> np.ndarray:
     """Return the nodes (3, 3) of a 27-node hexahedron on the side where `axis` equals
     `end`."""
     lattice = np.array(VTK_HEXAHEDRON27)
@@ -20,7 +20,7 @@ HEXAHEDRON_SIDES = np.array(
 TETRAHEDRON_SIDES = np.array([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)])
 
 
-def surface_polygons(body: Body):
+def surface_polygons(body: Body) -> np.ndarray:
     """Return the surface of a body as polygons (k, 3 or 4) of node numbers.
 
     Each curved quadrilateral is divided into four flat ones.
@@ -31,14 +31,14 @@ def surface_polygons(body: Body):
         corners = body.cells[:, HEXAHEDRON_SIDES[:, ::2, ::2]].reshape(-1, 4)
         return outer_sides(corners, range(4))[:, [0, 1, 3, 2]]
     sides = body.cells[:, HEXAHEDRON_SIDES].reshape(-1, 9)
-    sides = outer_sides(sides, [0, 2, 6, 8]).reshape(-1, 3, 3)
+    grids = outer_sides(sides, [0, 2, 6, 8]).reshape(-1, 3, 3)
     parts = [
-        sides[:, i : i + 2, j : j + 2].reshape(-1, 4) for i in (0, 1) for j in (0, 1)
+        grids[:, i : i + 2, j : j + 2].reshape(-1, 4) for i in (0, 1) for j in (0, 1)
     ]
     return np.concatenate(parts)[:, [0, 1, 3, 2]]
 
 
-def outer_sides(sides, corners):
+def outer_sides(sides: np.ndarray, corners: list[int] | range) -> np.ndarray:
     """Return the sides (k, n) that belong to a single cell; sides are identified by
     their corner nodes."""
     _, first, count = np.unique(
@@ -50,7 +50,7 @@ def outer_sides(sides, corners):
     return sides[first[count == 1]]
 
 
-def view_coordinates(points):
+def view_coordinates(points: np.ndarray) -> np.ndarray:
     """Return coordinates (..., 3) to the right, up and towards the viewer in a parallel
     projection.
 
@@ -67,7 +67,9 @@ def view_coordinates(points):
     return points @ axes.T
 
 
-def projected_mode_shape(body: Body, polygons, i, factor):
+def projected_mode_shape(
+    body: Body, polygons: np.ndarray, i: int, factor: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the polygons (k, n) of a body displaced by `factor` times mode i, farthest
     first.
 

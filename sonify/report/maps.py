@@ -7,13 +7,20 @@ from collections import Counter, defaultdict
 from dataclasses import dataclass
 from itertools import cycle
 from textwrap import fill
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm
+from matplotlib.contour import ContourSet
 from matplotlib.ticker import LogFormatterMathtext, LogLocator, NullFormatter
 from matplotlib.tri import Triangulation
 
-from sonify.report.figure import png_figure
+from sonify.report.figure import PicturePath, png_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 MARKER_SYMBOLS = "osD^vP*Xhp<>d8H"
 MARKER_COLOURS = (
@@ -40,13 +47,13 @@ class Map:
     x: str
     y: str | None
     drawn_column: str
-    columns: dict[str, list]
+    columns: dict[str, list[Any]]
     logs: set[str]
     units: dict[str, str]
 
-    def points(self) -> dict[tuple, list]:
+    def points(self) -> dict[tuple[Any, ...], list[Any]]:
         """Return the non-missing values at each point (x,) or (x, y)."""
-        found = defaultdict(list)
+        found: dict[tuple[Any, ...], list[Any]] = defaultdict(list)
         for *place, value in zip(
             *(self.columns[name] for name in (*self.axis_names, self.drawn_column)),
             strict=True,
@@ -64,7 +71,7 @@ class Map:
         return [name for name in (self.x, self.y) if name]
 
 
-def draw_map(what: Map, path):
+def draw_map(what: Map, path: PicturePath) -> None:
     """Draw a map to a PNG file.
 
     Runs that differ only in other parameters share a point, which shows their median or
@@ -101,7 +108,7 @@ def draw_map(what: Map, path):
         panel.set_title(f"{what.drawn_column}{several}", loc="left")
 
 
-def _label_axis(panel, k, name, what):
+def _label_axis(panel: "Axes", k: int, name: str, what: Map) -> dict[Any, Any]:
     """Scale and label an axis of the panel, and return the coordinate of each value on
     it."""
     values = list(dict.fromkeys(what.columns[name]))
@@ -127,7 +134,9 @@ def _label_axis(panel, k, name, what):
     return {value: words.index(value) for value in values}
 
 
-def _draw_numbers(figure, panel, places, values, what):
+def _draw_numbers(
+    figure: "Figure", panel: "Axes", places: np.ndarray, values: list[float], what: Map
+) -> None:
     if places.shape[1] == 1:
         order = places[:, 0].argsort()
         panel.plot(places[order, 0], np.array(values)[order], "k.-", lw=0.8)
@@ -140,10 +149,11 @@ def _draw_numbers(figure, panel, places, values, what):
     within = (scaled - scaled.min(axis=0)) / np.maximum(np.ptp(scaled, axis=0), 1e-300)
     collinear = np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2
     if collinear or len(places) < 4:
-        drawn = panel.scatter(*places.T, c=values, cmap="viridis")
+        x, y = places.T
+        drawn: ScalarMappable = panel.scatter(x, y, c=values, cmap="viridis")
     else:
-        around = Triangulation(*within.T)
-        mesh = Triangulation(*places.T, around.triangles)
+        around = Triangulation(within[:, 0], within[:, 1])
+        mesh = Triangulation(places[:, 0], places[:, 1], around.triangles)
         levels, scale = _contour_levels(values)
         drawn = panel.tricontourf(mesh, values, levels, cmap="viridis", norm=scale)
         panel.tricontour(mesh, values, levels, colors="k", linewidths=0.4)
@@ -151,12 +161,12 @@ def _draw_numbers(figure, panel, places, values, what):
     bar = figure.colorbar(
         drawn, ax=panel, label=what.label_with_unit(what.drawn_column)
     )
-    if isinstance(drawn.norm, LogNorm):
+    if isinstance(drawn, ContourSet) and isinstance(drawn.norm, LogNorm):
         labels = [f"{level:.2g}" for level in drawn.levels]
-        bar.set_ticks(drawn.levels, labels=labels, minor=False)
+        bar.set_ticks(list(drawn.levels), labels=labels, minor=False)
 
 
-def _contour_levels(values):
+def _contour_levels(values: list[float]) -> tuple[int | np.ndarray, LogNorm | None]:
     """Return contour levels and norm; they are logarithmic for positive values with a
     ratio above 300."""
     level_count = 12
@@ -167,7 +177,7 @@ def _contour_levels(values):
     return np.geomspace(low, high * (1 + 1e-9), level_count), LogNorm(low, high)
 
 
-def _draw_categories(panel, places, words):
+def _draw_categories(panel: "Axes", places: np.ndarray, words: list[str]) -> None:
     names = sorted(set(words))
     for name, mark, colour in zip(
         names, cycle(MARKER_SYMBOLS), cycle(MARKER_COLOURS), strict=False
@@ -179,20 +189,20 @@ def _draw_categories(panel, places, words):
     place_legend(panel)
 
 
-def _draw_failed_runs(panel, places):
+def _draw_failed_runs(panel: "Axes", places: np.ndarray) -> None:
     if len(places):
         y = _vertical_positions(places, panel.get_ylim()[0])
         panel.plot(places[:, 0], y, "rx", ms=7, label="no value", clip_on=False)
         place_legend(panel)
 
 
-def _vertical_positions(places, at):
+def _vertical_positions(places: np.ndarray, at: float) -> np.ndarray:
     """Return the y coordinates (n,) of points; in a map over one axis they equal
     `at`."""
     return places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
 
 
-def place_legend(panel):
+def place_legend(panel: "Axes") -> None:
     """Place the legend to the right of the panel, or inside it if there is a colour
     bar."""
     if len(panel.figure.axes) == 1:
@@ -201,11 +211,11 @@ def place_legend(panel):
         panel.legend(loc="best", frameon=False)
 
 
-def _most_frequent_category(values):
+def _most_frequent_category(values: list[Any]) -> Any:
     return Counter(map(_category_name, values)).most_common(1)[0][0]
 
 
-def _category_name(value):
+def _category_name(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return str(value)

@@ -1,5 +1,7 @@
 """Draw the mode shapes of disk and table."""
 
+from typing import TYPE_CHECKING, Any, TypeGuard
+
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -12,6 +14,11 @@ from modal.modes import Modes, Support
 from sonify.report.lit_polygons import projected_mode_shape, surface_polygons
 from sonify.report.mode_names import mode_caption
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from sonify.report.figure import PicturePath
+
 MODES_PER_ROW = 5
 MODE_WIDTH = 2.6  # this and the following lengths in disk radii
 TOP_VIEW_HEIGHT = 2.5
@@ -20,7 +27,9 @@ MAX_DRAWN_DISPLACEMENT = 0.16
 PICTURE_WIDTH = MODE_WIDTH * MODES_PER_ROW
 
 
-def draw_colour_bars(axis, y, scales):
+def draw_colour_bars(
+    axis: "Axes", y: float, scales: dict[str, tuple[int, str]]
+) -> None:
     """Draw the colour bars of scales side by side, each with its minimum and colours."""
     for column, (label, (minimum, name)) in enumerate(scales.items()):
         place = 2.4 * MODE_WIDTH * (column - (len(scales) - 1) / 2)
@@ -29,11 +38,11 @@ def draw_colour_bars(axis, y, scales):
 
 def draw_modes(
     modes: Modes,
-    path,
+    path: "PicturePath",
     slanted: bool = True,
     support: Support | None = None,
     moving: str = "",
-    table=None,
+    table: tuple[np.ndarray, np.ndarray, list[str], int] | None = None,
 ) -> None:
     """Write a picture of all modes, seen from above and, if `slanted`, in an oblique
     view.
@@ -77,10 +86,10 @@ def draw_modes(
     axis = figure.add_axes((0, 0, 1, 1))
     axis.set(xlim=(0, PICTURE_WIDTH), ylim=(bottom, CAPTION_HEIGHT))
     axis.set_axis_off()
-    polygons = surface_polygons(modes.body) if slanted and len(modes) else None
+    polygons = surface_polygons(modes.body) if slanted and len(modes) else np.empty(0)
     for i in range(len(modes)):
         x, y = cell_position(i, 0.0, mode_height)
-        text = mode_caption(modes, i, bool(support) and support.kind != "free")
+        text = mode_caption(modes, i, support is not None and support.kind != "free")
         write(axis, x, y - 0.05, text)
         y -= CAPTION_HEIGHT
         if slanted:
@@ -116,12 +125,12 @@ def cell_position(i: int, top: float, height: float) -> tuple[float, float]:
     return MODE_WIDTH * (column + 0.5), top - height * row
 
 
-def write(axis, x: float, y: float, text: str, **options):
+def write(axis: "Axes", x: float, y: float, text: str, **options: Any) -> None:
     """Write text below a point."""
     axis.text(x, y, text, ha="center", va="top", **options)
 
 
-def write_heading(axis, y: float, text: str):
+def write_heading(axis: "Axes", y: float, text: str) -> None:
     """Write text in the middle of the picture at a height."""
     axis.text(PICTURE_WIDTH / 2, y, text, fontsize=11, ha="center", va="center")
 
@@ -142,11 +151,13 @@ def picture_explanation(slanted: bool, support: Support | None) -> str:
     return f"{first},\nnodal lines (black), in-plane displacement of the rim (dashed){held}"
 
 
-def _on_patch(support: Support | None) -> bool:
+def _on_patch(support: Support | None) -> TypeGuard[Support]:
     return support is not None and support.kind == "patch"
 
 
-def draw_colour_bar(axis, at, label: str, minimum: float, colours: str):
+def draw_colour_bar(
+    axis: "Axes", at: tuple[float, float], label: str, minimum: float, colours: str
+) -> None:
     """Draw a colour bar from `minimum` to 1, with numbers and `label` below it.
 
     `at` (x, y) is the middle of its lower side.
@@ -168,7 +179,9 @@ def draw_colour_bar(axis, at, label: str, minimum: float, colours: str):
     write(axis, x, y - 0.3, label)
 
 
-def draw_oblique_view(axis, modes: Modes, polygons, i, at):
+def draw_oblique_view(
+    axis: "Axes", modes: Modes, polygons: np.ndarray, i: int, at: tuple[float, float]
+) -> None:
     """Draw the oblique view of mode i with its centre `at` (x, y) [disk radii]."""
     radius, _ = outer_and_hole_radius(modes)
     stretch = MAX_DRAWN_DISPLACEMENT * radius / np.abs(modes.body.displacement[i]).max()
@@ -177,13 +190,23 @@ def draw_oblique_view(axis, modes: Modes, polygons, i, at):
     colour[:, :3] *= light[:, None]
     axis.add_collection(
         PolyCollection(
-            places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4
+            list(places / radius + at),
+            facecolors=colour,
+            edgecolors=colour,
+            linewidths=0.4,
         ),
         autolim=False,
     )
 
 
-def draw_table_modes(axis, points, face, captions, count, top):
+def draw_table_modes(
+    axis: "Axes",
+    points: np.ndarray,
+    face: np.ndarray,
+    captions: list[str],
+    count: int,
+    top: float,
+) -> None:
     """Draw the modes of a table from above, below the height `top`.
 
     Colour shows upward motion; black lines are nodal lines.
@@ -207,7 +230,7 @@ def draw_table_modes(axis, points, face, captions, count, top):
         axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
-def outer_and_hole_radius(modes: Modes):
+def outer_and_hole_radius(modes: Modes) -> tuple[float, float]:
     """Return the outer radius and the hole radius [m] of the faces; the latter is 0 if
     there is no hole.
 
@@ -218,7 +241,9 @@ def outer_and_hole_radius(modes: Modes):
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
-def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
+def draw_top_view(
+    axis: "Axes", modes: Modes, i: int, at: tuple[float, float], support: Support | None
+) -> None:
     """Draw mode i from above with its centre `at` (x, y) [disk radii].
 
     The view contains axial motion in colour, nodal lines, the rim at rest and
@@ -244,7 +269,9 @@ def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
         )
 
 
-def top_face(modes: Modes, i, radius, hole):
+def top_face(
+    modes: Modes, i: int, radius: float, hole: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return Cartesian grids x, y [m] and the axial motion w of the top face in mode i.
 
     The grids are periodic in angle and extend from the hole or the centre to the rim.
@@ -264,7 +291,7 @@ def top_face(modes: Modes, i, radius, hole):
     return np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle)), w
 
 
-def displaced_rim(modes: Modes, i, factor):
+def displaced_rim(modes: Modes, i: int, factor: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the coordinates x, y (k + 1,) [disk radii] of the bottom edge displaced in
     its plane, a closed curve."""
     radial, tangential, _ = factor * modes.rim_shape[i].T

@@ -4,15 +4,21 @@ energies.
 Energies are drawn for motions with two-way coupling to the table.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from sonify.claims.energy_causes import CAUSE_IN_WORDS
 from sonify.report.figure import (
+    PicturePath,
     label_plain_decades,
     place_legend_above,
     png_figure,
     running_range,
 )
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 PAPER_PANELS = (
     ("angle from the vertical α [rad]", "Figure 3 (a) of the paper"),
@@ -27,7 +33,9 @@ ENERGY_UNITS = {1.0: "J", 1e-3: "mJ", 1e-6: "µJ", 1e-9: "nJ"}
 """Symbol of each energy unit, by its size [J]."""
 
 
-def draw_motion(path, motion: dict, paper: dict | None = None):
+def draw_motion(
+    path: PicturePath, motion: dict[str, Any], paper: dict[str, Any] | None = None
+) -> None:
     """Draw a motion in SI units.
 
     If `paper` is given (for the paper's scene), the dimensionless figures 3 to 6 are
@@ -40,7 +48,9 @@ def draw_motion(path, motion: dict, paper: dict | None = None):
             _draw_paper(axes[3:], **paper)
 
 
-def _draw_range(panel, time, curve, colour):
+def _draw_range(
+    panel: "Axes", time: np.ndarray, curve: np.ndarray, colour: str
+) -> None:
     """Draw the running range and mean of a curve (k,) over the time (k,) [s]."""
     averaging_share = 0.015  # window, as a fraction of the duration
     mean, lower, upper = running_range(curve, averaging_share)
@@ -50,7 +60,17 @@ def _draw_range(panel, time, curve, colour):
     panel.plot(at, mean, color=colour, lw=1.0, label=label)
 
 
-def _draw_si(axes, *, time, inclination, energy, force, centre, rates, before_end):
+def _draw_si(
+    axes: np.ndarray,
+    *,
+    time: np.ndarray,
+    inclination: np.ndarray,
+    energy: np.ndarray,
+    force: tuple[np.ndarray, float],
+    centre: np.ndarray,
+    rates: np.ndarray,
+    before_end: np.ndarray,
+) -> None:
     """Draw the curves over `time` (k,) [s] and the path of the `centre` (2, k) [mm].
 
     The curves are inclination [degrees], energy [J], and force and weight [N], which is
@@ -59,10 +79,10 @@ def _draw_si(axes, *, time, inclination, energy, force, centre, rates, before_en
     """
     blue = "#0072b2"
     (tilt, held, load) = axes[:, 0]
-    force, weight = force
+    normal, weight = force
     (hertz, end, path) = axes[[1, 2, 0], 1]
     _draw_range(tilt, time, inclination, blue)
-    _draw_range(load, time, force, blue)
+    _draw_range(load, time, normal, blue)
     load.axhline(weight, color="k", lw=1.0, ls="--", label="weight")
     size = next((size for size in ENERGY_UNITS if energy.max() >= size), 1e-9)
     held.plot(time, energy / size, color="k", lw=1.2)
@@ -79,6 +99,7 @@ def _draw_si(axes, *, time, inclination, energy, force, centre, rates, before_en
     load.set(ylabel="normal force [N]")
     hertz.set(ylim=_frequency_limits(rates))
     end.set(xscale="log", xlabel="time before the end [s]")
+    label_plain_decades(end.xaxis, (1.0,))
     end.invert_xaxis()
     path.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal", adjustable="datalim")
     titles = {
@@ -96,7 +117,7 @@ def _draw_si(axes, *, time, inclination, energy, force, centre, rates, before_en
         place_legend_above(panel, frameon=False)
 
 
-def _frequency_limits(rates):
+def _frequency_limits(rates: np.ndarray) -> tuple[float, float]:
     """Return the limits of the frequency axis [Hz] for the rates (3, q).
 
     The last thousandth of the duration is ignored.
@@ -109,7 +130,15 @@ def _frequency_limits(rates):
     return (seen.min() / 1.2, seen.max() * 1.2) if len(seen) else (1.0, 10.0)
 
 
-def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
+def _draw_paper(
+    axes: np.ndarray,
+    *,
+    curves: tuple[tuple[np.ndarray, np.ndarray], ...],
+    weight: float,
+    chi: float,
+    frequency: float,
+    reached: float,
+) -> None:
     """Draw the `curves` (x, y) of the paper's figures 3 to 6 with the paper's
     statements.
 
@@ -155,7 +184,9 @@ LINE_STYLES = (
 )
 
 
-def draw_energy(path, left, held: dict, lost: dict):
+def draw_energy(
+    path: PicturePath, left: np.ndarray, held: dict[str, Any], lost: dict[str, Any]
+) -> None:
     """Draw energies [J] over the time `left` (k,) [s] until the end of the motion.
 
     `held` are the stored energies and `lost` the cumulative losses, (k,) by name.

@@ -24,6 +24,7 @@ from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
 from sonify.report.plain_explanation import plain_explanation
+from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
 from sonify.runtime.json_values import plain_value
 
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
-def write_page(result: "Result", path: Path, numbers: dict[str, Any]):
+def write_page(result: "Result", path: Path, numbers: dict[str, Any]) -> None:
     """Write the page of a result with all pictures and sounds embedded.
 
     The page plays only the end of a long sound. `numbers` is the return value of
@@ -56,9 +57,13 @@ def write_page(result: "Result", path: Path, numbers: dict[str, Any]):
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
-                (data_url(result.out / name, "image/png"), caption, shown(result))
+                (
+                    data_url(output_folder(result) / name, "image/png"),
+                    caption,
+                    shown(result),
+                )
                 for name, (shown, caption) in captions.PICTURE_CAPTIONS.items()
-                if (result.out / name).exists()
+                if (output_folder(result) / name).exists()
             ],
             **numbers,
             **page_assets(),

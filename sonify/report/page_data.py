@@ -4,6 +4,7 @@ Arrays are little-endian floats or integers in base64; sounds are FLAC data URLs
 """
 
 from base64 import b64encode
+from collections.abc import Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
@@ -21,8 +22,8 @@ from sonify.hearing.audio_source import Recording, read_samples
 from sonify.report.captions import describe_spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
-from sonify.sound.mastering import master_copy
-from sonify.sound.playback import ScaledTrack, WeightedTrack, a_weighting
+from sonify.sound.mastering import MasteredTrack, master_copy
+from sonify.sound.playback import Channels, ScaledTrack, WeightedTrack, a_weighting
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def page_data(result: "Result", parts: dict[str, Any]) -> dict[str, Any]:
         "sample_rate": sound.sample_rate,
         "source_end": sound.source_end,
         "delay": sound.source_end - float(motion.rolling.t[-1]),
-        "lands": motion.landing is not None,
+        "landing": encoded_landing(motion),
         "start": parts["sound"]["start"],
         "sounds": parts["sound"]["content"],
         "lines": {
@@ -110,7 +111,9 @@ GAIN_INTERVAL = 1e-3
 """Interval at which the page stores the gain of audible.wav [s]."""
 
 
-def encoded_gain(weighted, audible, start: float) -> dict[str, Any]:
+def encoded_gain(
+    weighted: WeightedTrack, audible: MasteredTrack | ScaledTrack, start: float
+) -> dict[str, Any]:
     """Return filter and gain that make an audible copy from `start` [s] on."""
     gain_db = audible_gain_db(weighted, audible, start)
     return {
@@ -120,7 +123,9 @@ def encoded_gain(weighted, audible, start: float) -> dict[str, Any]:
     }
 
 
-def audible_gain_db(weighted, audible, start: float) -> np.ndarray:
+def audible_gain_db(
+    weighted: WeightedTrack, audible: MasteredTrack | ScaledTrack, start: float
+) -> np.ndarray:
     """Return the gain of an audible copy relative to the A-weighted pressure, in the
     middle of successive intervals from `start` [s] on.
 
@@ -160,7 +165,7 @@ def recording_data(recording: Recording, end: float) -> dict[str, Any]:
         "sample_rate": recording.sample_rate,
         "source_end": end,
         "delay": 0.0,
-        "lands": False,
+        "landing": None,
         "start": first,
         "sounds": {
             "full_scale": peak,
@@ -186,7 +191,9 @@ class MonoTrack(Recording):
         return 1
 
 
-def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
+def encoded_stems(
+    stems: Mapping[str, Channels], full_scale: float, start: float
+) -> dict[str, str]:
     """Return stems from `start` [s] on, divided by `full_scale` [Pa], by name.
 
     A single stem can be louder than the sum; it is then clipped.
@@ -197,7 +204,7 @@ def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
     }
 
 
-def flac_data_url(source, start: float = 0.0) -> str:
+def flac_data_url(source: Channels, start: float = 0.0) -> str:
     """Encode a source from `start` [s] on as FLAC and return it as a data URL."""
     held = BytesIO()
     with soundfile.SoundFile(
@@ -226,7 +233,9 @@ def encoded_motion(motion: Motion, longest: float | None = None) -> dict[str, An
     count = round(MAX_STORED_MOTION_TIMES * longest / MAX_PAGE_SOUND_DURATION)
     t = sample_times(motion.rolling, max(motion.t_end - longest, 0.0), count)
     if motion.landing is not None:
-        t = np.append(t, landing_times(motion))
+        t = np.append(
+            t, landing_times(float(motion.rolling.t[-1]), float(motion.t[-1]))
+        )
     state, force = motion.at_and_force(t)
     columns = dict(
         zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True)
@@ -253,12 +262,22 @@ def encoded_contact(motion: Motion) -> dict[str, Any]:
     return {name: base64_array(column) for name, column in columns.items()}
 
 
-def landing_times(motion: Motion) -> np.ndarray:
+def encoded_landing(motion: Motion) -> dict[str, Any] | None:
+    """Return the height of the lowest point of the disk above the table [µm] over time
+    [s] from the loss of the rolling contact on, or None if it was not lost."""
+    if motion.landing is None:
+        return None
+    since = landing_times(0.0, float(motion.landing.t[-1]))
+    gap = 1e6 * motion.landing.clearance(since)
+    t = since + float(motion.rolling.t[-1])
+    return {"t": base64_array(t, float), "gap": base64_array(gap)}
+
+
+def landing_times(begin: float, end: float) -> np.ndarray:
     """Return MAX_STORED_LANDING_TIMES times [s] of a landing, half of them in its first 30 ms."""
-    begin = float(motion.rolling.t[-1])
     half = MAX_STORED_LANDING_TIMES // 2
-    soon = min(begin + 0.03, float(motion.t[-1]))
-    later = np.linspace(soon, motion.t[-1], half + 1)[1:]
+    soon = min(begin + 0.03, end)
+    later = np.linspace(soon, end, half + 1)[1:]
     return np.append(np.linspace(begin, soon, half + 1)[1:], later)
 
 
@@ -284,7 +303,7 @@ def encoded_mode_shapes(modes: Modes, support: Support) -> dict[str, Any]:
     """
     squares = surface_polygons(modes.body)
     nodes, numbers = np.unique(squares, return_inverse=True)
-    corners = numbers.reshape(squares.shape)
+    corners: np.ndarray = numbers.reshape(squares.shape)
     triangles = np.concatenate(
         [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
     )
@@ -326,7 +345,12 @@ def stored_modes(modes: Modes | SurfaceModes) -> range:
     return range(min(len(modes), max_stored_modes))
 
 
-def _encoded_shapes(points, triangles, captions, moved):
+def _encoded_shapes(
+    points: np.ndarray,
+    triangles: np.ndarray,
+    captions: list[str],
+    moved: list[np.ndarray],
+) -> dict[str, Any]:
     return {
         "points": base64_array(points),
         "triangles": base64_array(triangles, np.uint32),
@@ -337,7 +361,7 @@ def _encoded_shapes(points, triangles, captions, moved):
     }
 
 
-def base64_array(values, kind: Any = np.float32) -> dict[str, str]:
+def base64_array(values: np.ndarray, kind: Any = np.float32) -> dict[str, str]:
     """Return the little-endian bytes of a flattened array in base64.
 
     Arrays of uint8 keep their type; all others are converted to `kind`.

@@ -3,7 +3,7 @@
 Every picture is readable without colour.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future
 from functools import partial
 from io import BytesIO
@@ -28,15 +28,17 @@ from sonify.hearing.spectrogram import (
     MODE_WINDOW_S,
     spectrogram,
 )
-from sonify.plan.supports import modes_over_run
+from sonify.plan.supports import SupportStep, modes_over_run
 from sonify.report.mode_names import table_caption
 from sonify.report.render_worker import draw_png, painter
+from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
 from sonify.sound.radiation import listener_of
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
+    from dynamics.motion import Motion
     from sonify.result import Result, SolvedMotion
 
 
@@ -46,9 +48,9 @@ class Pictures:
     The `painter` draws each picture as soon as its data are known.
     """
 
-    def __init__(self, executor: Executor):
+    def __init__(self, executor: Executor) -> None:
         self._executor = executor
-        self._futures: dict[str, Future] = {}
+        self._futures: dict[str, Future[Any]] = {}
         self._parts = {"colours": painter().draw("sound", "write_colour_table", dict)}
 
     @classmethod
@@ -59,11 +61,11 @@ class Pictures:
             pictures._begin_stage(stage, result)
         return pictures
 
-    def begin(self, found: "SolvedMotion"):
+    def begin(self, found: "SolvedMotion") -> None:
         """Start drawing the pictures and encoding the page part of a completed stage."""
         self._begin_stage(found.completed_stage, found)
 
-    def _begin_stage(self, stage: str, found: "SolvedMotion | Result"):
+    def _begin_stage(self, stage: str, found: "SolvedMotion | Result") -> None:
         for name, (needs, module, function, shown) in PICTURES.items():
             if needs == stage and not _is_omitted(name, found):
                 data = partial(shown, found)
@@ -74,13 +76,13 @@ class Pictures:
         """Return the argument `parts` of `page_data`, after both stages have begun."""
         return {name: part.result() for name, part in self._parts.items()}
 
-    def write(self, result: "Result"):
+    def write(self, result: "Result") -> None:
         """Write every picture of a result into its folder.
 
         Drafts omit the stems, and motions without two-way coupling omit the energies.
         """
         for name in PICTURES:
-            path = result.out / f"{name}.png"
+            path = output_folder(result) / f"{name}.png"
             if _is_omitted(name, result):
                 path.unlink(missing_ok=True)  # left by an earlier run
                 continue
@@ -88,13 +90,13 @@ class Pictures:
                 temporary.write_bytes(self._futures[name].result())
 
 
-def encode_motion(found):
+def encode_motion(found: "SolvedMotion | Result") -> dict[str, Any]:
     from sonify.report.page_data import encoded_motion  # slow import
 
     return encoded_motion(found.motion)
 
 
-def encode_sounds(found):
+def encode_sounds(found: "Result") -> dict[str, Any]:
     from sonify.report.page_data import encoded_sounds  # slow import
 
     _ = found.sound.loudness  # computed early, because run.json contains it
@@ -108,7 +110,7 @@ PAGE_PARTS: dict[str, Callable[[Any], Any]] = {
 """Function that encodes the part of the page of each stage."""
 
 
-def _is_omitted(name, found):
+def _is_omitted(name: str, found: "SolvedMotion | Result") -> bool:
     if name == "energy":
         return not two_way_part(found.motion.rolling)
     return name == "stems" and found.plan.accuracy == "draft"
@@ -129,7 +131,7 @@ def picture(result: "Result", name: str) -> "Image":
     return Image.open(BytesIO(draw_png(module, function, shown(result)))).convert("RGB")
 
 
-def spectrogram_data(found):
+def spectrogram_data(found: "Result") -> dict[str, Any]:
     motion = found.motion.rolling
     sound = found.sound
     low = spectrogram(sound.pressure, CONTACT_RATE_WINDOW_S).band(*CONTACT_RATE_BAND_HZ)
@@ -152,7 +154,7 @@ def spectrogram_data(found):
     }
 
 
-def stem_level_data(found):
+def stem_level_data(found: "Result") -> dict[str, Any]:
     sound = found.sound
     stems = {
         name: (one.time, one.a_weighted, one.above_threshold)
@@ -161,7 +163,7 @@ def stem_level_data(found):
     return {"stems": stems, "end": sound.source_end, "duration": sound.duration}
 
 
-def motion_curve_data(found):
+def motion_curve_data(found: "SolvedMotion | Result") -> dict[str, Any]:
     """Return the time histories of a motion and, for the paper's scene, the curves of
     its figures.
     """
@@ -170,7 +172,7 @@ def motion_curve_data(found):
     return {"motion": _time_histories(motion), "paper": paper}
 
 
-def _time_histories(motion):
+def _time_histories(motion: "Motion") -> dict[str, Any]:
     """Return the time histories of a motion in SI units, with inclination in
     degrees."""
     t = np.linspace(0, motion.t[-1], 24_000)
@@ -187,7 +189,7 @@ def _time_histories(motion):
     }
 
 
-def _paper_figures(motion):
+def _paper_figures(motion: "Motion") -> dict[str, Any]:
     """Return the curves of the paper's figures and the weight in their unit of
     force."""
     disk = motion.disk
@@ -213,7 +215,7 @@ def _paper_figures(motion):
     }
 
 
-def energy_data(found):
+def energy_data(found: "Result") -> dict[str, Any]:
     """Return the energies of a two-way coupled motion at times that are spaced more
     closely towards its end."""
     motion = found.motion.rolling
@@ -240,7 +242,7 @@ def times_towards_end(begin: float, end: float) -> np.ndarray:
     )  # round-off must not produce earlier times
 
 
-def mode_shape_data(found):
+def mode_shape_data(found: "SolvedMotion | Result") -> dict[str, Any]:
     """Return the modes of disk and table; drafts omit the oblique view."""
     steps = modes_over_run(found.scene, found.motion.rolling, found.plan.highest_mode)
     shown = {
@@ -257,7 +259,7 @@ def mode_shape_data(found):
     return shown
 
 
-def mode_changes_text(steps) -> str:
+def mode_changes_text(steps: Sequence[SupportStep]) -> str:
     """Return one line for each mode of a disk on its contact.
 
     It lists the frequency [Hz] at each inclination [degrees] as the disk falls.
@@ -277,7 +279,7 @@ def mode_changes_text(steps) -> str:
     return "\n".join(lines)
 
 
-PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
+PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict[str, Any]]]] = {
     "spectrogram": ("sound", "sound", "draw_spectrogram", spectrogram_data),
     "stems": ("sound", "sound", "draw_stems", stem_level_data),
     "motion": ("motion", "motion", "draw_motion", motion_curve_data),

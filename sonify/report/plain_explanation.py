@@ -44,8 +44,9 @@ def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:
     ]
 
 
-def movement_sentence(motion):
-    """State the number of turns of the contact in the first and in the last second."""
+def movement_sentence(motion: Motion) -> str:
+    """State the number of turns of the contact in the first and in the last second, or that
+    the motion begins without one."""
     end = float(motion.t[-1])
     window = min(1.0, end / 2)
     angles = motion.precession([0.0, window, end - window, end])
@@ -54,26 +55,33 @@ def movement_sentence(motion):
     turns = [
         f"{count:.3g}" if count < 1000 else f"{count:.0f}" for count in (first, last)
     ]
+    if not motion.finding_groups:
+        return (
+            "The disk does not roll from the start: it flies or stands on both edges of its rim, "
+            "and meets the table again."
+        )
     return (
         f"The disk rolls on its edge, and the point where it touches the table runs round "
         f"{turns[0]} times in the first {span} and {turns[1]} times in the last."
     )
 
 
-def pitch_sentence(by_key):
+def pitch_sentence(by_key: dict[str, Finding]) -> str:
     law = "The flatter a rolling disk lies, the faster this point has to run"
     found = next((by_key[key] for key in PITCH_KEYS if key in by_key), None)
     if found is None or found.holds is None:
         return f"{law}; whether the pitch rises was not decided in this run."
     if not found.holds:
         return f"{law}, but the pitch of this sound does not rise."
+    if found.cause == "beats":
+        return f"{law}; the sound beats with it, faster and faster."
     tone = by_key.get("tone_is_precession")
-    if tone is not None and tone.holds:
+    if found.cause != "band" and tone is not None and tone.holds:
         return f"{law}; this is the tone that you hear, and therefore its pitch rises."
     return f"{law}, and the pitch rises towards the end."
 
 
-def source_sentence(by_key):
+def source_sentence(by_key: dict[str, Finding]) -> str:
     decided = [
         key for key in LOUDEST_PARTS if key in by_key and by_key[key].holds is not None
     ]
@@ -91,7 +99,7 @@ def source_sentence(by_key):
     return "Which part is loudest was not decided in this run."
 
 
-def contact_sentence(by_key):
+def contact_sentence(by_key: dict[str, Finding]) -> str:
     rattles = by_key.get("disk_rattles")
     if rattles is not None and rattles.holds:
         knocks = rattles.details["impacts_per_second"]
@@ -118,7 +126,7 @@ def contact_sentence(by_key):
     return "The disk never leaves the table: the sound comes from a rolling edge, not from knocks."
 
 
-def end_sentence(motion, by_key):
+def end_sentence(motion: Motion, by_key: dict[str, Finding]) -> str:
     end = motion.outcome if motion.landing else motion.rolling_outcome
     clause = END_CLAUSES.get(end, end.sentence)
     time = f"after {float(motion.t[-1]):.3g} s {clause}"

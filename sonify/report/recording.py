@@ -1,16 +1,17 @@
 """Report the analysis of a user's sound file in words, numbers and pictures."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict
 from math import inf
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from sonify.hearing.audio_source import excerpt, source_of, truncation_of
+from sonify.hearing.audio_source import AudioSource, excerpt, source_of, truncation_of
 from sonify.hearing.recording import Heard, listen, read
 from sonify.hearing.recording_errors import RecordingError
 from sonify.hearing.recording_files import recording_files
-from sonify.hearing.ring_down import decaying_lines, free_ringing
+from sonify.hearing.ring_down import DecayingLine, decaying_lines, free_ringing
 from sonify.hearing.spectral_lines import SpectralLine
 from sonify.hearing.spectrogram import (
     CONTACT_RATE_BAND_HZ,
@@ -30,8 +31,13 @@ from sonify.runtime.files import (
     create_folder,
     first_matching_folder,
 )
+from sonify.runtime.json_values import json_safe, write_json
 from sonify.runtime.progress import Stages
 from sonify.scene_errors import InputError
+
+if TYPE_CHECKING:
+    from sonify.claims.resonance_matching import Match
+    from sonify.hearing.settling.detector import SettlingRun
 
 
 def write_recording_reports(
@@ -78,14 +84,20 @@ def write_recording_reports(
     return len(failures)
 
 
-def _failure_sentence(path, error):
+def _failure_sentence(path: str | Path, error: Exception) -> str:
     """Return the reason why a recording could not be analysed."""
     if not isinstance(error, InputError):
         return f"{path}: {type(error).__name__}: {error}"
     return str(error) if str(error).startswith(str(path)) else f"{path}: {error}"
 
 
-def _write_pictures(folder, whole_sound, span, part, runs):
+def _write_pictures(
+    folder: Path,
+    whole_sound: AudioSource,
+    span: tuple[float, float],
+    part: AudioSource,
+    runs: "Sequence[SettlingRun]",
+) -> None:
     """Write spectrogram.png of the `part` of a sound in a span [s], and settling.png of
     the runs in it, if there are any."""
     from sonify.report.sound import draw_recording, draw_settling
@@ -124,7 +136,13 @@ def write_recording_report(
     return _write_report(recording, out, known, stages or Stages(), span)
 
 
-def _write_report(recording, out, known, stages, span):
+def _write_report(
+    recording: str | Path,
+    out: str | Path | None,
+    known: list[tuple[str, float]],
+    stages: Stages,
+    span: tuple[float, float],
+) -> list[str]:
     """Write the files of `write_recording_report` and return its lines of text.
 
     `known` are the resonances of the scene."""
@@ -141,9 +159,6 @@ def _write_report(recording, out, known, stages, span):
     samples, rate, _, _ = read(part)
     ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = create_folder(out or default_report_folder(recording))
-    from sonify.report.write import write_json
-    from sonify.runtime.json_values import json_safe
-
     _write_pictures(folder, whole_sound, span, part, runs)
     content = {
         "recording": absolute_path_text(recording),
@@ -182,7 +197,7 @@ def default_report_folder(
     )
 
 
-def recording_named_in_folder(folder):
+def recording_named_in_folder(folder: Path) -> str | None:
     """Return the path of the recording stored in the heard.json of a folder.
 
     The result is None if there is no such file, and "" if another program wrote it.
@@ -196,7 +211,7 @@ def recording_named_in_folder(folder):
         return ""
 
 
-def absolute_path_text(recording):
+def absolute_path_text(recording: str | Path) -> str:
     return str(Path(recording).resolve())
 
 
@@ -212,7 +227,9 @@ def resonances_of_scene(scene: str | Path | None) -> list[tuple[str, float]]:
     return known_resonances(load_scene(scene))
 
 
-def matching_resonance(carrier, known):
+def matching_resonance(
+    carrier: SpectralLine, known: list[tuple[str, float]]
+) -> "Match | None":
     if not known:
         return None
     from sonify.claims.resonance_matching import nearest_resonance
@@ -220,7 +237,7 @@ def matching_resonance(carrier, known):
     return nearest_resonance(carrier, known)
 
 
-def analysis_record(heard: Heard, known) -> dict:
+def analysis_record(heard: Heard, known: list[tuple[str, float]]) -> dict[str, Any]:
     """Return the analysis as plain values: duration and start of the sound, and its
     spectral lines."""
     values = asdict(heard)
@@ -229,7 +246,9 @@ def analysis_record(heard: Heard, known) -> dict:
     return values
 
 
-def spectral_line_record(carrier: SpectralLine, known) -> dict:
+def spectral_line_record(
+    carrier: SpectralLine, known: list[tuple[str, float]]
+) -> dict[str, Any]:
     """Return a spectral line as plain values, with its trend (`course`) and the
     matching known resonance.
     """
@@ -240,7 +259,7 @@ def spectral_line_record(carrier: SpectralLine, known) -> dict:
     }
 
 
-def analysis_sentences(heard: Heard, known) -> list[str]:
+def analysis_sentences(heard: Heard, known: list[tuple[str, float]]) -> list[str]:
     """Return the analysis as lines of text."""
     return [
         f"{heard.duration:.3f} s at {heard.sample_rate} Hz, sound from {heard.start:.3f} s on",
@@ -252,7 +271,7 @@ def analysis_sentences(heard: Heard, known) -> list[str]:
     ]
 
 
-def ringing_sentence(line):
+def ringing_sentence(line: DecayingLine) -> str:
     """Return a description of a decaying spectral line."""
     return (
         f"free ringing: {line.frequency:.1f} Hz, amplitude decay {line.decay_rate:.1f} ± "
@@ -260,13 +279,13 @@ def ringing_sentence(line):
     )
 
 
-def match_clause(match):
+def match_clause(match: "Match | None") -> str:
     if not match:
         return ""
     return f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz"
 
 
-def spectral_line_description(c):
+def spectral_line_description(c: SpectralLine) -> str:
     course = c.course
     if course != "steady":
         course += f" by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"

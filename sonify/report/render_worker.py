@@ -10,12 +10,13 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from importlib import import_module
 from io import BytesIO
+from typing import Any
 
 from sonify.runtime.library_messages import hide_library_messages
 from sonify.runtime.workers import BackgroundWorker, one_per_process, serve_calls
 
 
-def draw_png(module: str, name: str, data: dict) -> bytes:
+def draw_png(module: str, name: str, data: dict[str, Any]) -> bytes:
     """Return the PNG drawn from `data` by the function `name` of a module of this
     package."""
     file = BytesIO()
@@ -30,11 +31,13 @@ class Painter(BackgroundWorker):
     The worker exits with this process.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(__name__, single_threaded=False)
         self._gathering = ThreadPoolExecutor(1, "gathering")
 
-    def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
+    def draw(
+        self, module: str, name: str, data: Callable[[], dict[str, Any]]
+    ) -> Future[Any]:
         """Return the Future of `draw_png`; pictures are drawn one after another.
 
         A thread calls `data` while the worker draws the previous picture.
@@ -53,16 +56,18 @@ def painter() -> Painter:
     return Painter()
 
 
-def serve():
+def serve() -> None:
     """Worker loop: serve drawing requests until the parent process exits."""
     if sys.platform != "win32":
         os.nice(5)  # solvers have priority
     hide_library_messages()  # matplotlib reports that it builds its font cache
-    gc.disable()  # it would scan all of matplotlib about ten times per picture
+    gc.disable()
     for module in ("motion", "sound", "mode_shapes"):
         import_module(f"sonify.report.{module}")
     gc.freeze()  # later collections ignore the loaded modules
-    serve_calls(gc.collect)
+    gc.set_threshold(100_000)  # new objects, those of about five pictures
+    gc.enable()
+    serve_calls()
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Convert settling runs to the text and the records of `sonify listen`."""
 
 from dataclasses import asdict
+from typing import Any
 
 import numpy as np
 
@@ -8,9 +9,10 @@ from sonify.hearing.settling.detector import SettlingRun
 from sonify.hearing.settling.settings import SETTLING
 
 
-def settling_run_record(run: SettlingRun) -> dict:
+def settling_run_record(run: SettlingRun) -> dict[str, Any]:
     """Return a run as plain values for the list `runs` in heard.json."""
     rate = run.rate_at_1s.value
+    assert rate is not None, "only an end can be missing"
     return {
         "kind": run.kind,
         "start": run.start,
@@ -30,7 +32,7 @@ def settling_run_record(run: SettlingRun) -> dict:
     }
 
 
-def joint_region_rows(run: SettlingRun) -> list[dict]:
+def joint_region_rows(run: SettlingRun) -> list[dict[str, Any]]:
     """Return the ranges of end and rate compatible with a run, one row per step of the
     exponent."""
     exponent_step = 0.05
@@ -55,6 +57,7 @@ def region_sentence(run: SettlingRun) -> str:
     """Return a line on the joint region of exponent and end, and on both
     interpretations of the turns."""
     rate = run.rate_at_1s.value
+    assert rate is not None, "only an end can be missing"
     ridge = "; ".join(
         "n {:.2f} to {:.2f} with an end at {:.3f} to {:.3f} s".format(
             *row["exponent"], *row["t_end"]

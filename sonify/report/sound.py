@@ -2,7 +2,9 @@
 of hearing.
 """
 
+from collections.abc import Mapping, Sequence
 from itertools import cycle, pairwise
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from matplotlib import colormaps
@@ -14,7 +16,19 @@ from sonify.hearing.spectrogram import (
     Spectrogram,
     spectrogram,
 )
-from sonify.report.figure import label_plain_decades, place_legend_above, png_figure
+from sonify.report.figure import (
+    PicturePath,
+    label_plain_decades,
+    place_legend_above,
+    png_figure,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.image import AxesImage
+
+    from sonify.hearing.audio_source import AudioSource
+    from sonify.hearing.settling.detector import SettlingRun
 
 STEM_STYLES = (
     ("#0072b2", "-"),
@@ -32,15 +46,15 @@ DARK_OUTLINE = [withStroke(linewidth=2.5, foreground="k")]
 
 
 def draw_spectrogram(
-    path,
+    path: PicturePath,
     bands: tuple[Spectrogram, Spectrogram],
-    spans,
-    time,
-    rates,
-    frequencies,
-    table=(),
-    carrier=None,
-):
+    spans: Sequence[tuple[float, float]],
+    time: np.ndarray,
+    rates: Sequence[np.ndarray],
+    frequencies: np.ndarray,
+    table: Sequence[float] | np.ndarray = (),
+    carrier: tuple[np.ndarray, np.ndarray] | None = None,
+) -> None:
     """Draw spectrograms of the pressure with the computed frequencies.
 
     Parameters
@@ -107,7 +121,13 @@ def draw_spectrogram(
 LAW_NAMES = {"flat": "steady", "exponential": "expon."}
 
 
-def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
+def draw_recording(
+    path: PicturePath,
+    low: Spectrogram,
+    high: Spectrogram,
+    span: tuple[float, float],
+    runs: "Sequence[SettlingRun]" = (),
+) -> None:
     """Draw the spectrogram of a recording in two bands, relative to full scale, over a
     `span` [s].
 
@@ -139,7 +159,9 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
             draw_legend(axes[0])
 
 
-def levels_by_turn(source, begin, run):
+def levels_by_turn(
+    source: "AudioSource", begin: float, run: "SettlingRun"
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the turns left (k,) of a settling run and the levels (k, 129) [dB] during
     two turns each, relative to their median.
 
@@ -159,7 +181,12 @@ def levels_by_turn(source, begin, run):
     return turns, uniform_filter(rows, (3, 7))
 
 
-def draw_settling(path, source, begin, runs):
+def draw_settling(
+    path: PicturePath,
+    source: "AudioSource",
+    begin: float,
+    runs: "Sequence[SettlingRun]",
+) -> None:
     """Draw the settling runs in a source turn by turn, with the scores of rival laws.
 
     The source starts at the time `begin` [s]. In the upper panels each row is one turn
@@ -202,7 +229,13 @@ def draw_settling(path, source, begin, runs):
             )
 
 
-def draw_bands(panels, low, high, span, reference=REFERENCE_PRESSURE_PA):
+def draw_bands(
+    panels: "Sequence[Axes]",
+    low: Spectrogram,
+    high: Spectrogram,
+    span: tuple[float, float],
+    reference: float = REFERENCE_PRESSURE_PA,
+) -> "tuple[AxesImage, AxesImage]":
     """Draw the bands of the contact rates and of the modes over a span [s] in two
     panels; return the images."""
     min_mode_frequency = 250.0  # Hz
@@ -220,13 +253,13 @@ def draw_bands(panels, low, high, span, reference=REFERENCE_PRESSURE_PA):
     )
 
 
-def set_log_frequency_axis(axes, band):
+def set_log_frequency_axis(axes: "Axes", band: tuple[float, float]) -> None:
     """Set a logarithmic frequency axis over `band` with ticks at 1, 2, 5, 10, ..."""
     axes.set(yscale="log", ylim=band)
     label_plain_decades(axes.yaxis)
 
 
-def loudest_db(seen, reference=REFERENCE_PRESSURE_PA) -> float:
+def loudest_db(seen: Spectrogram, reference: float = REFERENCE_PRESSURE_PA) -> float:
     """Return the highest spectrogram level [dB re `reference`], rounded up to a
     multiple of 5.
 
@@ -235,7 +268,13 @@ def loudest_db(seen, reference=REFERENCE_PRESSURE_PA) -> float:
     return float(5 * np.ceil(seen.level_db(reference).max(initial=-200.0) / 5))
 
 
-def draw_level_image(axes, seen, unit, loudest, reference=REFERENCE_PRESSURE_PA):
+def draw_level_image(
+    axes: "Axes",
+    seen: Spectrogram,
+    unit: float,
+    loudest: float,
+    reference: float = REFERENCE_PRESSURE_PA,
+) -> "AxesImage":
     """Draw a spectrogram level [dB re `reference`] over time and frequency; return the
     image.
 
@@ -261,14 +300,17 @@ def draw_level_image(axes, seen, unit, loudest, reference=REFERENCE_PRESSURE_PA)
     )
 
 
-def resample_to_rows(level, frequency, axes):
+def resample_to_rows(
+    level: np.ndarray, frequency: np.ndarray, axes: "Axes"
+) -> np.ndarray:
     """Resample levels (f, t) to evenly spaced rows of a panel.
 
     A row that contains several frequencies shows the highest level.
     """
     row_count = 400  # close to the height of a panel in pixels
     scale = axes.yaxis.get_transform()
-    edges = np.linspace(*scale.transform(axes.get_ylim()), row_count + 1)
+    low, high = scale.transform(np.array(axes.get_ylim()))
+    edges = np.linspace(low, high, row_count + 1)
     edges = scale.inverted().transform(edges)
     between = np.searchsorted((frequency[1:] + frequency[:-1]) / 2, edges)
     return np.stack(
@@ -276,14 +318,16 @@ def resample_to_rows(level, frequency, axes):
     )
 
 
-def write_colour_table(path):
+def write_colour_table(path: BinaryIO) -> None:
     """Write the colours of a `draw_level_image` to a file as (256, 3) bytes, from dark
     to bright."""
     colours = 255 * colormaps["magma"](np.arange(256))[:, :3]
     path.write(colours.round().astype(np.uint8).tobytes())
 
 
-def draw_rate_lines(axes, time, rates, unit):
+def draw_rate_lines(
+    axes: "Axes", time: np.ndarray, rates: Sequence[np.ndarray], unit: float
+) -> None:
     for rate, color, style, name in zip(
         rates, ("w", "#56b4e9"), ("-", "--"), ("precession", "nutation"), strict=True
     ):
@@ -298,11 +342,15 @@ def draw_rate_lines(axes, time, rates, unit):
         )
 
 
-def draw_legend(axes):
+def draw_legend(axes: "Axes") -> None:
     place_legend_above(axes, facecolor="0.2", labelcolor="w")
 
 
-def draw_table_mode_lines(panels, table, span):
+def draw_table_mode_lines(
+    panels: "Sequence[Axes]",
+    table: Sequence[float] | np.ndarray,
+    span: tuple[float, float],
+) -> None:
     """Draw the modes of a table as short lines at the right edge.
 
     A table has many modes; longer lines would hide their sound.
@@ -320,7 +368,9 @@ def draw_table_mode_lines(panels, table, span):
         )
 
 
-def label_frequencies(axes, frequencies, unit):
+def label_frequencies(
+    axes: "Axes", frequencies: Sequence[float] | np.ndarray, unit: float
+) -> None:
     """Write frequencies [Hz] to the right of a panel.
 
     Labels that would overlap or move too far from their lines are omitted.
@@ -357,7 +407,12 @@ def label_frequencies(axes, frequencies, unit):
         last = place
 
 
-def draw_stems(path, stems, end: float, duration: float):
+def draw_stems(
+    path: PicturePath,
+    stems: Mapping[str, tuple[np.ndarray, np.ndarray, np.ndarray]],
+    end: float,
+    duration: float,
+) -> None:
     """Draw the A-weighted level of each stem and its level above the threshold of
     hearing.
 
@@ -369,14 +424,15 @@ def draw_stems(path, stems, end: float, duration: float):
         for (name, (time, a_weighted, above_threshold)), (color, style) in zip(
             stems.items(), cycle(STEM_STYLES)
         ):
-            options = {
+            label = name.replace("_", " ")
+            if np.max(a_weighted, initial=-np.inf) < faintest:
+                label += " (fainter)"
+            options: dict[str, Any] = {
                 "color": color,
                 "ls": style,
                 "lw": 1.4,
-                "label": name.replace("_", " "),
+                "label": label,
             }
-            if np.max(a_weighted, initial=-np.inf) < faintest:
-                options["label"] += " (fainter)"
             weighted.plot(time, a_weighted, **options)
             above.plot(time, above_threshold, **options)
         weighted.set(ylabel="A-weighted level [dB re 20 µPa]", ylim=(faintest, None))

@@ -1,6 +1,5 @@
 """Write run.json, motion.npz, the modes, the pictures and the page of a result."""
 
-import json
 import shutil
 import subprocess
 from concurrent.futures import Future
@@ -19,20 +18,20 @@ from sonify.claims.air import end_cause_scalars
 from sonify.claims.checks import Check
 from sonify.claims.ensemble import Ensemble, repeat_final_part
 from sonify.claims.finding import Finding
-from sonify.hearing.loudness import MissingExtraError, roughness
 from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
 from sonify.report.headline import headline
 from sonify.report.pictures import Pictures
+from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
-from sonify.runtime.json_values import json_safe, plain_value
+from sonify.runtime.json_values import json_safe, write_json
 from sonify.runtime.progress import Stages, Watch
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import mastering_record, true_peak_dbtp
-from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
     from sonify.result import Result
+    from sonify.scene import Scene
 
 DISTRIBUTION_NAME = "eulers-disk-sonify"
 RECORDED_LIBRARIES = (
@@ -57,8 +56,8 @@ def write_record(
     result: "Result",
     stages: Stages,
     pictures: Pictures,
-    record: Future,
-    content: Future,
+    record: Future[Any],
+    content: Future[Any],
 ) -> None:
     """Write all files of a result except its sound, and time the stages.
 
@@ -68,26 +67,26 @@ def write_record(
     from sonify.report import page  # slow import
 
     with stages.stage("motion.npz, modes"):
-        write_motion(result.motion, result.out / "motion.npz")
+        write_motion(result.motion, output_folder(result) / "motion.npz")
         rings = {"ring_down": ring_down_record(result.sound.ringing)}
         write_json(
             as_json(result.modes) | mode_changes_record(result) | rings,
-            result.out / "modes.json",
+            output_folder(result) / "modes.json",
         )
-        with atomic_write(result.out / "modes.vtu") as temporary:
+        with atomic_write(output_folder(result) / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.write(result)
     if result.scene.surface.kind == "mesh":
-        copy_table_mesh(Path(result.scene.surface.file), result.out)
+        copy_table_mesh(Path(result.scene.surface.file), output_folder(result))
     write_json(
         record.result() | {"seconds": rounded_seconds(result.seconds)},
-        result.out / "run.json",
+        output_folder(result) / "run.json",
     )
-    page.write_page(result, result.out / "report.html", content.result())
+    page.write_page(result, output_folder(result) / "report.html", content.result())
 
 
-def mode_changes_record(result: "Result") -> dict:
+def mode_changes_record(result: "Result") -> dict[str, Any]:
     """Return the entry of modes.json for a disk on its contact.
 
     It contains the modes at several inclinations [rad] of the run.
@@ -107,7 +106,7 @@ def mode_changes_record(result: "Result") -> dict:
     return {"over_the_run": rows} if rows else {}
 
 
-def write_motion(motion: Motion, path: Path):
+def write_motion(motion: Motion, path: Path) -> None:
     """Write the motion to a NumPy archive.
 
     The archive contains times [s], states, forces [N] and regimes at the ends of the
@@ -133,7 +132,7 @@ def write_motion(motion: Motion, path: Path):
         )
 
 
-def copy_table_mesh(file: Path, out: Path):
+def copy_table_mesh(file: Path, out: Path) -> None:
     """Copy the mesh of a table into the folder `out` of run.json.
 
     The record contains the file name without the folder, so it is a valid scene on any
@@ -144,7 +143,7 @@ def copy_table_mesh(file: Path, out: Path):
             shutil.copyfile(file, temporary)
 
 
-def scene_record(scene) -> dict:
+def scene_record(scene: "Scene") -> dict[str, Any]:
     """Return all keys of a scene; the file name of a mesh has no folder."""
     record = json_safe(asdict(scene))
     if scene.surface.kind == "mesh":
@@ -152,7 +151,7 @@ def scene_record(scene) -> dict:
     return record
 
 
-def run_record(result: "Result") -> dict:
+def run_record(result: "Result") -> dict[str, Any]:
     """Return the content of run.json as plain, finite values."""
     sound = result.sound
     return {
@@ -176,9 +175,6 @@ def run_record(result: "Result") -> dict:
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
             "loudness_lufs": json_safe(sound.loudness[0]),
-            "roughness": "not in a draft"
-            if result.plan.accuracy == "draft"
-            else roughness_record(sound),
             "stem_peak_pascal": sound.stem_peaks,
             "stems_in_rest": list(sound.inaudible_stems),
             "energy_below_100_hz_300_hz": sound.low_frequency_shares,
@@ -202,7 +198,7 @@ def run_record(result: "Result") -> dict:
     }
 
 
-def hand_over_record(motion: Motion) -> dict | None:
+def hand_over_record(motion: Motion) -> dict[str, Any] | None:
     """Return the end of the rolling motion [s] and its reason; None if it never ended."""
     reason = motion.rolling_outcome
     if motion.landing is None and reason is motion.outcome:
@@ -220,11 +216,11 @@ def write_ensemble(result: "Result", count: int, watch: Watch) -> Ensemble:
     repeated = repeat_final_part(
         result.scene, result.motion.rolling, count, watch=watch
     )
-    write_json(json_safe(repeated.record()), result.out / "ensemble.json")
+    write_json(json_safe(repeated.record()), output_folder(result) / "ensemble.json")
     return repeated
 
 
-def ring_down_record(ringing: RingDown) -> dict:
+def ring_down_record(ringing: RingDown) -> dict[str, Any]:
     """Return frequency [Hz], decay rates [1/s] and T60 [s] of the modes after the
     motion.
 
@@ -297,26 +293,6 @@ def duration_columns(seconds: dict[str, float]) -> dict[str, float]:
     return {
         f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()
     }
-
-
-def roughness_record(sound: Sound) -> dict | str:
-    """Return the roughness [asper] in the last seconds of the motion, or the reason why
-    it is unknown.
-    """
-    try:
-        time, asper = roughness(sound.pressure, sound.source_end)
-        return {"time": time.tolist(), "asper": asper.tolist()}
-    except (ValueError, MissingExtraError) as error:
-        return str(error)
-
-
-def write_json(value, path: Path):
-    """Write strict JSON; NumPy scalars and arrays are written as plain values.
-
-    Raises ValueError if a value is not finite."""
-    text = json.dumps(value, indent=1, allow_nan=False, default=plain_value)
-    with atomic_write(path) as temporary:
-        temporary.write_text(text + "\n", encoding="utf-8")
 
 
 def versions() -> dict[str, str]:

@@ -80,6 +80,12 @@ def claimed_folder(folder: str | Path) -> Iterator[Path]:
                 made.rmdir()
 
 
+def write_text(text: str, path: str | Path) -> None:
+    """Write a text atomically to a file, as `readable_text` in UTF-8."""
+    with atomic_write(path) as temporary:
+        temporary.write_text(readable_text(text), "utf-8")
+
+
 @contextmanager
 def atomic_write(path: str | Path) -> Iterator[Path]:
     """Yield a temporary path in the folder of `path`, for an atomic write.

@@ -1,9 +1,21 @@
 """Plain values for JSON, which knows neither NumPy scalars nor non-finite numbers."""
 
+import json
 from math import isfinite
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+from sonify.runtime.files import write_text
+
+
+def write_json(value: Any, path: Path) -> None:
+    """Write strict JSON; NumPy scalars and arrays are written as plain values.
+
+    Raises ValueError if a value is not finite."""
+    text = json.dumps(value, indent=1, allow_nan=False, default=plain_value)
+    write_text(text + "\n", path)
 
 
 def json_safe(value: Any) -> Any:

@@ -8,10 +8,13 @@ from math import floor
 from pathlib import Path
 from statistics import median_low
 from time import perf_counter
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 MAX_SIMULTANEOUS_STAGES = 8
 """Number of threads of a run; a task may wait for the result of one that began earlier."""
+
+if TYPE_CHECKING:
+    import numpy as np
 
 
 class Watch(Protocol):
@@ -32,7 +35,7 @@ class Stages:
     This class prints nothing; the subclass for the command line prints the progress.
     """
 
-    def __init__(self, seconds: dict[str, float] | None = None):
+    def __init__(self, seconds: dict[str, float] | None = None) -> None:
         self.seconds = {} if seconds is None else seconds
 
     @contextmanager
@@ -42,20 +45,20 @@ class Stages:
         yield lambda share, note="": None
         self.seconds[name] = perf_counter() - began
 
-    def notice(self, line: str):
+    def notice(self, line: str) -> None:
         """Receive a message for the user before the work starts."""
 
-    def expect(self, seconds: float):
+    def expect(self, seconds: float) -> None:
         """Receive the predicted duration [s] of a run on two idle cores."""
 
-    def pressure(self, block, sample_rate: int, samples: int):
+    def pressure(self, block: "np.ndarray", sample_rate: int, samples: int) -> None:
         """Receive a block (k,) of the pressure at the first listener [Pa] while it is
         rendered.
 
         `samples` is the length of the whole sound.
         """
 
-    def sound_written(self, path: Path):
+    def sound_written(self, path: Path) -> None:
         """Receive the path of sound.wav, which is written before all other files."""
 
 
@@ -78,7 +81,7 @@ class StageProgress:
     share, and interruptions are left out. The caller passes clock times [s]. The
     completed share never decreases; it is None before the first report."""
 
-    def __init__(self, name: str, began: float):
+    def __init__(self, name: str, began: float) -> None:
         self.name = name
         self.began = began
         self.share: float | None = None
@@ -86,7 +89,7 @@ class StageProgress:
         self._measured: tuple[float, float] | None = None
         self._intervals: deque[Interval] = deque()
 
-    def report(self, now: float, share: float, note: str = ""):
+    def report(self, now: float, share: float, note: str = "") -> None:
         """Record the completed share, from 0 to 1, and a short note."""
         min_interval = 0.2  # s, between two measurements of the speed
         self.share = max(share, self.share or 0.0)
@@ -102,7 +105,7 @@ class StageProgress:
             self._measured = (now, self.share)
             self._forget_old_intervals(now)
 
-    def _forget_old_intervals(self, now):
+    def _forget_old_intervals(self, now: float) -> None:
         """Keep the intervals of the last 30 s, and at least 20."""
         window = 30.0  # s
         while len(self._intervals) > 20 and self._intervals[0].end < now - window:
@@ -110,7 +113,7 @@ class StageProgress:
 
     def remaining(self) -> float | None:
         """Return the estimated remaining time [s], or None while it is unknown."""
-        if not self._intervals:
+        if not self._intervals or self.share is None:
             return None
         interruption = 10 * median_low(one.duration for one in self._intervals)
         steady = [one for one in self._intervals if one.duration <= interruption]

@@ -5,8 +5,13 @@ import os
 import signal
 import sys
 import threading
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from stat import S_ISREG
+from types import FrameType
+from typing import Any, TextIO, TypeVar
+
+R = TypeVar("R")
 
 TERMINATION_SIGNALS = [signal.SIGINT, signal.SIGTERM]
 """Signals that end a command: Ctrl-C, the end of a batch job and, except on Windows, a
@@ -22,7 +27,7 @@ class AbortedError(RuntimeError):
 
 
 @contextmanager
-def orderly_exit():
+def orderly_exit() -> Iterator[None]:
     """Convert termination signals to KeyboardInterrupt(number) and ignore closed output
     streams."""
     with (
@@ -34,13 +39,13 @@ def orderly_exit():
 
 
 @contextmanager
-def installed_signal_handlers():
+def installed_signal_handlers() -> Iterator[None]:
     """Install the signal handlers, in the main thread only.
 
     Signals that are already ignored, e.g. under nohup, remain ignored.
     """
 
-    def end(number, frame):
+    def end(number: int, frame: FrameType | None) -> None:
         if not _is_importing(frame):
             raise KeyboardInterrupt(number)
         repeat_interval = 0.05  # s; repeat the signal until the import has finished
@@ -61,7 +66,7 @@ def installed_signal_handlers():
             signal.signal(number, answer)
 
 
-def send_signal(thread, number):
+def send_signal(thread: int, number: int) -> None:
     """Send a signal to a thread and wake it; on Windows, raise it in the current
     thread."""
     if sys.platform != "win32":
@@ -70,7 +75,7 @@ def send_signal(thread, number):
         signal.raise_signal(number)
 
 
-def _is_importing(frame):
+def _is_importing(frame: FrameType | None) -> bool:
     """Return True if a module is being imported.
 
     Some modules would mistake the interrupt for a missing dependency.
@@ -84,21 +89,21 @@ class AbandonableStream:
     """Text stream that discards its output after the reader closes it, so that the run
     continues."""
 
-    def __init__(self, stream):
+    def __init__(self, stream: TextIO) -> None:
         self._stream = stream
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         return getattr(self._stream, name)
 
     def write(self, text: str) -> int:
         """Write to the stream."""
         return self._ignore_closed_pipe(self._stream.write, text)
 
-    def flush(self):
+    def flush(self) -> None:
         """Flush the stream."""
         self._ignore_closed_pipe(self._stream.flush)
 
-    def _ignore_closed_pipe(self, function, *arguments):
+    def _ignore_closed_pipe(self, function: Callable[..., R], *arguments: Any) -> R:
         try:
             return function(*arguments)
         except OSError as error:

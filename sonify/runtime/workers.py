@@ -35,7 +35,7 @@ class WorkerProcess:
     user, which therefore needs no main guard. With `single_threaded`, its libraries use
     one thread, because other workers occupy the remaining cores."""
 
-    def __init__(self, module: str = __name__, single_threaded: bool = True):
+    def __init__(self, module: str = __name__, single_threaded: bool = True) -> None:
         environment = os.environ | {
             "PYTHONPATH": os.pathsep.join(folder or os.getcwd() for folder in sys.path)
         }
@@ -50,7 +50,9 @@ class WorkerProcess:
             start_new_session=True,  # Ctrl-C reaches only the parent
         )
 
-    def call(self, function: Callable, *arguments: Any, **options: Any) -> Any:
+    def call(
+        self, function: Callable[..., Any], *arguments: Any, **options: Any
+    ) -> Any:
         """Call a module-level `function` in the worker and return its result.
 
         Exceptions raised by the function are raised again. Raises WorkerDiedError if
@@ -68,7 +70,7 @@ class WorkerProcess:
             raise error
         return result
 
-    def kill(self):
+    def kill(self) -> None:
         """Kill the worker, wait for its exit, and close its pipes."""
         with suppress(OSError), self.process:
             self.process.kill()
@@ -80,12 +82,12 @@ class BackgroundWorker:
     Calls run in this process if the worker cannot be started or has died. The arguments
     are those of `WorkerProcess`."""
 
-    def __init__(self, module: str, single_threaded: bool = True):
+    def __init__(self, module: str, single_threaded: bool = True) -> None:
         self._waiting = ThreadPoolExecutor(1, module)
         self._worker = self._waiting.submit(WorkerProcess, module, single_threaded)
 
     def call_worker_or_run_here(
-        self, function: Callable, *arguments: Any, **options: Any
+        self, function: Callable[..., Any], *arguments: Any, **options: Any
     ) -> Any:
         """Return the result of a module-level `function`."""
         try:
@@ -122,16 +124,14 @@ def one_per_process(make: Callable[[], Worker]) -> Any:
     return one
 
 
-def serve_calls(
-    after_call: Callable[[], Any] = lambda: None, idle_timeout: float | None = None
-):
+def serve_calls(idle_timeout: float | None = None) -> None:
     """Serve calls until the parent exits or no call arrives for `idle_timeout` [s]."""
     hide_library_messages()
     # Windows sends Ctrl-C to all processes of a terminal.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     output = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # keep the output of libraries out of the results
-    calls: SimpleQueue = SimpleQueue()
+    calls: SimpleQueue[Any] = SimpleQueue[Any]()
     threading.Thread(target=_receive_calls, args=(calls,), daemon=True).start()
     with suppress(Empty, BrokenPipeError):
         while True:
@@ -145,11 +145,10 @@ def serve_calls(
                 answer = (None, error)
             pickle.dump(answer, output)
             output.flush()
-            after_call()
     os._exit(0)  # exit without a message about the broken pipe
 
 
-def _receive_calls(calls: SimpleQueue):
+def _receive_calls(calls: SimpleQueue[Any]) -> None:
     try:
         while True:
             calls.put(pickle.load(sys.stdin.buffer))

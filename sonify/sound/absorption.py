@@ -1,5 +1,8 @@
 """Filter the stems for atmospheric absorption (ISO 9613-1) and scattering by a head."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 import numpy as np
 from scipy.signal import oaconvolve
 
@@ -8,18 +11,23 @@ from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.head import EAR_LATENCY, ear_taps
 from sonify.sound.radiation import Listener
 
+if TYPE_CHECKING:
+    from dynamics.air import Air
+
 MIN_AUDIBLE_ABSORPTION_DB = 0.5
 """Absorption [dB] at MAX_AUDIBLE_FREQUENCY below which it is inaudible and the filter
 is omitted."""
 
 
-def absorbed_db(air, distance: float, frequency=MAX_AUDIBLE_FREQUENCY):
+def absorbed_db(
+    air: "Air", distance: float, frequency: float | np.ndarray = MAX_AUDIBLE_FREQUENCY
+) -> float | np.ndarray:
     """Return the absorption [dB] over `distance` [m] at a frequency [Hz], scalar or
     (k,)."""
     return air.absorption(frequency) * distance if air.pressure else 0.0 * frequency
 
 
-def absorption_latency(air, distance: float) -> int:
+def absorption_latency(air: "Air", distance: float) -> int:
     """Return the latency of the absorption filter, half its length [samples], or 0 if
     no filter is needed."""
     half_length = 64
@@ -27,7 +35,7 @@ def absorption_latency(air, distance: float) -> int:
     return half_length if is_audible else 0
 
 
-def absorption_taps(air, distance: float, sample_rate: float) -> np.ndarray:
+def absorption_taps(air: "Air", distance: float, sample_rate: float) -> np.ndarray:
     """Return the taps (j,) of the absorption filter, delayed by `absorption_latency`.
 
     The filter has linear phase, which is exact for viscous absorption. The relaxation
@@ -52,7 +60,9 @@ def propagation_latency(listener: Listener) -> int:
     return latency + (EAR_LATENCY if listener.ear else 0)
 
 
-def propagation_filter(listener: Listener, sample_rate: float):
+def propagation_filter(
+    listener: Listener, sample_rate: float
+) -> Callable[[np.ndarray], np.ndarray]:
     """Return a function that filters successive blocks by absorption and head
     scattering.
 

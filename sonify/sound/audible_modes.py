@@ -1,5 +1,6 @@
 """Determine which modes are audible, how loud they are, and how long they ring."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,7 +46,7 @@ class RingDown:
 
 
 def modes_below_nyquist(
-    modes: Modes, sample_rate: float, wanted: np.ndarray | None = None
+    modes: Modes, sample_rate: float, wanted: Sequence[int] | np.ndarray | None = None
 ) -> np.ndarray:
     """Return the indices (k,) of the wanted modes below the Nyquist frequency.
 

@@ -12,12 +12,21 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import log, pi, sqrt
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from dynamics.air import HEAT_CAPACITY_RATIO, PRANDTL_NUMBER
+from dynamics.air import HEAT_CAPACITY_RATIO, PRANDTL_NUMBER, Air
 from sonify.sound.multipoles import listener_pressure
+
+if TYPE_CHECKING:
+    from dynamics.disk import Disk
+    from dynamics.film.reynolds import FilmMesh
+    from sonify.sound.radiation import Listener
+
+FilmMatrices = tuple[np.ndarray, np.ndarray]
+"""Result of `FilmMesh.rim_flow_matrices`."""
 
 MAX_RIM_ORDER = 4
 """Highest azimuthal harmonic of the flow out of the rim."""
@@ -90,7 +99,7 @@ class RadiatedMultipoles:
             "akwml,wkm->akwl", self.multipoles, np.array(orders + orders[1:])
         )
 
-    def near_pressure_at(self, listener, disk) -> np.ndarray:
+    def near_pressure_at(self, listener: "Listener", disk: "Disk") -> np.ndarray:
         """Return the result of `pressure_at` for a listener near the disk.
 
         The multipole series diverges there, so the sources are integrated directly.
@@ -107,7 +116,7 @@ class RadiatedMultipoles:
         return pressure
 
 
-def film_mesh():
+def film_mesh() -> "FilmMesh":
     """Return the mesh of the film."""
     from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
 
@@ -116,7 +125,7 @@ def film_mesh():
 
 
 @lru_cache(8)
-def radiated_multipoles(disk, air) -> RadiatedMultipoles:
+def radiated_multipoles(disk: "Disk", air: Air) -> RadiatedMultipoles:
     """Return the multipoles radiated by a solid disk above an air film."""
     thickness = disk.thickness / disk.radius
     mesh = film_mesh()
@@ -129,7 +138,7 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
         part = (min(gap, high_gap) - low_gap) / (high_gap - low_gap)
         rim, exterior = (a + part * (b - a) for a, b in zip(low, high, strict=True))
         films = [
-            film_rim_matrices(mesh, gap, k, disk.radius, air)
+            film_outflow_matrices(mesh, gap, k, disk.radius, air)
             for k in TABULATED_WAVENUMBERS
         ]
         flows.append(
@@ -143,7 +152,9 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
     )
 
 
-def film_rim_matrices(mesh, gap: float, k: float, radius: float, air):
+def film_outflow_matrices(
+    mesh: "FilmMesh", gap: float, k: float, radius: float, air: Air
+) -> FilmMatrices:
     """Return `FilmMesh.rim_flow_matrices` of the film for the face velocities 1, x, y.
 
     `gap` is the mean gap divided by the radius, `k` the wavenumber times the radius;
@@ -167,11 +178,13 @@ def film_rim_matrices(mesh, gap: float, k: float, radius: float, air):
         -k * k * gap * (HEAT_CAPACITY_RATIO * h - (HEAT_CAPACITY_RATIO - 1) * thermal)
     )
     return mesh.rim_flow_matrices(
-        gap * viscous, storage, [np.ones_like(x), x, y], MAX_RIM_ORDER
+        np.asarray(gap * viscous), storage, [np.ones_like(x), x, y], MAX_RIM_ORDER
     )
 
 
-def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
+def flow_at_rim(
+    gap: float, film: FilmMatrices, rim: np.ndarray, wedge: bool = True
+) -> np.ndarray:
     """Return the harmonics (2 MAX_RIM_ORDER + 1, 3) of the flow out of the rim of a
     film that is coupled to the exterior field.
 
@@ -180,7 +193,7 @@ def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
     gap : float
         Mean gap divided by the radius.
     film : tuple
-        Result of `film_rim_matrices`.
+        Result of `film_outflow_matrices`.
     rim : ndarray, shape (MAX_RIM_ORDER + 1, 3)
         Exterior pressure at the rim due to heave, tilt and flow; the flow is that of a
         line source above a gap of 1.
@@ -203,7 +216,7 @@ def flow_at_rim(gap: float, film, rim, wedge: bool = True) -> np.ndarray:
     )
 
 
-def multipoles_of(flow, exterior) -> np.ndarray:
+def multipoles_of(flow: np.ndarray, exterior: np.ndarray) -> np.ndarray:
     """Return the multipoles (2 MAX_RIM_ORDER + 1, m, 3) of the face and of the flow out
     of the rim.
 
@@ -218,7 +231,7 @@ def multipoles_of(flow, exterior) -> np.ndarray:
     return out + exterior[order, :, 2][:, :, None] * flow[:, None]
 
 
-def _wedge_coupling_integrals():
+def _wedge_coupling_integrals() -> np.ndarray:
     """Return the integrals of ln(1 + cos t) W V for all pairs of waves W and V.
 
     The integral of ln(1 + cos t) cos j t is -2 pi ln 2 for j = 0, and 2 pi (-1)^(j +

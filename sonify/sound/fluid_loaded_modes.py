@@ -5,26 +5,34 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from math import pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.polynomial.legendre import legvander
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
-from dynamics.air import PRANDTL_NUMBER
+from dynamics.air import PRANDTL_NUMBER, Air
 from dynamics.numba_kernels import njit
 from modal import Modes
 from sonify.sound.film_radiation import MAX_RIM_ORDER
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import (
+    Listener,
     listener_of,
     listener_position,
     rayleigh,
     tabulated_directivity,
 )
 from sonify.sound.response import DrivenModes
+
+if TYPE_CHECKING:
+    from dynamics.film.reynolds import FilmMesh
+    from sonify.scene import Scene
+
+Parts = list[tuple["FilmMesh", np.ndarray]]
+"""Parts of a shape on the bottom face, each with its half mesh."""
 
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
 """Mean gaps at which the film equation is solved; outside the range the nearest value
@@ -63,7 +71,7 @@ class FluidLoadedModes:
     decay_rate: np.ndarray
     gain: np.ndarray
 
-    def apply_gain(self, ringing, gap) -> np.ndarray:
+    def apply_gain(self, ringing: np.ndarray, gap: np.ndarray) -> np.ndarray:
         """Multiply modal accelerations (s, k, m) in place by the gain at log gaps
         (k,)."""
         intervals = len(self.log_gap) - 1
@@ -72,7 +80,7 @@ class FluidLoadedModes:
         )
         return _apply_gain(ringing, np.clip(where, 0.0, intervals), self.gain)
 
-    def tuning(self, gap) -> tuple[np.ndarray, np.ndarray]:
+    def tuning(self, gap: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return frequencies [Hz] and decay rates [1/s] (..., m) at log gaps (...).
 
         Frequencies and logarithms of the decay rates are interpolated monotonically."""
@@ -88,20 +96,20 @@ class FluidLoadedModes:
         a log gap."""
         return self.tuning_at_level(self.tuning_level(gap))
 
-    def tuning_level(self, gap) -> np.ndarray:
+    def tuning_level(self, gap: float | np.ndarray) -> np.ndarray:
         """Return the number of steps of TUNING_LOG_GAP_STEP from the widest tabulated
         gap to a log gap."""
         inside = np.clip(gap, self.log_gap[-1], self.log_gap[0])
         return np.round((self.log_gap[0] - inside) / TUNING_LOG_GAP_STEP).astype(int)
 
-    def tuning_at_level(self, level) -> tuple[np.ndarray, np.ndarray]:
-        """Return the tuning after so many steps of TUNING_LOG_GAP_STEP."""
+    def tuning_at_level(self, level: int | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the tuning after a number of steps of TUNING_LOG_GAP_STEP."""
         return self.tuning(self.log_gap[0] - TUNING_LOG_GAP_STEP * level)
 
 
 @lru_cache(maxsize=1)  # one solution for all listeners
 def fluid_loaded_modes(
-    modes: Modes, scene, smallest_gap: float = 0.0
+    modes: Modes, scene: "Scene", smallest_gap: float = 0.0
 ) -> FluidLoadedModes:
     """Return the modes of a scene above its air film, tabulated down to `smallest_gap`
     [m].
@@ -133,30 +141,26 @@ def fluid_loaded_modes(
             _film_response(parts, gap, r, radius, air)
             for parts, r in zip(shapes, extrapolated, strict=True)
         ]
-        drag = (
-            np.array([response.drag for response in responses], complex)
-            + modes.decay_rate
-        )
-        eigenvalue = _eigenvalues(drag, natural)
+        drag = np.array([response.drag for response in responses], complex)
+        eigenvalue = _eigenvalues(drag + modes.decay_rate, natural)
         previous_rate = rate
         rate = np.clip(eigenvalue.imag, lowest, highest)
         decay = -eigenvalue.real
         for i in np.flatnonzero(np.abs(np.log(rate / extrapolated)) > 0.1):
-            limits = (lowest[i], highest)
             rate[i], responses[i] = _phase_resonance(
-                shapes[i], gap, natural[i], limits, radius, air
+                shapes[i], gap, natural[i], (lowest[i], highest), radius, air
             )
             decay[i] = responses[i].drag.real + modes.decay_rate[i]
         frequencies.append(rate / (2 * pi))
         film_decay_rate.append(np.maximum(decay - modes.decay_rate, 0.0))
         flows.append([response.rim for response in responses])
-    flows = np.reshape(flows, (len(gaps), len(modes), 2 * MAX_RIM_ORDER + 1))
+    shape = (len(gaps), len(modes), 2 * MAX_RIM_ORDER + 1)
     return FluidLoadedModes(
         log_gap=np.log(gaps),
         frequency=np.array(frequencies),
         film_decay_rate=np.array(film_decay_rate),
         decay_rate=modes.decay_rate,
-        gain=radiation_gain(modes, scene, flows),
+        gain=radiation_gain(modes, scene, np.reshape(flows, shape)),
     )
 
 
@@ -171,7 +175,12 @@ class ModeFilmResponse(NamedTuple):
 
 
 def _phase_resonance(
-    parts, gap, natural, limits, radius, air
+    parts: Parts,
+    gap: float,
+    natural: float,
+    limits: tuple[float, float],
+    radius: float,
+    air: Air,
 ) -> tuple[float, ModeFilmResponse]:
     """Return the phase-resonance rate [rad/s] of a mode, and the film response at this
     rate.
@@ -182,7 +191,7 @@ def _phase_resonance(
     unique."""
     responses = {}
 
-    def excess(log_rate):
+    def excess(log_rate: float) -> float:
         rate = np.exp(log_rate)
         responses[log_rate] = _film_response(parts, gap, rate, radius, air)
         return natural**2 - 2 * rate * responses[log_rate].drag.imag - rate**2
@@ -197,7 +206,7 @@ def _phase_resonance(
     return float(np.exp(log_rate)), responses[log_rate]
 
 
-def mesh_cells(wavenumber) -> list[int]:
+def mesh_cells(wavenumber: np.ndarray) -> list[int]:
     """Return the numbers of radial mesh elements for modes with wavenumbers k R (m,).
 
     The computing time of a mode is proportional to the square of this number. If the
@@ -217,7 +226,9 @@ def mesh_cells(wavenumber) -> list[int]:
     return cells.tolist()
 
 
-def _parity_parts(modes, i, half_meshes, radius):
+def _parity_parts(
+    modes: Modes, i: int, half_meshes: "list[FilmMesh]", radius: float
+) -> Parts:
     """Return the even and odd parts of a mode's bottom-face shape as pairs (half mesh,
     shape).
 
@@ -231,7 +242,9 @@ def _parity_parts(modes, i, half_meshes, radius):
     return [(mesh, part) for mesh, part in parts if np.abs(part).max() > negligible]
 
 
-def _film_response(parts, gap, rate, radius, air) -> ModeFilmResponse:
+def _film_response(
+    parts: Parts, gap: float, rate: float, radius: float, air: Air
+) -> ModeFilmResponse:
     """Return the response of a film of mean gap `gap` [m] to a mode vibrating at `rate`
     [rad/s]."""
     sigma = 12 * air.viscosity * rate * radius**2 / (air.pressure * gap**2)
@@ -265,13 +278,13 @@ def raised_disk_pressure_ratios(
     return 1.0, 0.998, 1 + 0.75 * x / (1 + 2.45 * x), 1 + 1.66 * x / (1 + 1.5 * x)
 
 
-def boundary_layer_number(gap: float, rate: float, air) -> complex:
+def boundary_layer_number(gap: float, rate: float, air: Air) -> complex:
     """Return g sqrt(i w rho/mu), the ratio of the gap to the thickness of the viscous
     boundary layers."""
     return gap * (1j * rate * air.density / air.viscosity) ** 0.5
 
 
-def bottom_shape(modes: Modes, i: int, points, radius: float) -> np.ndarray:
+def bottom_shape(modes: Modes, i: int, points: np.ndarray, radius: float) -> np.ndarray:
     """Return the axial shape of mode i on the bottom face at complex points (x + i
     y)/radius.
 
@@ -288,7 +301,7 @@ def bottom_shape(modes: Modes, i: int, points, radius: float) -> np.ndarray:
     return (along * turn).real.sum(axis=1).reshape(points.shape)
 
 
-def _gaps_down_to(smallest_gap):
+def _gaps_down_to(smallest_gap: float) -> np.ndarray:
     """Return the TABULATED_GAPS (n,) [m] down to a gap, and two narrower ones."""
     spare_gaps = 2
     return TABULATED_GAPS[
@@ -296,7 +309,9 @@ def _gaps_down_to(smallest_gap):
     ]
 
 
-def _parity_parts_of_modes(modes, cells, radius):
+def _parity_parts_of_modes(
+    modes: Modes, cells: list[int], radius: float
+) -> list[Parts]:
     """Return the `_parity_parts` of each mode on a mesh with its number of cells (m,)."""
     from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
 
@@ -313,14 +328,20 @@ def _parity_parts_of_modes(modes, cells, radius):
     ]
 
 
-def _eigenvalues(drag, natural):
+def _eigenvalues(drag: np.ndarray, natural: np.ndarray) -> np.ndarray:
     """Return the solutions (m,) of lambda^2 + 2 drag lambda + natural^2 = 0 that rotate
     forwards."""
     root = np.sqrt(drag**2 - natural**2)
     return -drag + np.where(root.imag < 0, -root, root)
 
 
-def _rim_pressure(scene, listener, azimuths, wavenumber, factors):
+def _rim_pressure(
+    scene: "Scene",
+    listener: Listener,
+    azimuths: np.ndarray,
+    wavenumber: np.ndarray,
+    factors: tuple[float, float],
+) -> np.ndarray:
     """Return the pressures (v, m, h) of unit harmonics of the rim flow at the azimuths (v,).
 
     Harmonics of order 0 and of higher orders are multiplied by the two `factors`.
@@ -350,7 +371,7 @@ def _rim_pressure(scene, listener, azimuths, wavenumber, factors):
     )
 
 
-def radiation_gain(modes: Modes, scene, flows) -> np.ndarray:
+def radiation_gain(modes: Modes, scene: "Scene", flows: np.ndarray) -> np.ndarray:
     """Return the ratio (a, m) of the total pressure to that of the upper face alone.
 
     The total pressure is that of the upper face and the flow out of the rim.
@@ -406,15 +427,19 @@ class GapTunedOscillators(DrivenModes):
     """
 
     def __init__(
-        self, tabulated: FluidLoadedModes, sample_rate: float, settled, gap: float
-    ):
+        self,
+        tabulated: FluidLoadedModes,
+        sample_rate: float,
+        settled: np.ndarray,
+        gap: float,
+    ) -> None:
         self._tabulated = tabulated
         self._rate = sample_rate
         self._banks_of_levels: dict[int, list[OscillatorBank]] = {}
         self._level = int(tabulated.tuning_level(gap))
         super().__init__(*tabulated.nearest_tuning(gap), sample_rate, settled)
 
-    def advance(self, force: ContactForce, gap) -> np.ndarray:
+    def advance_at_gap(self, force: ContactForce, gap: np.ndarray) -> np.ndarray:
         """Return the accelerations (2, k, m) due to smooth force and jumps in one
         block.
 
@@ -432,7 +457,7 @@ class GapTunedOscillators(DrivenModes):
                 )
         return out
 
-    def _retune(self, level, forces):
+    def _retune(self, level: int, forces: list[np.ndarray]) -> None:
         """Change the tuning to a level at force samples (m,), one for each bank."""
         if level not in self._banks_of_levels:
             tuning = self._tabulated.tuning_at_level(level)
@@ -447,7 +472,7 @@ class GapTunedOscillators(DrivenModes):
 
 
 @njit(cache=True)
-def _apply_gain(ringing, where, gain):
+def _apply_gain(ringing: np.ndarray, where: np.ndarray, gain: np.ndarray) -> np.ndarray:
     """Multiply accelerations (s, k, m) by the gain (a, m) interpolated at fractional
     rows (k,)."""
     for n in range(len(where)):

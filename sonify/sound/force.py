@@ -1,6 +1,8 @@
 """Sample the contact force of a motion, with the exact times and sizes of its jumps."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -9,7 +11,15 @@ from scipy import sparse
 from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
 from sonify.sound.fades import raised_cosine
+from sonify.sound.modal_forcing import from_lower_face
 from sonify.sound.oscillators import Knots
+
+if TYPE_CHECKING:
+    from dynamics.motion import ForceJumps, Motion
+
+Channels = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+"""Function of force (k, 3) [N], state (k, 11) and film loads (k, 5) that returns the
+channels (k, c)."""
 
 LOW_PASS_HALF_WIDTH = 8  # samples
 """Half-width of the windowed-sinc filter applied where the force varies too fast for
@@ -51,7 +61,9 @@ class ContactForce:
     bend: np.ndarray
 
     @classmethod
-    def without_jumps(cls, t, smooth, steps) -> "ContactForce":
+    def without_jumps(
+        cls, t: np.ndarray, smooth: np.ndarray, steps: np.ndarray
+    ) -> "ContactForce":
         """Return a force without jumps within the block."""
         none = np.zeros((0, smooth.shape[1]))
         return cls(
@@ -79,7 +91,7 @@ class ContactForce:
         )
 
     @property
-    def knots(self):
+    def knots(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Intervals of the jumps (j,), times since the previous jump or sample, and
         times to the next sample (j,) [s]."""
         interval = np.searchsorted(self.t, self.jump_time, side="left") - 1
@@ -97,12 +109,14 @@ class ContactForce:
         )
 
 
-def force_in_newton(force, state, film):
+def force_in_newton(
+    force: np.ndarray, state: np.ndarray, film: np.ndarray
+) -> np.ndarray:
     """Use the force (k, 3) [N] along a_1, a_2 and the normal as channels."""
     return force
 
 
-def final_contact_rate(motion) -> float:
+def final_contact_rate(motion: "Motion") -> float:
     """Return the precession rate [rad/s] of the contact point at the end of a motion.
 
     The result is at least half the rate of steady motion at the final inclination,
@@ -133,7 +147,7 @@ class ForceSampler:
     channels : callable
         Function channels(force (k, 3) [N], state (k, 11), film (k, 5)) -> (k, c), where
         film contains the columns of `Motion.film_loads`; at a jump of the force it must
-        be linear in the force.
+        be linear in the force. All of them are relative to the lower face.
     rest : float or ndarray, shape (c,)
         Value of each channel after the motion; NaN selects its mean.
     max_contact_turn : float
@@ -153,14 +167,14 @@ class ForceSampler:
 
     def __init__(
         self,
-        motion,
+        motion: "Motion",
         sample_rate: float,
         start: float = 0.0,
-        channels=force_in_newton,
-        rest=np.nan,
-        max_contact_turn=0.0,
-        fade=0.0,
-    ):
+        channels: Channels = force_in_newton,
+        rest: float | np.ndarray = np.nan,
+        max_contact_turn: float = 0.0,
+        fade: float | np.ndarray = 0.0,
+    ) -> None:
         # Number of revolutions of the contact point over which each channel fades to
         # its mean at the end of a settled motion
         fade_turns = 4
@@ -206,7 +220,7 @@ class ForceSampler:
             bend=self._deviations_at_jumps(t, unfiltered, smooth, inside),
         )
 
-    def _sample_continuous_part(self, n):
+    def _sample_continuous_part(self, n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the continuous part at samples n (k,) and a mask (k,) of unfiltered
         samples."""
         t = self._sample_times(n)
@@ -216,7 +230,7 @@ class ForceSampler:
         smooth[~unfiltered] = self._low_pass_filtered(n[~unfiltered])
         return smooth, unfiltered
 
-    def _interpolate_samples(self, n):
+    def _interpolate_samples(self, n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the interpolated continuous part at samples n (k,) and the mask (k,)
         where it is valid."""
         if not self.max_contact_turn:
@@ -248,16 +262,16 @@ class ForceSampler:
         is_valid = np.repeat(is_slow_slide, INTERPOLATION_STRIDE)[wanted]
         return smooth.reshape(-1, len(self.rest))[wanted], is_valid
 
-    def _block_at_rest(self, t):
+    def _block_at_rest(self, t: np.ndarray) -> ContactForce:
         steps = np.broadcast_to(self._levels[-1], (len(t), len(self.rest)))
         return ContactForce.without_jumps(t, self.rest - steps, steps)
 
-    def _prepare_jumps(self, jumps):
+    def _prepare_jumps(self, jumps: "ForceJumps") -> None:
         self.jump_time = np.asarray(jumps.t)
         state = self.motion.at(self.jump_time)
         film = self.motion.film_loads(self.jump_time, state)
         before, after = (
-            self.channels(np.asarray(force), state, film)
+            self.channels(*from_lower_face(np.asarray(force), state, film))
             for force in (jumps.before, jumps.after)
         )
         self.jump = self._fade_factor(self.jump_time) * (after - before)
@@ -268,39 +282,39 @@ class ForceSampler:
             self._apply_fade(self.jump_time, before) - self._levels[:-1]
         )
 
-    def _sample_times(self, n):
+    def _sample_times(self, n: np.ndarray) -> np.ndarray:
         return self.start + n / self.sample_rate
 
-    def _clip_to_motion(self, t):
+    def _clip_to_motion(self, t: np.ndarray) -> np.ndarray:
         return np.clip(t, 0.0, self.end)
 
-    def _sum_of_jumps(self, t):
+    def _sum_of_jumps(self, t: np.ndarray) -> np.ndarray:
         return self._levels.take(
             np.searchsorted(self.jump_time, t, side="right"), axis=0
         )
 
-    def _evaluate_channels(self, t):
+    def _evaluate_channels(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return states (k, 11) and channels (k, c) at t (k,) [s], clipped to the
         motion."""
         self.evaluations += len(t)
         inside = self._clip_to_motion(t)
         state, force = self.motion.at_and_force(inside)
         film = self.motion.film_loads(inside, state)
-        return state, self.channels(force, state, film)
+        return state, self.channels(*from_lower_face(force, state, film))
 
-    def _continuous_part(self, t):
+    def _continuous_part(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return states (k, 11) and the continuous part of the channels (k, c) at t
         (k,) [s]."""
         state, channels = self._evaluate_channels(t)
         return state, self._apply_fade(t, channels) - self._sum_of_jumps(t)
 
-    def _fade_factor(self, t):
+    def _fade_factor(self, t: np.ndarray) -> np.ndarray:
         """Return the fade factor (k, c) at t (k,) [s], a raised cosine from 1 to 0 at
         the end."""
         share = (self.end - np.asarray(t)[:, None]) / np.maximum(self.fade, 1e-300)
         return raised_cosine(share)
 
-    def _apply_fade(self, t, values):
+    def _apply_fade(self, t: np.ndarray, values: np.ndarray) -> np.ndarray:
         late = np.asarray(t) > self.end - self.fade.max()
         if not late.any():
             return values
@@ -310,13 +324,13 @@ class ForceSampler:
         )
         return values
 
-    def _oversampling(self, state):
+    def _oversampling(self, state: np.ndarray) -> np.ndarray:
         """Return the required oversampling (k,) at states (k, 11): a power of 2,
         usually 1."""
         needed = np.clip(2 * self.motion.bandwidth(state) / self.sample_rate, 1, 2**16)
         return 2 ** np.ceil(np.log2(needed)).astype(int)
 
-    def _low_pass_filtered(self, n):
+    def _low_pass_filtered(self, n: np.ndarray) -> np.ndarray:
         """Return the continuous part at ascending samples n (k,), filtered by a
         windowed sinc."""
         if not len(n):
@@ -343,7 +357,9 @@ class ForceSampler:
             axis=1
         )[:, None]
 
-    def _deviations_at_jumps(self, t, unfiltered, smooth, inside):
+    def _deviations_at_jumps(
+        self, t: np.ndarray, unfiltered: np.ndarray, smooth: np.ndarray, inside: slice
+    ) -> np.ndarray:
         """Return `ContactForce.bend` of the jumps in the slice `inside`; zero where the
         samples are low-pass filtered."""
         times = self.jump_time[inside]
@@ -359,7 +375,7 @@ class ForceSampler:
         )
 
 
-def lagrange_weights(nodes, x) -> np.ndarray:
+def lagrange_weights(nodes: np.ndarray, x: np.ndarray) -> np.ndarray:
     """Return the Lagrange interpolation weights (n, k) of `nodes` (n,) at x (k,)."""
     differences = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
     ratios = (x - nodes[:, None])[None] / differences[..., None]
@@ -367,6 +383,6 @@ def lagrange_weights(nodes, x) -> np.ndarray:
     return factors.prod(axis=1)
 
 
-def _previous_knot(times, samples):
+def _previous_knot(times: np.ndarray, samples: np.ndarray) -> np.ndarray:
     """Return the time (j,) [s] of the previous jump or sample, whichever is later."""
     return np.maximum(np.concatenate([[-np.inf], times[:-1]]), samples)

@@ -42,7 +42,7 @@ class Ear:
 
 
 def ear_pressure_ratio(
-    ear: Ear, frequency, sound_speed: float = SOUND_SPEED
+    ear: Ear, frequency: np.ndarray, sound_speed: float = SOUND_SPEED
 ) -> np.ndarray:
     """Return the ratio (k,) of the pressure at an ear to the free-field pressure.
 

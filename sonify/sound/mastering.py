@@ -9,13 +9,19 @@ from typing import Any
 import numpy as np
 from scipy.ndimage import minimum_filter1d, uniform_filter1d
 
-from sonify.hearing.audio_source import BLOCK_SIZE, Excerpt, overlapping_pieces
+from sonify.hearing.audio_source import (
+    BLOCK_SIZE,
+    AudioSource,
+    Excerpt,
+    overlapping_pieces,
+)
 from sonify.hearing.loudness import loudness_lufs
 from sonify.sound.playback import (
     AUDIBLE_COPY_LOUDNESS_LUFS,
     AUDIBLE_COPY_PEAK_DBTP,
     MAX_TRUE_PEAK_RATIO,
     CachedTrack,
+    Channels,
     DerivedTrack,
     ScaledTrack,
     WeightedTrack,
@@ -70,7 +76,7 @@ class TrackWithLeadIn(DerivedTrack):
         yield from self.track.blocks(start)
 
 
-def padded_pieces(track, reach: int) -> Iterator[np.ndarray]:
+def padded_pieces(track: AudioSource, reach: int) -> Iterator[np.ndarray]:
     """Return successive pieces of a track, each with `reach` samples before and after
     it; zeros precede the track."""
     padded = TrackWithLeadIn(track=track, zeros=reach)
@@ -180,7 +186,7 @@ class MasteredTrack(ProcessedTrack):
         return loudness_lufs(Excerpt(self, 0, complete_gating_length(self)))
 
 
-def complete_gating_length(track) -> int:
+def complete_gating_length(track: AudioSource) -> int:
     """Return the length [samples] covered by complete gating blocks of 0.4 s that
     overlap by 75 %."""
     block = round(0.4 * track.sample_rate)
@@ -209,7 +215,7 @@ def windowed_power(samples: np.ndarray, reach: int) -> np.ndarray:
     )
 
 
-def loudest_window(track, settings: Mastering) -> float:
+def loudest_window(track: Channels, settings: Mastering) -> float:
     """Return the largest mean square [Pa^2] of the windows of a track."""
     reach = window_reach(track.sample_rate, settings)
     return max(
@@ -219,7 +225,7 @@ def loudest_window(track, settings: Mastering) -> float:
 
 
 def master_copy(
-    track, settings: Mastering | None = None
+    track: Channels, settings: Mastering | None = None
 ) -> MasteredTrack | ScaledTrack:
     """Return an A-weighted, compressed copy of a track [Pa] at the specified loudness.
 
@@ -278,7 +284,7 @@ def at_stated_loudness(at_limit: MasteredTrack) -> MasteredTrack:
     return found if excess <= 1e-6 else replace(found, trim=10 ** (-excess / 20))
 
 
-def initial_gain_step(at_limit):
+def initial_gain_step(at_limit: MasteredTrack) -> float:
     """Return the additional gain [dB] that reaches the specified loudness without
     limiting."""
     unlimited = ScaledTrack(track=at_limit.track, full_scale=1 / at_limit.gain)
@@ -286,11 +292,11 @@ def initial_gain_step(at_limit):
     return missing if np.isfinite(missing) else 0.0
 
 
-def with_gain(track, gain_db):
+def with_gain(track: MasteredTrack, gain_db: float) -> MasteredTrack:
     return replace(track, gain=track.gain * 10 ** (gain_db / 20), trim=1.0)
 
 
-def true_peak_dbtp(track) -> float | str:
+def true_peak_dbtp(track: DerivedTrack) -> float | str:
     """Return the true peak [dBTP] of a track, or "silence"."""
     peak = track.true_peak
     return float(20 * np.log10(peak)) if peak else "silence"

@@ -5,15 +5,20 @@ The axes of the patch frame are (-e3, -e1, e2) of (2.1): x points to the contact
 is the axis of the disk.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.interpolate import CubicSpline
 
 from dynamics import Disk
+from dynamics.kinematics import turned_over
+from dynamics.landing.equations import OTHER_FACE_COSINE
+from dynamics.motion import FILM_COLUMNS
 from modal import Modes
 from sonify.scene import Scene
 
 
-def in_patch_frame(force, inclination) -> np.ndarray:
+def in_patch_frame(force: np.ndarray, inclination: np.ndarray) -> np.ndarray:
     """Rotate forces (k, 3) along a_1, a_2, a_3 into the patch frame (2.1) at
     inclinations (k,) [rad]."""
     along, across, normal = np.asarray(force).T
@@ -22,7 +27,25 @@ def in_patch_frame(force, inclination) -> np.ndarray:
     return np.stack([c * across - s * normal, -along, s * across + c * normal], axis=1)
 
 
-def rigid_acceleration(contact_force, disk: Disk) -> np.ndarray:
+def from_lower_face(
+    force: np.ndarray, state: np.ndarray, film: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return force (k, 3), states (k, 11) and film loads (k, 5) relative to the lower face.
+
+    A disk that has turned over has an inclination above pi/2 and touches the table with its
+    other rim. Turned about the direction to its contact, the same body is inclined by less
+    than pi/2, and its lower rim is the one of which the modes are known."""
+    is_turned_over = np.cos(state[:, 1]) < OTHER_FACE_COSINE
+    if not is_turned_over.any():
+        return force, state, film
+    force, state, film = force.copy(), state.copy(), film.copy()
+    force[is_turned_over, :2] *= -1
+    state[is_turned_over] = turned_over(state[is_turned_over])
+    film[is_turned_over, FILM_COLUMNS.index("moment_1")] *= -1
+    return force, state, film
+
+
+def rigid_acceleration(contact_force: np.ndarray, disk: Disk) -> np.ndarray:
     """Return the acceleration (k, 6) of the rigid disk due to contact forces (k, 3)
     [N].
 
@@ -48,22 +71,23 @@ def inertia(disk: Disk) -> np.ndarray:
     return np.array([disk.mass] * 3 + [about_diameter, about_diameter, about_axis])
 
 
-def turning_acceleration(force, inclination, film, disk: Disk) -> np.ndarray:
+def turning_acceleration(
+    force: np.ndarray, inclination: np.ndarray, film: np.ndarray, disk: Disk
+) -> np.ndarray:
     """Return the angular acceleration (k, 3) [rad/s^2] of the rigid disk in the patch
     frame.
 
-    It is due to contact forces (k, 3) [N] and to the moments in the columns (k, 5) of
-    `Motion.film_loads`, at inclinations (k,) [rad]."""
-    turn = (
-        in_patch_frame(force, inclination) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
-    )
+    It is due to contact forces (k, 3) [N] on the lower rim and to the moments in the columns
+    (k, 5) of `Motion.film_loads`, at inclinations (k,) [rad] of up to pi/2."""
+    local = in_patch_frame(force, inclination)
+    turn = local @ rigid_acceleration(np.eye(3), disk)[:, 3:]
     _, _, moment_1, moment_3, _ = film.T
     turn[:, :2] -= np.column_stack([moment_3, moment_1]) / inertia(disk)[3:5]
     return turn
 
 
 def heave_and_tilt_accelerations(
-    force, attitude, film, disk: Disk, *ears: float
+    force: np.ndarray, attitude: np.ndarray, film: np.ndarray, disk: Disk, *ears: float
 ) -> np.ndarray:
     """Return the sound-radiating accelerations (k, 1 + e) [m/s^2] of the rigid disk.
 
@@ -81,7 +105,9 @@ def heave_and_tilt_accelerations(
     return np.stack([heave, *(disk.radius * tilt for tilt in tilts)], axis=1)
 
 
-def listener_azimuth(attitude, turning_with_body: bool = False) -> np.ndarray:
+def listener_azimuth(
+    attitude: np.ndarray, turning_with_body: bool = False
+) -> np.ndarray:
     """Return the azimuth (k,) [rad] of the table's x axis in the patch frame or the
     body frame.
 
@@ -92,7 +118,9 @@ def listener_azimuth(attitude, turning_with_body: bool = False) -> np.ndarray:
     )
 
 
-def modal_forcing_function(modes: Modes, scene: Scene):
+def modal_forcing_function(
+    modes: Modes, scene: Scene
+) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
     """Return a function of force and attitude that computes the modal forcing.
 
     It has the form forcing(force (k, 3) [N], attitude (k, 3) [rad]) -> g (k, m).
@@ -118,7 +146,7 @@ def modal_forcing_function(modes: Modes, scene: Scene):
     )
 
 
-def arc_shares(half_arc, order) -> np.ndarray:
+def arc_shares(half_arc: np.ndarray, order: np.ndarray) -> np.ndarray:
     """Return the share (k, m) of a force that modes of the orders (m,) receive.
 
     The force acts on an arc of the rim, and its density is that of a plane face pressed
@@ -152,7 +180,7 @@ def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
     return by_support
 
 
-def _forcing_on_springs(modes, disk, by_support):
+def _forcing_on_springs(modes: Modes, disk: Disk, by_support: np.ndarray) -> np.ndarray:
     """Return the modal forcing (3, m) if the rigid vibration on the contact is a
     separate stem.
 
@@ -163,7 +191,7 @@ def _forcing_on_springs(modes, disk, by_support):
     return (by_support + modes.rim_shape[:, 0].T) * (rigid_share < 0.5)
 
 
-def _rim_spline(modes):
+def _rim_spline(modes: Modes) -> CubicSpline:
     """Return a periodic cubic spline of the displacement (k, m, 3) of the bottom edge
     at angles (k,)."""
     angle = np.append(modes.rim_angle, modes.rim_angle[0] + 2 * np.pi)

@@ -4,12 +4,17 @@ The upper face is assumed to radiate as in a baffle, and the flow out of the rim
 an empty table. For a thickness of a third of the radius, the result differs from a
 finite-element solution by 1 to 4 dB. See tests/sound/test_head_and_near_field.py."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from sonify.sound.radiation import Listener, listener_position, pulse_kernel
+from sonify.sound.radiation import Kernel, Listener, listener_position, pulse_kernel
+
+if TYPE_CHECKING:
+    from dynamics.disk import Disk
 
 
-def face_points(disk, rings: int, spokes: int):
+def face_points(disk: "Disk", rings: int, spokes: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the points (p, 2) [m] and weights (p,) [m^2] of a circular or annular
     face."""
     radius = disk.radius
@@ -21,14 +26,14 @@ def face_points(disk, rings: int, spokes: int):
     return points.reshape(-1, 2), np.repeat(weight, spokes)
 
 
-def rim_points(radius: float, spokes: int):
+def rim_points(radius: float, spokes: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the points (p, 2) [m] of the rim and their weights (p,) [m]."""
     turn = 2 * np.pi * (np.arange(spokes) + 0.5) / spokes
     points = radius * np.column_stack([np.cos(turn), np.sin(turn)])
     return points, np.full(spokes, 2 * np.pi * radius / spokes)
 
 
-def path_lengths(listener: Listener, points, height: float) -> np.ndarray:
+def path_lengths(listener: Listener, points: np.ndarray, height: float) -> np.ndarray:
     """Return the distances (p,) [m] from points at a height above the centre of the
     disk to a listener on the x axis."""
     across, _, above = listener_position(listener, 0.0)
@@ -37,7 +42,7 @@ def path_lengths(listener: Listener, points, height: float) -> np.ndarray:
     )
 
 
-def near_face_kernels(listener: Listener, disk, h: float) -> list:
+def near_face_kernels(listener: Listener, disk: "Disk", h: float) -> list[Kernel]:
     """Return step response and taps of heave and tilt, in the form of
     `radiation.heave_kernel`."""
     points, weights = face_points(disk, rings=200, spokes=720)
@@ -49,7 +54,7 @@ def near_face_kernels(listener: Listener, disk, h: float) -> list:
     ]
 
 
-def near_rim_kernels(listener: Listener, disk, h: float) -> list:
+def near_rim_kernels(listener: Listener, disk: "Disk", h: float) -> list[Kernel]:
     """Return the step responses and their taps for a flow out of the rim that varies
     around it as harmonic 0, 1 and 2.
 
@@ -66,7 +71,14 @@ def near_rim_kernels(listener: Listener, disk, h: float) -> list:
     ]
 
 
-def _rayleigh_kernel(listener, disk, h, points, weights, height):
+def _rayleigh_kernel(
+    listener: Listener,
+    disk: "Disk",
+    h: float,
+    points: np.ndarray,
+    weights: np.ndarray,
+    height: float,
+) -> Kernel:
     """Return step response and taps of sources (p,) [m^2] at points (p, 2), in units of
     `piston_strength`."""
     path = path_lengths(listener, points, height)
@@ -79,7 +91,7 @@ def _rayleigh_kernel(listener, disk, h, points, weights, height):
     steps = np.append(0.0, np.cumsum(strength))
     moments = np.append(0.0, np.cumsum(strength * arrival))
 
-    def integrals(s):
+    def integrals(s: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         count = np.searchsorted(arrival, s, "right")
         return steps[count], s * steps[count] - moments[count]
 
@@ -87,7 +99,7 @@ def _rayleigh_kernel(listener, disk, h, points, weights, height):
 
 
 def rayleigh_waves(
-    listener: Listener, disk, wavenumbers, count: int
+    listener: Listener, disk: "Disk", wavenumbers: np.ndarray, count: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the pressures of face and rim at a listener, divided by density and
     radius.

@@ -47,7 +47,9 @@ def empty_knots(m: int) -> Knots:
     )
 
 
-def free_response(omega, decay, t):
+def free_response(
+    omega: np.ndarray, decay: np.ndarray, t: float | np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the coefficients c and s of the free oscillation q = (c + decay s) q0 + s
     v0.
 
@@ -64,7 +66,9 @@ def free_response(omega, decay, t):
     return (rising + falling).real / 2, s
 
 
-def step_and_ramp_responses(omega, decay, t):
+def step_and_ramp_responses(
+    omega: np.ndarray, decay: np.ndarray, t: float | np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the displacements at times t [s] after a unit step and after a unit ramp
     of force.
 
@@ -109,7 +113,9 @@ class OscillatorBank:
     True
     """
 
-    def __init__(self, frequency, decay_rate, sample_rate: float):
+    def __init__(
+        self, frequency: np.ndarray, decay_rate: np.ndarray, sample_rate: float
+    ) -> None:
         frequency = np.asarray(frequency, float)
         self.decay = np.asarray(decay_rate, float)
         if not np.all((frequency > 0) & (frequency < sample_rate / 2)):
@@ -121,29 +127,30 @@ class OscillatorBank:
         self.omega = 2 * np.pi * frequency
         self.h = 1 / sample_rate
         self._compute_step()
+        self.state: np.ndarray
         self.set_steady_state(0.0)
 
-    def take_over(self, other: "OscillatorBank", g):
+    def take_over(self, other: "OscillatorBank", g: np.ndarray) -> None:
         """Continue the oscillation of a bank with another tuning at a force sample g
         (m,), with its velocity and its displacement from static equilibrium."""
         moved = (other.back * other.state).sum(axis=1)
         moved += (other.late_from_equilibrium - self.late_from_equilibrium) * g
         self.state = (self.rows * moved).sum(axis=1)
 
-    def set_steady_state(self, g):
+    def set_steady_state(self, g: float | np.ndarray) -> None:
         """Set the state to the static response to a constant force g (m,).
 
         The samples of the next block must begin with g."""
         q = g / self.omega**2
         self.state = self.observable_state(np.stack([q, 0 * q]), g)
 
-    def observable_state(self, x, g) -> np.ndarray:
+    def observable_state(self, x: np.ndarray, g: float | np.ndarray) -> np.ndarray:
         """Return the state (2, m) for displacement and velocity x (2, m) before a force
         sample g (m,)."""
         return self._to_observable_coordinates(x - self.late * g)
 
     def advance(
-        self, g, knots: Knots | None = None, out: np.ndarray | None = None
+        self, g: np.ndarray, knots: Knots | None = None, out: np.ndarray | None = None
     ) -> np.ndarray:
         """Step through the samples of one block.
 
@@ -180,7 +187,7 @@ class OscillatorBank:
         )
         return out
 
-    def _compute_step(self):
+    def _compute_step(self) -> None:
         """Compute the coefficients of the time step for a force that is linear between
         samples.
 
@@ -209,11 +216,11 @@ class OscillatorBank:
         through = 1 + np.einsum("i...,i...->...", C, self.late)
         self.step = np.ascontiguousarray([through, into[0], trace, into[1], -det])
 
-    def _to_observable_coordinates(self, x):
+    def _to_observable_coordinates(self, x: np.ndarray) -> np.ndarray:
         """Return x (2, ...) in observable coordinates."""
         return np.einsum("wi...,i...->w...", self.rows, x)
 
-    def knot_impulses(self, knots):
+    def knot_impulses(self, knots: Knots) -> np.ndarray:
         """Return the state change (2, j, m) that each knot causes at the next sample.
 
         The reference is a force that is linear between the samples. In a bank of shape
@@ -240,7 +247,15 @@ class OscillatorBank:
 
 
 @njit(cache=True, nogil=True)
-def _step_bank(g, one_per_mode, state, step, stops, impulses, out):
+def _step_bank(
+    g: np.ndarray,
+    one_per_mode: int,
+    state: np.ndarray,
+    step: np.ndarray,
+    stops: np.ndarray,
+    impulses: np.ndarray,
+    out: np.ndarray,
+) -> None:
     """Step the bank through samples g; `impulses` (2, j, m) act before the samples
     `stops`.
 

@@ -5,12 +5,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
+from typing import Protocol
 
 import numpy as np
 from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
 
 from dynamics.a_weighting import a_weighting_db
-from sonify.hearing.audio_source import BLOCK_SIZE, overlapping_pieces
+from sonify.hearing.audio_source import BLOCK_SIZE, AudioSource, overlapping_pieces
 from sonify.hearing.loudness import loudness_lufs
 from sonify.hearing.spectrogram import spectrogram
 
@@ -24,12 +25,28 @@ MAX_TRUE_PEAK_RATIO = 2.5
 absolute weights of the resampling filter."""
 
 
+class Channels(AudioSource, Protocol):
+    """An audio source with `channels` columns."""
+
+    @property
+    def channels(self) -> int: ...
+
+
+class HasLoudness(Protocol):
+    """A copy of a sound that has a loudness."""
+
+    @property
+    def loudness(self) -> float:
+        """Loudness [LUFS]; raises ValueError if it is undefined."""
+        ...
+
+
 @dataclass(frozen=True, kw_only=True)
 class DerivedTrack:
     """A track computed from another `track`, with the same length, sample rate and
     channels."""
 
-    track: object
+    track: Channels
 
     @property
     def sample_rate(self) -> int:
@@ -45,6 +62,11 @@ class DerivedTrack:
     def channels(self) -> int:
         """Number of listeners."""
         return self.track.channels
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Return a new iterator over blocks (k, channels), beginning at sample
+        `start`."""
+        raise NotImplementedError
 
     @cached_property
     def true_peak(self) -> float:
@@ -64,7 +86,7 @@ class CachedTrack(DerivedTrack):
         raise NotImplementedError
 
     @cached_property
-    def _cached_blocks(self):
+    def _cached_blocks(self) -> list[np.ndarray] | None:
         few = self.frames * self.channels <= self.max_cached
         return list(self.computed_blocks()) if few else None
 
@@ -110,7 +132,7 @@ class ScaledTrack(DerivedTrack):
         )
 
 
-def audible_copy(track) -> ScaledTrack:
+def audible_copy(track: Channels) -> ScaledTrack:
     """Return an A-weighted copy of a track [Pa] at AUDIBLE_COPY_LOUDNESS_LUFS.
 
     The copy is quieter if its true peak would exceed AUDIBLE_COPY_PEAK_DBTP.
@@ -133,7 +155,7 @@ def audible_copy(track) -> ScaledTrack:
     )
 
 
-def loudness(copy) -> float | str:
+def loudness(copy: "HasLoudness") -> float | str:
     """Return the loudness of a copy [LUFS], or the reason why it is undefined."""
     try:
         return copy.loudness
@@ -141,7 +163,7 @@ def loudness(copy) -> float | str:
         return str(error)
 
 
-def true_peak(source) -> float:
+def true_peak(source: AudioSource) -> float:
     """Return the largest magnitude of a source, including values between the
     samples."""
     tops = [np.abs(part).max() for part in _overlapping_parts(source)]
@@ -153,7 +175,7 @@ def true_peak(source) -> float:
     return float(peak)
 
 
-def true_peaks(samples) -> np.ndarray:
+def true_peaks(samples: np.ndarray) -> np.ndarray:
     """Return the largest magnitude (k,) at and after each of samples (k, channels),
     including values between the samples."""
     oversampling = 4  # BS.1770-4, annex 2
@@ -161,14 +183,14 @@ def true_peaks(samples) -> np.ndarray:
     return between.reshape(len(samples), -1).max(axis=1)
 
 
-def _overlapping_parts(source):
+def _overlapping_parts(source: AudioSource) -> Iterator[np.ndarray]:
     """Return parts of a source, extended on both sides by the reach of the resampling
     filter [samples]."""
     filter_reach = 32
     return overlapping_pieces(source, BLOCK_SIZE, 2 * filter_reach)
 
 
-def energy_below(track, *limits) -> tuple[float, ...]:
+def energy_below(track: AudioSource, *limits: float) -> tuple[float, ...]:
     """Return the fractions of the energy of a track below each frequency limit [Hz]."""
     spectrum = spectrogram(track, 0.2)
     total = spectrum.power.sum(axis=1, dtype=float)

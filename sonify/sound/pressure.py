@@ -42,12 +42,12 @@ class Track:
     further listeners, the additional channels, and has the same length."""
 
     sample_rate: int
-    columns: object
+    columns: "np.ndarray | ScratchFile"
     column: int
     name: str = "pressure"
     others: "tuple[Track, ...]" = ()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Track({self.name}, {self.frames} samples at {self.sample_rate} Hz)"
 
     @property
@@ -178,7 +178,7 @@ class Sound:
             name, tracks.index(name), tuple(other.track(name) for other in self.others)
         )
 
-    def _track(self, name, column, others=()):
+    def _track(self, name: str, column: int, others: tuple[Track, ...] = ()) -> Track:
         return Track(
             name=name,
             sample_rate=self.sample_rate,
@@ -198,10 +198,12 @@ class Sound:
         return self.samples / self.sample_rate
 
     @cached_property
-    def _column_peaks(self):
+    def _column_peaks(self) -> np.ndarray:
         starts = range(0, self.samples, BLOCK_SIZE)
         own = [
-            [np.abs(column).max() for column in self.columns[n : n + BLOCK_SIZE].T]
+            np.array(
+                [np.abs(column).max() for column in self.columns[n : n + BLOCK_SIZE].T]
+            )
             for n in starts
         ]
         return np.max(
@@ -292,7 +294,7 @@ class Sound:
         return WeightedTrack(track=self._audible_source)
 
     @property
-    def _audible_source(self):
+    def _audible_source(self) -> Track:
         if not self.has_second_ear:
             return self.pressure
         second_ear = self._track("second_ear", 1 + len(self.names))
@@ -310,7 +312,7 @@ class Sound:
         loudspeakers are weak."""
         return energy_below(self.pressure, 100.0, 300.0)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         recorded = f"{self.duration:.3f} s at {self.sample_rate} Hz"
         return f"Sound({recorded}, peak {self.peak:.3g} Pa, {len(self.ringing.frequency)} modes)"
 
@@ -318,22 +320,22 @@ class Sound:
 class ScratchFile:
     """Rows (n, width) in an unnamed temporary file that is deleted with the object."""
 
-    def __init__(self, width: int):
+    def __init__(self, width: int) -> None:
         self._file = TemporaryFile()  # noqa: SIM115, closed below
         self._rows = 0
         self._width = width
         finalize(self, self._file.close)
 
-    def append(self, rows):
+    def append(self, rows: np.ndarray) -> None:
         """Write rows (k, width), float32. Raises OSError if the disk is full."""
         self._file.write(rows.tobytes())
         self._file.flush()  # readers read the file, not the buffer
         self._rows += len(rows)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self._rows
 
-    def __getitem__(self, rows: slice):
+    def __getitem__(self, rows: slice) -> np.ndarray:
         first, last, _ = rows.indices(self._rows)
         width = self._width
         count = max(last - first, 0)
@@ -358,7 +360,7 @@ def collect_rows(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratc
     return scratch
 
 
-def pressure_and_stems(stems) -> np.ndarray:
+def pressure_and_stems(stems: np.ndarray) -> np.ndarray:
     """Return pressure and stems (k, 1 + s) as float32 from stems (k, s) [Pa].
 
     The rounded stems are summed in double precision and then rounded."""

@@ -5,17 +5,25 @@ its normal acceleration w. It is valid if the face lies nearly in the plane of t
 and the air film below it is closed. Early in a motion the film is open, air flows
 around the rim, and the true pressure is lower."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import lcm
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from dynamics.air import STANDARD_AIR, Air
 from modal import Modes
-from modal.radiation import AIR_DENSITY, STANDARD_AIR, AirConstants
+from modal.radiation import AIR_DENSITY
 from modal.radiation import SOUND_SPEED as SOUND_SPEED
 from sonify.scene import ListenerPosition
 from sonify.sound.head import Ear
+
+Kernel = tuple[Callable[[np.ndarray], np.ndarray], np.ndarray]
+"""Step response, a function of the time [s], and taps."""
+Integrals = Callable[[float | np.ndarray], tuple[np.ndarray, np.ndarray]]
+"""Function that returns the first and second integrals of a pulse."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,7 +39,7 @@ class Listener:
     distance: float
     elevation: float
     azimuth: float = 0.0
-    air: AirConstants = STANDARD_AIR
+    air: Air = STANDARD_AIR
     face_height: float = 0.0
     ear: Ear | None = None
 
@@ -64,7 +72,7 @@ def listeners_of(scene: Any) -> list[Listener]:
     return [ear for position in positions for ear in _ears_of(position, scene)]
 
 
-def _ears_of(position: ListenerPosition, scene) -> list[Listener]:
+def _ears_of(position: ListenerPosition, scene: Any) -> list[Listener]:
     """Return the listener at a position, or the two ears of a head there."""
     # Ratio of distance to disk radius below which the near field is computed
     near_field_distance_ratio = 4.0
@@ -109,7 +117,12 @@ def listener_of(scene: Any) -> Listener:
 
 
 def rayleigh(
-    face, points, weights, wavenumber, listener_at, density=AIR_DENSITY
+    face: np.ndarray,
+    points: np.ndarray,
+    weights: np.ndarray,
+    wavenumber: float | np.ndarray,
+    listener_at: ArrayLike,
+    density: float = AIR_DENSITY,
 ) -> np.ndarray:
     """Evaluate Rayleigh's integral over a plane face, which is exact in a plane baffle.
 
@@ -195,7 +208,9 @@ def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarra
     return np.stack([(even + odd) / 2, at_rest - even, (even - odd) / 2], axis=2)
 
 
-def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
+def heave_kernel(
+    listener: Listener, radius: float, h: float, hole: float = 0.0
+) -> Kernel:
     """Return step response and taps for the pressure of a heaving disk.
 
     The unit of pressure is `piston_strength`. The function step(t) is the response at t
@@ -213,7 +228,9 @@ def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0)
     )
 
 
-def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
+def tilt_kernel(
+    listener: Listener, radius: float, h: float, hole: float = 0.0
+) -> Kernel:
     """Return step response and taps for a tilting disk, in the form of `heave_kernel`.
 
     The acceleration of the rim is 1 at the point nearest to the listener and -1 at the
@@ -221,7 +238,7 @@ def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
     near field they also differ in distance. The acceleration at the rim of the hole is
     smaller by the factor hole / radius."""
 
-    def solid_kernel(r):
+    def solid_kernel(r: float) -> Kernel:
         transit = listener.half_crossing_time(r)
         far_step, far_taps = pulse_kernel(transit, h, tilt_far_field_integrals)
         near_step, near_taps = pulse_kernel(transit, h, tilt_near_field_integrals)
@@ -235,7 +252,9 @@ def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
     return _subtract_hole(solid_kernel, radius, hole, (hole / radius) ** 3)
 
 
-def _subtract_hole(kernel, radius, hole, share):
+def _subtract_hole(
+    kernel: Callable[[float], Kernel], radius: float, hole: float, share: float
+) -> Kernel:
     """Return step response and taps of kernel(radius) minus `share` times those of
     kernel(hole)."""
     step, taps = kernel(radius)
@@ -248,7 +267,7 @@ def _subtract_hole(kernel, radius, hole, share):
     )
 
 
-def pulse_kernel(transit, h, shape):
+def pulse_kernel(transit: float, h: float, shape: Integrals) -> Kernel:
     """Return step response and taps of a pulse of half width `transit` [s].
 
     The function shape(s) returns the step response of the pulse and its integral at s =
@@ -263,7 +282,7 @@ def pulse_kernel(transit, h, shape):
     return (lambda t: shape(np.clip(t / width, -1, 1))[0]), np.diff(width * ramp, 2) / h
 
 
-def heave_pulse_integrals(s):
+def heave_pulse_integrals(s: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the first and second integrals of (2/pi) sqrt(1 - s^2), the chord lengths
     of a disk of unit area."""
     root = np.sqrt(1 - s * s)
@@ -273,7 +292,7 @@ def heave_pulse_integrals(s):
     ) / np.pi
 
 
-def tilt_far_field_integrals(s):
+def tilt_far_field_integrals(s: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the first and second integrals of (2/pi) s sqrt(1 - s^2), the far field of
     a tilting disk."""
     root = np.sqrt(1 - s * s)
@@ -282,7 +301,7 @@ def tilt_far_field_integrals(s):
     return 2 / (3 * np.pi) * root**3, 2 / (3 * np.pi) * twice
 
 
-def tilt_near_field_integrals(s):
+def tilt_near_field_integrals(s: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the first and second integrals of (2/pi) s^2 sqrt(1 - s^2), the near field
     of a tilting disk."""
     root = np.sqrt(1 - s * s)

@@ -1,18 +1,29 @@
 """Convert accelerations to radiated pressure block by block."""
 
+from collections.abc import Callable
 from functools import cached_property, partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dynamics.numba_kernels import njit
 from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.radiation import (
+    Kernel,
     Listener,
     heave_kernel,
     mode_taps,
     piston_strength,
     tilt_kernel,
 )
+
+if TYPE_CHECKING:
+    from dynamics.disk import Disk
+    from modal.modes import Modes
+
+KnotTimes = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""Intervals of jumps, and the times since the previous and to the next sample, see
+`ContactForce.knots`."""
 
 
 class RigidFace:
@@ -23,7 +34,7 @@ class RigidFace:
     columns: tuple[slice, ...] = (slice(1), slice(1, None))
     """Groups of acceleration columns that share a kernel."""
 
-    def __init__(self, disk, listener: Listener, h: float):
+    def __init__(self, disk: "Disk", listener: Listener, h: float) -> None:
         self._steps, self._taps = zip(*self._kernels(disk, listener, h), strict=True)
         self.h = h
         self.reach = len(self._taps[0]) // 2
@@ -31,7 +42,7 @@ class RigidFace:
             disk.radius, listener.distance, listener.air.density
         )
 
-    def _kernels(self, disk, listener, h):
+    def _kernels(self, disk: "Disk", listener: Listener, h: float) -> list[Kernel]:
         if listener.is_in_near_field:
             from sonify.sound.near_field import near_face_kernels
 
@@ -41,7 +52,9 @@ class RigidFace:
             for kernel in (heave_kernel, tilt_kernel)
         ]
 
-    def make_block_radiator(self, first):
+    def make_block_radiator(
+        self, first: np.ndarray
+    ) -> Callable[[np.ndarray, KnotTimes, np.ndarray], np.ndarray]:
         """Return a function that converts successive blocks of accelerations to
         pressure.
 
@@ -51,7 +64,9 @@ class RigidFace:
         extend = overlapping_blocks(2 * self.reach, first)
         in_flight = np.zeros((0, len(first)))
 
-        def advance(samples, knots, jump):
+        def advance(
+            samples: np.ndarray, knots: KnotTimes, jump: np.ndarray
+        ) -> np.ndarray:
             nonlocal in_flight
             count = len(samples) - 1
             out = self._convolve_with_kernels(extend(samples[:-1]), knots, jump)
@@ -61,7 +76,9 @@ class RigidFace:
 
         return advance
 
-    def _convolve_with_kernels(self, source, knots, jump):
+    def _convolve_with_kernels(
+        self, source: np.ndarray, knots: KnotTimes, jump: np.ndarray
+    ) -> np.ndarray:
         """Return the convolution (k + 2 reach + 1, c) with the kernels, corrected for
         jumps between samples."""
         count = len(source) - 2 * self.reach
@@ -88,7 +105,7 @@ class NearRim(RigidFace):
 
     columns = (slice(0, 1), slice(1, 3), slice(3, 4))
 
-    def _kernels(self, disk, listener, h):
+    def _kernels(self, disk: "Disk", listener: Listener, h: float) -> list[Kernel]:
         from sonify.sound.near_field import near_rim_kernels
 
         return near_rim_kernels(listener, disk, h)
@@ -99,15 +116,19 @@ class ElasticFace:
 
     The output is delayed by `latency` samples."""
 
-    def __init__(self, modes, listener: Listener, sample_rate: float, latency: int):
+    def __init__(
+        self, modes: "Modes", listener: Listener, sample_rate: float, latency: int
+    ) -> None:
         self._tabulate = partial(mode_taps, modes, listener, sample_rate)
         self._latency = latency
 
     @cached_property
-    def _taps(self):
+    def _taps(self) -> np.ndarray:
         return self._tabulate()
 
-    def make_block_radiator(self, direction, second_ear: float | None = None):
+    def make_block_radiator(
+        self, direction: np.ndarray, second_ear: float | None = None
+    ) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
         """Return a function that converts successive blocks of modal accelerations to
         pressure.
 
@@ -119,7 +140,7 @@ class ElasticFace:
         past = None
         extend = overlapping_blocks(self._latency, direction)
 
-        def advance(acceleration, direction):
+        def advance(acceleration: np.ndarray, direction: np.ndarray) -> np.ndarray:
             nonlocal past
             count = len(direction)
             if past is None:
@@ -142,7 +163,9 @@ class ElasticFace:
         return advance
 
 
-def _radiate_modes(ringing, turns, sharpness, taps):
+def _radiate_modes(
+    ringing: np.ndarray, turns: np.ndarray, sharpness: np.ndarray, taps: np.ndarray
+) -> np.ndarray:
     """Return the pressure (k, s), summed over modes, of modal accelerations (s, k + 2,
     m).
 
@@ -171,7 +194,16 @@ def compile_radiators() -> None:
 
 
 @njit(cache=True, nogil=True)
-def _apply_taps(samples, modes, where, sharpness, mean, deviation, slopes, out):
+def _apply_taps(
+    samples: np.ndarray,
+    modes: int,
+    where: np.ndarray,
+    sharpness: np.ndarray,
+    mean: np.ndarray,
+    deviation: np.ndarray,
+    slopes: np.ndarray,
+    out: np.ndarray,
+) -> None:
     """Write the products of interpolated taps with samples into `out` (k, s).
 
     The samples (s, ...) contain `modes` values per instant. The taps at a fractional

@@ -1,7 +1,7 @@
 """Render the sound pressure at the listener as a sum of stems."""
 
 from collections import defaultdict, deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from copy import copy
 from dataclasses import replace
@@ -33,6 +33,12 @@ from sonify.sound.sources.protocol import (
     SoundSource,
     SourceGroup,
 )
+
+Listen = Callable[[np.ndarray, int, int], None]
+"""Function that receives a block (k,) of the pressure [Pa], the sample rate [Hz] and
+the length [samples] of the sound."""
+NoteOfSource = Callable[[str, np.ndarray, np.ndarray], None]
+"""Function that receives the name of a source, times [s] and modal energies [J]."""
 
 
 class Renderer:
@@ -78,15 +84,15 @@ class Renderer:
 
     def __init__(
         self,
-        scene,
-        motion,
-        modes,
-        wanted=None,
+        scene: Scene,
+        motion: Motion,
+        modes: Modes,
+        wanted: Sequence[int] | None = None,
         max_contact_turn: float = 0.0,
-        table=None,
+        table: SurfaceModes | None = None,
         listener: Listener | None = None,
         turn: float | None = None,
-    ):
+    ) -> None:
         self.scene = scene
         self.motion = motion
         self.sample_rate = scene.audio.sample_rate
@@ -138,7 +144,7 @@ class Renderer:
         duration = self.rest + self._group.tail_duration
         self.samples = ceil(duration * self.sample_rate)
 
-    def _sources_at(self, listener) -> tuple[ElasticDisk, list[SoundSource]]:
+    def _sources_at(self, listener: Listener) -> tuple[ElasticDisk, list[SoundSource]]:
         """Return the elastic disk and the list of all sources for one listener."""
         face = RigidFace(self.scene.disk, listener, 1 / self.sample_rate)
         rigid, elastic = disk_sources(
@@ -149,7 +155,9 @@ class Renderer:
             self.scene, self.motion, listener, rigid, elastic, *tables
         ) + tables
 
-    def blocks(self, size: int = BLOCK_SIZE, note=lambda name, t, energy: None):
+    def blocks(
+        self, size: int = BLOCK_SIZE, note: NoteOfSource = lambda name, t, energy: None
+    ) -> Iterator[np.ndarray]:
         """Yield the stems (k, s) [Pa] in blocks of k <= size samples.
 
         `note(name, t (e,) [s], energy (e,) [J])` receives the modal energy of each
@@ -179,7 +187,7 @@ class Renderer:
     def sound(
         self,
         watch: Watch = ignore_progress,
-        listen=lambda block, sample_rate, samples: None,
+        listen: Listen = lambda block, sample_rate, samples: None,
         samples: int | None = None,
     ) -> Sound:
         """Render and return the whole sound.
@@ -190,7 +198,7 @@ class Renderer:
         own = len(self.names)
         samples = samples or self.samples
 
-        def rows():
+        def rows() -> Iterator[np.ndarray]:
             for i, stems in enumerate(
                 self.blocks(note=lambda name, *energy: noted[name].append(energy))
             ):
@@ -224,7 +232,7 @@ class Renderer:
             table_energy=table_energy,
         )
 
-    def _join_stems(self, parts):
+    def _join_stems(self, parts: list[np.ndarray]) -> np.ndarray:
         """Return the stems (k, s) of all sources, with their sum at a second ear as the
         last column."""
         if not self._has_second_ear:
@@ -233,7 +241,7 @@ class Renderer:
             [part[:, :-1] for part in parts] + [sum(part[:, -1:] for part in parts)]
         )
 
-    def _apply_end_fades(self, stems, first):
+    def _apply_end_fades(self, stems: np.ndarray, first: int) -> np.ndarray:
         """Apply the fades at both ends to stems (k, s) that start at sample `first`."""
         fade_in_end = FADE_IN * self.sample_rate
         fade_out_start = self.samples - FADE_OUT * self.sample_rate
@@ -253,7 +261,7 @@ def render_sound(
     max_contact_turn: float,
     table: SurfaceModes | None,
     watch: Watch = ignore_progress,
-    listen: Callable = lambda block, sample_rate, samples: None,
+    listen: Listen = lambda block, sample_rate, samples: None,
 ) -> Sound:
     """Render the sound at every listener of the scene with the arguments of Renderer.
 
@@ -269,13 +277,13 @@ def render_sound(
     renderers = [renderer, *(renderer.for_listener(other) for other in others)]
     samples = max(renderer.samples for renderer in renderers)
 
-    def ignore(block, sample_rate, samples):
+    def ignore(block: np.ndarray, sample_rate: int, samples: int) -> None:
         """Discard the blocks of the other listeners."""
 
     sounds = []
     for i, renderer in enumerate(renderers):
 
-        def share_done(share, note="", i=i):
+        def share_done(share: float, note: str = "", i: int = i) -> None:
             watch((i + share) / len(renderers), note)
 
         sounds.append(renderer.sound(share_done, ignore if i else listen, samples))

@@ -1,12 +1,15 @@
 """Compute modal accelerations block by block, from the contact force or from a solved
 motion."""
 
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.oscillators import OscillatorBank, free_response
+
+if TYPE_CHECKING:
+    from sonify.sound.force import ContactForce
 
 
 class SolvedVibration(Protocol):
@@ -28,13 +31,19 @@ class DrivenModes:
     `settled` (m,) is the constant force on each mode before the first block.
     """
 
-    def __init__(self, frequency, decay_rate, sample_rate: float, settled):
+    def __init__(
+        self,
+        frequency: np.ndarray,
+        decay_rate: np.ndarray,
+        sample_rate: float,
+        settled: np.ndarray,
+    ) -> None:
         self._banks = [
             OscillatorBank(frequency, decay_rate, sample_rate) for _ in range(2)
         ]
         self._banks[0].set_steady_state(settled)
 
-    def advance(self, force) -> np.ndarray:
+    def advance(self, force: "ContactForce") -> np.ndarray:
         """Return the accelerations (2, k, m) due to smooth force and jumps in one block
         of modal forces."""
         out = np.empty((2, len(force.t) - 1, force.smooth.shape[1]))
@@ -50,14 +59,16 @@ class SolvedModes:
     The solution does not distinguish between smooth force and jumps; the whole response
     is assigned to the smooth force."""
 
-    def __init__(self, motion: SolvedVibration, chosen, ringing: RingDown):
+    def __init__(
+        self, motion: SolvedVibration, chosen: np.ndarray, ringing: RingDown
+    ) -> None:
         self._ringing = ringing
         self._motion = motion
         self._chosen = chosen
         self._end = motion.t[-1]
         self._final_state = motion.vibration(motion.t[-1:])[0][:2, chosen]
 
-    def advance(self, force) -> np.ndarray:
+    def advance(self, force: "ContactForce") -> np.ndarray:
         """Return the accelerations (2, k, m) at the times of a ContactForce; the force
         values are unused."""
         t = force.t[:-1]
@@ -67,7 +78,7 @@ class SolvedModes:
         out[0, t > self._end] = self._ring_down(t[t > self._end, None] - self._end)
         return out
 
-    def _ring_down(self, elapsed):
+    def _ring_down(self, elapsed: np.ndarray) -> np.ndarray:
         """Return the free accelerations (k, m) at times `elapsed` (k, 1) [s] after the
         motion."""
         omega = 2 * np.pi * self._ringing.frequency

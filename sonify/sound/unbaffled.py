@@ -35,7 +35,13 @@ class UnbaffledRatio:
         [m/s]
     """
 
-    def __init__(self, points, weights, direction, sound_speed: float):
+    def __init__(
+        self,
+        points: np.ndarray,
+        weights: np.ndarray,
+        direction: np.ndarray,
+        sound_speed: float,
+    ) -> None:
         centre = weights @ points / weights.sum()
         moments = np.einsum("p,pi,pj->ij", weights, points - centre, points - centre)
         squared, axes = np.linalg.eigh(moments / weights.sum())
@@ -69,7 +75,9 @@ class UnbaffledRatio:
         return factor + baffled * (1 - factor)
 
 
-def unbaffled_disk_ratios(sizes, cosine: float, rho, azimuth) -> np.ndarray:
+def unbaffled_disk_ratios(
+    sizes: np.ndarray, cosine: float, rho: np.ndarray, azimuth: np.ndarray
+) -> np.ndarray:
     """Return half the pressure difference (s, p) across a rigid disk in a plane wave.
 
     The result is divided by the incident pressure.
@@ -141,7 +149,7 @@ def spectral_quadrature(size: float) -> tuple[np.ndarray, np.ndarray, np.ndarray
     return kappa, np.concatenate([inner_weight, outer_weight]), gamma - kappa
 
 
-def j_n_over_x(n, x: float) -> np.ndarray:
+def j_n_over_x(n: np.ndarray, x: float) -> np.ndarray:
     """Return j_n(x)/x for orders n (j,) of at least 1, continuous at x = 0."""
     if x < 1e-8:
         return np.where(n == 1, 1 / 3, 0.0)

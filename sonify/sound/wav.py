@@ -2,11 +2,13 @@
 listening."""
 
 import errno
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from io import SEEK_END
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
 import soundfile
 
 from sonify import __version__
@@ -18,7 +20,9 @@ if TYPE_CHECKING:
     from sonify.sound.mastering import MasteredTrack
     from sonify.sound.playback import ScaledTrack
 
-MISSING_END_TEXT = "; the motion did not come to rest, and its end is missing: {}"
+UNFINISHED_MOTION_COMMENT = (
+    "; the motion did not come to rest, and its end is missing: {}"
+)
 AUDIBLE_SCALE_TEXT = (
     "A-weighted and amplified for small loudspeakers, not the pressure; "
     "1.0 = {:.6g} pascal, A-weighted"
@@ -31,7 +35,7 @@ MASTER_SCALE_TEXT = (
 MAX_RIFF_BYTES = 2**32 - 2**12
 """Maximum size of the samples [bytes] in a WAV file; larger files use RF64 (EBU Tech
 3306), which has 64-bit lengths."""
-BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3}
+BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3, "PCM_16": 2}
 
 
 class WavFile(NamedTuple):
@@ -87,17 +91,21 @@ def write_other_sounds(
         WavFile(
             folder / "audible.wav",
             sound.audible,
-            "PCM_24",
+            "PCM_16",  # its noise is 80 dB below the loudness of the master
             amplified.format(sound.audible.full_scale),
         ),
     ]
     _write_files(sound, files, watch)
 
 
-def _write_files(sound, files, watch=ignore_progress):
+def _write_files(
+    sound: Sound, files: list[WavFile], watch: Watch = ignore_progress
+) -> None:
     """Write WavFiles; all of them appear once the last one is complete."""
     unfinished = (
-        "" if sound.outcome.is_rest else MISSING_END_TEXT.format(sound.outcome.sentence)
+        ""
+        if sound.outcome.is_rest
+        else UNFINISHED_MOTION_COMMENT.format(sound.outcome.sentence)
     )
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
@@ -110,12 +118,23 @@ def _write_files(sound, files, watch=ignore_progress):
             file.comment = comment + unfinished
             file.software = f"eulers-disk-sonify {__version__}"
             for block in source.blocks():
-                file.write(block)
+                file.write(rounded(block, subtype))
                 watch((i + file.frames / source.frames) / len(files))
 
 
+def rounded(samples: np.ndarray, subtype: str) -> np.ndarray:
+    """Return samples rounded to the integers of a subtype, which libsndfile would round
+    downwards."""
+    if subtype == "FLOAT":
+        return samples
+    steps = 2 ** (8 * BYTES_PER_SAMPLE[subtype] - 1)
+    return np.rint(samples * steps) / steps
+
+
 @contextmanager
-def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
+def open_wav(
+    path: Path, rate: int, channels: int, subtype: str, form: str, chunk: bytes = b""
+) -> Iterator[soundfile.SoundFile]:
     """Open a WAV file for writing.
 
     The file appears only when complete, and identical samples give identical bytes.
@@ -140,7 +159,7 @@ def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
             _append_chunk(temporary, chunk)
 
 
-def _clear_timestamp(path):
+def _clear_timestamp(path: Path) -> None:
     """Clear the time stamp that libsndfile writes into the PEAK chunk of float
     files."""
     with open(path, "r+b") as file:
@@ -150,7 +169,7 @@ def _clear_timestamp(path):
             file.write(bytes(4))
 
 
-def _append_chunk(path, chunk):
+def _append_chunk(path: Path, chunk: bytes) -> None:
     """Append a chunk of even length to a RIFF file and correct the length in its
     header."""
     with open(path, "r+b") as file:

@@ -9,6 +9,7 @@ import re
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, closing
 from functools import cache
+from gzip import decompress
 from importlib import resources
 from itertools import count
 from math import inf
@@ -37,11 +38,15 @@ from sonify.report.page import page_assets
 from sonify.report.write import scene_record
 from sonify.runtime.files import create_folder, first_matching_folder, readable_text
 from sonify.runtime.workers import WorkerDiedError
-from sonify.scene import load_scene, shipped_scenes
+from sonify.scene import load_scene, present_scene_name, shipped_scenes
 from sonify.scene_errors import InputError
 from sonify.studio.controls import changed_scene, control_key_of_error, controls
 from sonify.studio.job_queue import Job, JobQueue
-from sonify.studio.run_list import embedded_run_data, finished_runs
+from sonify.studio.run_list import (
+    embedded_run_data,
+    finished_runs,
+    shipped_run_entry,
+)
 from sonify.studio.run_names import run_name
 from sonify.studio.server import (
     LOOPBACK,
@@ -66,7 +71,7 @@ OPENING_RUN = "opening.json.gz"
 """Shipped run that the studio shows at first: the scene toy."""
 
 
-def studio(folder: str | Path, port: int, note: Callable):
+def studio(folder: str | Path, port: int, note: Callable[..., Any]) -> None:
     """Serve the studio on this machine until interrupted, and pass its address to
     `note`.
 
@@ -82,7 +87,9 @@ def studio(folder: str | Path, port: int, note: Callable):
         run_application(app, listening)
 
 
-def serve(folder: str | Path, host: str, port: int, note: Callable[[str], object]):
+def serve(
+    folder: str | Path, host: str, port: int, note: Callable[[str], object]
+) -> None:
     """Serve the runs in `folder` until interrupted; pass the address to `note`.
 
     Port 0 selects any free port. Raises InputError if the folder does not exist, or if
@@ -112,7 +119,7 @@ def application(folder: str | Path, token: str, queue: JobQueue) -> Starlette:
     ]
 
     @asynccontextmanager
-    async def lifespan(app):
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:
         temporary = TemporaryDirectory(
             prefix="sonify-studio-", ignore_cleanup_errors=True
         )
@@ -145,8 +152,9 @@ def routes_of_runs(root: Path, is_editable: bool) -> list[Route]:
     files."""
 
     def listed() -> dict[str, Any]:
+        shipped = [_opening_entry()] if is_editable else []
         return {
-            "runs": finished_runs(root),
+            "runs": [*finished_runs(root), *shipped],
             "root": readable_text(root.name),
             "is_editable": is_editable,
         }
@@ -165,9 +173,10 @@ def routes_of_runs(root: Path, is_editable: bool) -> list[Route]:
         return Response(text, media_type="application/json")
 
     def opening(request: Request) -> Response:
-        content = (resources.files("sonify.studio") / OPENING_RUN).read_bytes()
         compressed = {"Content-Encoding": "gzip"}
-        return Response(content, headers=compressed, media_type="application/json")
+        return Response(
+            _opening_data(), headers=compressed, media_type="application/json"
+        )
 
     def file(request: Request) -> Response:
         return file_response(request, root)
@@ -181,7 +190,7 @@ def routes_of_runs(root: Path, is_editable: bool) -> list[Route]:
     ]
 
 
-async def _report_input_error(request, error) -> Response:
+async def _report_input_error(request: Request, error: Exception) -> Response:
     return JSONResponse(_error_record(error), 422)
 
 
@@ -192,7 +201,7 @@ class Session:
     folder: Path
     """Folder of the temporary files."""
 
-    def __init__(self, root: Path, queue: JobQueue):
+    def __init__(self, root: Path, queue: JobQueue) -> None:
         self.root = root
         self._queue = queue
         self._numbers = count(1)
@@ -200,7 +209,7 @@ class Session:
 
     def controls_of_scene(self, request: Request) -> Response:
         """Return the controls of a shipped scene."""
-        name = request.path_params["scene"]
+        name = present_scene_name(request.path_params["scene"])
         if name not in shipped_scenes():
             raise HTTPException(404, "no such scene")
         return JSONResponse(_controls(name))
@@ -291,17 +300,19 @@ class Session:
         out.mkdir(parents=True)
         return out
 
-    def _new_folder(self):
+    def _new_folder(self) -> tuple[int, Path]:
         number = next(self._numbers)
         folder = self.folder / str(number)
         folder.mkdir()
         return number, folder
 
-    def _stream(self, request, job, places):
+    def _stream(self, request: Request, job: Job, places: dict[str, Any]) -> Response:
         lines = self._lines(request, self._queue.submit(job), places)
         return StreamingResponse(lines, media_type="application/x-ndjson")
 
-    async def _lines(self, request, job, places) -> AsyncIterator[str]:
+    async def _lines(
+        self, request: Request, job: Job, places: dict[str, Any]
+    ) -> AsyncIterator[str]:
         """Yield the progress of a job as lines of JSON; cancel the job if the client
         disconnects."""
         polling_interval = 0.1  # s
@@ -332,7 +343,7 @@ def file_name(given: str) -> str:
     return short or "recording"
 
 
-async def _growing_file(job) -> AsyncIterator[bytes]:
+async def _growing_file(job: Job) -> AsyncIterator[bytes]:
     """Yield the sound of a run until it is complete or the run has ended."""
     polling_interval = 0.1  # s
     with open(job.folder / STREAM_FILE, "rb") as file:
@@ -345,7 +356,7 @@ async def _growing_file(job) -> AsyncIterator[bytes]:
             await asyncio.sleep(polling_interval)
 
 
-def _final_record(job) -> dict[str, Any]:
+def _final_record(job: Job) -> dict[str, Any]:
     if job.error is None:
         return {"done": True, "heard": True, "result": job.result}
     if isinstance(job.error, WorkerDiedError):
@@ -353,7 +364,7 @@ def _final_record(job) -> dict[str, Any]:
     return _error_record(job.error)
 
 
-def _error_record(error):
+def _error_record(error: BaseException) -> dict[str, Any]:
     sentence = " ".join(str(error).split()) or type(error).__name__
     return {"error": sentence, "key": control_key_of_error(sentence)}
 
@@ -371,8 +382,19 @@ async def _body(request: Request, most: int) -> bytes:
 
 @cache
 def _controls(name: str) -> list[dict[str, Any]]:
-    """Return the controls of a shipped scene, which take up to a second to check."""
+    """Return the controls of a shipped scene."""
     return controls(load_scene(name))
+
+
+def _opening_data() -> bytes:
+    """Return the data of the shipped run as compressed JSON."""
+    return (resources.files("sonify.studio") / OPENING_RUN).read_bytes()
+
+
+@cache
+def _opening_entry() -> dict[str, Any]:
+    """Return the list entry of the shipped run, whose place is empty."""
+    return shipped_run_entry(json.loads(decompress(_opening_data()))["record"], "")
 
 
 @cache

@@ -1,11 +1,20 @@
 """Derive the sliders and lists of the page from a scene, and the scene from their
 values."""
 
+import json
 from dataclasses import asdict, dataclass
+from functools import cache
+from importlib import resources
 from math import inf
 from typing import Any
 
-from sonify.scene import Scene, from_document, load_scene, shipped_scenes
+from sonify.scene import (
+    Scene,
+    from_document,
+    load_scene,
+    present_scene_name,
+    shipped_scenes,
+)
 from sonify.scene_errors import SceneError
 from sonify.scene_keys import meaning_and_unit, schema
 from sonify.studio.run_names import QUANTITIES
@@ -31,6 +40,9 @@ CHOICE_LABELS = {
     "air.film": "air film",
 }
 CHOICE_KEYS = (*CHOICE_LABELS,)
+SLIDER_ENDS = "slider_ends.json"
+"""File with the ends of the sliders of the shipped scenes, because it takes seconds to
+find them; `python -m sonify.studio.slider_ends` renews it."""
 SMOOTH_TABLE = 1e-9
 """Roughness of a smooth table [m], for a scene in which only the edge becomes rough."""
 KEEP_SCENE_VALUE = ""
@@ -61,14 +73,16 @@ class Control:
 
 
 def controls(scene: Scene) -> list[dict[str, Any]]:
-    """Return the controls of a scene as plain values."""
-    numbers = [
-        _number_control(scene, key)
-        for key in (*MAIN_KEYS, *FURTHER_KEYS)
-        if key not in _other_rolling_friction(scene)
-    ]
+    """Return the controls of a shipped scene as plain values."""
+    numbers = [_number_control(scene, key) for key in slider_keys(scene)]
     choices = [_choice_control(scene, key) for key in CHOICE_KEYS]
     return [asdict(control) for control in numbers + choices]
+
+
+def slider_keys(scene: Scene) -> list[str]:
+    """Return the keys of a scene that have a slider."""
+    unused = _other_rolling_friction(scene)
+    return [key for key in (*MAIN_KEYS, *FURTHER_KEYS) if key not in unused]
 
 
 def changed_scene(name: str, values: dict[str, Any]) -> Scene:
@@ -79,14 +93,14 @@ def changed_scene(name: str, values: dict[str, Any]) -> Scene:
     """
     document = _shipped_scene(name, "scene").document
     for key, value in values.items():
-        _apply_control_value(document, key, value)
+        apply_control_value(document, key, value)
     return from_document(document).replace("numerics.accuracy=draft")
 
 
-def _shipped_scene(name, key):
+def _shipped_scene(name: str, key: str) -> Scene:
     """Return a shipped scene; raises SceneError for any other name."""
     names = shipped_scenes()
-    if name not in names:
+    if present_scene_name(name) not in names:
         raise SceneError(f"{key} = {name!r}: must be one of {', '.join(names)}")
     return load_scene(name)
 
@@ -101,10 +115,12 @@ def control_key_of_error(sentence: str) -> str:
     return ""
 
 
-def _apply_control_value(document, key, value):
+def apply_control_value(document: dict[str, Any], key: str, value: Any) -> None:
     """Set the value of one control in the document of a scene."""
     if key == "surface" and value != KEEP_SCENE_VALUE:
-        document["surface"] = _shipped_scene(value, "surface").document["surface"]
+        other = _shipped_scene(value, "surface").document
+        document["surface"] = other["surface"]
+        _use_elasticity_of_table(document, other)
     elif key == "material.name" and value != KEEP_SCENE_VALUE:
         document["material"] = {"name": value}
         document["disk"].pop("mass", None)  # the density of the material applies
@@ -127,7 +143,15 @@ def _apply_control_value(document, key, value):
         inner[name] = value
 
 
-def _scale_friction(friction, value):
+def _use_elasticity_of_table(document: dict[str, Any], other: dict[str, Any]) -> None:
+    """Set the elastic constants of the table at the contact to those of another scene, if
+    both contacts are elastic."""
+    contact, elastic = document.get("contact", {}), other.get("contact", {})
+    if "young" in contact and "young" in elastic:
+        contact |= {name: elastic[name] for name in ("young", "poisson")}
+
+
+def _scale_friction(friction: dict[str, Any], value: float) -> None:
     """Set the coefficient of static friction; that of sliding keeps its ratio to it."""
     before = friction.get("mu_static")
     if isinstance(value, int | float) and before and "mu_dynamic" in friction:
@@ -135,15 +159,29 @@ def _scale_friction(friction, value):
     friction["mu_static"] = value
 
 
-def _other_rolling_friction(scene):
+def _other_rolling_friction(scene: Scene) -> tuple[str]:
     """Return the key of the rolling friction that a scene does not use."""
     uses_arm = scene.friction.arm_rolling > 0
     return ("dissipation.contour_moment",) if uses_arm else ("friction.arm_rolling",)
 
 
-def _number_control(scene, key):
-    """Return the slider of a key, from zero or the lower limit to the upper one, or around
-    the value if the limits are far away."""
+@dataclass(frozen=True, kw_only=True)
+class SliderRange:
+    """Value of a key in a scene and the range around it, in SI units.
+
+    `value` is None if it has no effect; `middle` is then a typical value."""
+
+    meaning: str
+    value: float | None
+    middle: float
+    low: float
+    high: float
+    logarithmic: bool
+
+
+def slider_range(scene: Scene, key: str) -> SliderRange:
+    """Return the range of a slider, from zero or the lower limit to the upper one, or
+    around the value if the limits are far away."""
     section, _, name = key.partition(".")
     given = asdict(scene)[section]
     value = None if given is None else given[name]
@@ -155,8 +193,7 @@ def _number_control(scene, key):
         smallest = described.get("minimum", described.get("exclusiveMinimum", 0.0))
         largest = described.get("maximum", described.get("exclusiveMaximum", inf))
         meaning, _ = meaning_and_unit(described["description"])
-    optional = section in ("roughness", "dissipation")
-    if optional and not value:
+    if section in OPTIONAL_SECTIONS and not value:
         value = None  # it has no effect
     middle = value or _typical_value(scene, key)
     logarithmic = middle > 0 and largest > 100.0 * middle
@@ -164,26 +201,48 @@ def _number_control(scene, key):
     low, high = (middle / ratio, middle * ratio) if logarithmic else (smallest, largest)
     if middle < 0:
         low, high = ratio * middle, middle / ratio
-    quantity = QUANTITIES[key]
-    return Control(
-        key=key,
-        label=quantity.label,
+    return SliderRange(
         meaning=meaning,
-        unit=quantity.unit,
-        factor=quantity.factor,
-        is_main=key in MAIN_KEYS,
         value=value,
-        low=_accepted_end(scene, key, middle, max(low, smallest), logarithmic),
-        high=_accepted_end(scene, key, middle, min(high, largest), logarithmic),
+        middle=middle,
+        low=max(low, smallest),
+        high=min(high, largest),
         logarithmic=logarithmic,
-        optional=optional,
     )
 
 
+def _number_control(scene: Scene, key: str) -> Control:
+    """Return the slider of a key of a shipped scene."""
+    found = slider_range(scene, key)
+    quantity = QUANTITIES[key]
+    low, high = _slider_ends()[scene.name][key]
+    return Control(
+        key=key,
+        label=quantity.label,
+        meaning=found.meaning,
+        unit=quantity.unit,
+        factor=quantity.factor,
+        is_main=key in MAIN_KEYS,
+        value=found.value,
+        low=low,
+        high=high,
+        logarithmic=found.logarithmic,
+        optional=key.partition(".")[0] in OPTIONAL_SECTIONS,
+    )
+
+
+@cache
+def _slider_ends() -> dict[str, dict[str, tuple[float, float]]]:
+    """Return the ends of the sliders by scene and key."""
+    file = resources.files("sonify.studio") / SLIDER_ENDS
+    return json.loads(file.read_text("utf-8"))
+
+
+OPTIONAL_SECTIONS = ("roughness", "dissipation")
 SPIN_MEANING = "Angular velocity about the axis of the disk at release."
 
 
-def _typical_value(scene, key):
+def _typical_value(scene: Scene, key: str) -> float:
     """Return a value in the middle of the slider of a key that a scene does not use."""
     disk = scene.disk
     relative_rolling_friction = 1e-4  # of weight times radius
@@ -196,46 +255,12 @@ def _typical_value(scene, key):
     }.get(key, 0.0)
 
 
-def _accepted_end(scene, key, accepted, end, logarithmic):
-    """Return the end of a slider or, if a run with this value is refused, the last
-    value before it that is accepted, to a thousandth of the slider."""
-    refused = _rounded(end)
-    if _is_accepted(scene, key, refused):
-        return refused
-    step_count = 10  # halvings
-    for _ in range(step_count):
-        middle = (
-            (accepted * refused) ** 0.5 if logarithmic else (accepted + refused) / 2
-        )
-        middle = _rounded(middle)
-        if _is_accepted(scene, key, middle):
-            accepted = middle
-        else:
-            refused = middle
-    return accepted
-
-
-def _rounded(value):
-    """Return a value with the four significant digits that the page shows."""
-    return float(f"{value:.4g}")
-
-
-def _is_accepted(scene, key, value):
-    """Return True if a run starts with one changed value of a scene."""
-    from sonify.plan.preflight import check_solvable_scene  # slow to import
-
-    document = scene.document
-    _apply_control_value(document, key, value)
-    try:
-        check_solvable_scene(from_document(document), None)
-    except SceneError:
-        return False
-    return True
-
-
-def _choice_control(scene, key):
+def _choice_control(scene: Scene, key: str) -> Control:
     if key == "surface":
-        meaning = "Table under the disk, optionally that of another scene."
+        meaning = (
+            "Table under the disk with its elastic constants, optionally those of another "
+            "scene; friction and roughness remain."
+        )
         names = ["published"]
         names += [n for n in shipped_scenes() if load_scene(n).surface.kind != "rigid"]
     else:
@@ -243,7 +268,7 @@ def _choice_control(scene, key):
         meaning, _ = meaning_and_unit(described["description"])
         names = described["enum"]
     if key == "air.film":
-        value = scene.air.film
+        value: str = scene.air.film
     else:
         value = KEEP_SCENE_VALUE
         names = [KEEP_SCENE_VALUE, *names]
@@ -258,7 +283,7 @@ def _choice_control(scene, key):
     )
 
 
-def _schema_of(key):
+def _schema_of(key: str) -> dict[str, Any]:
     """Return the JSON schema of a key without the option null."""
     whole = schema()
     described = whole

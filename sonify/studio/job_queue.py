@@ -15,7 +15,9 @@ class Job:
     """One function call in the worker process, which writes its progress to
     `folder`."""
 
-    def __init__(self, folder: Path, function: Callable, *arguments: Any):
+    def __init__(
+        self, folder: Path, function: Callable[..., Any], *arguments: Any
+    ) -> None:
         self.folder = folder
         self.function = function
         self.arguments = arguments
@@ -41,7 +43,7 @@ class JobQueue:
             "sonify.studio.worker", single_threaded=False
         ),
         warm: bool = True,
-    ):
+    ) -> None:
         self._start_worker = start_worker
         self._warm = warm
         self._submitted: SimpleQueue[Job | None] = SimpleQueue()
@@ -65,7 +67,7 @@ class JobQueue:
         with self._lock:
             return self._jobs.index(job) if job in self._jobs else 0
 
-    def cancel(self, job: Job):
+    def cancel(self, job: Job) -> None:
         """Cancel a job; kill the worker if the job is running."""
         with self._lock:
             job.cancelled = True
@@ -74,7 +76,7 @@ class JobQueue:
             else:
                 self._remove(job)
 
-    def close(self):
+    def close(self) -> None:
         """Cancel all jobs and end the worker."""
         with self._lock:
             self._closed = True
@@ -82,7 +84,7 @@ class JobQueue:
         self._submitted.put(None)
         self._thread.join(timeout=10.0)
 
-    def _work(self):
+    def _work(self) -> None:
         self._ensure_worker()
         while (job := self._submitted.get()) is not None:
             self._execute(job)
@@ -103,7 +105,7 @@ class JobQueue:
                 return None
         return worker
 
-    def _execute(self, job):
+    def _execute(self, job: Job) -> None:
         worker = self._ensure_worker()
         with self._lock:
             self._running = None if job.cancelled else job
@@ -124,13 +126,13 @@ class JobQueue:
                 self._remove(job)
             job.ended.set()
 
-    def _kill_worker(self):
+    def _kill_worker(self) -> None:
         """Kill the worker, if there is one; the lock is held."""
         if self._worker is not None:
             self._worker.kill()
             self._worker = None
 
-    def _remove(self, job):
+    def _remove(self, job: Job) -> None:
         """Remove a job, if it has not yet been removed; the lock is held."""
         if job in self._jobs:
             self._jobs.remove(job)

@@ -34,26 +34,40 @@ def _run_entry(root: Path, path: Path) -> dict[str, Any] | None:
     folder = path.parent.relative_to(root).as_posix()
     place = readable_text(folder)
     has_address = place == folder
+    has_page = has_address and (path.parent / "report.html").is_file()
     picture = path.parent / "spectrogram.png"
     try:
-        record = json.loads(path.read_text(encoding="utf-8"))
-        name = run_name(record["scene"])
-        return {
+        return _entry_of_record(json.loads(path.read_text(encoding="utf-8"))) | {
             "place": place,
-            "name": name.words,
-            "changes": name.changes,
             "date": datetime.fromtimestamp(path.stat().st_mtime),
-            "end": record.get("motion", {}).get("end"),
-            "level": level_at_listener(record.get("sound", {})),
-            "outcome": record["outcome"]["sentence"],
-            "headline": record.get("headline", ""),
-            "failed": _failed_check_lines(record["checks"]),
-            "checks": len(record["checks"]),
-            "page": has_address and (path.parent / "report.html").is_file(),
+            "is_shown": has_page,
+            "page": has_page,
             "picture": has_address and picture.is_file(),
         }
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return None
+
+
+def shipped_run_entry(record: Mapping[str, Any], place: str) -> dict[str, Any]:
+    """Return the list entry of a run that the studio contains, which has neither page nor
+    date, from its run.json."""
+    without_files = {"date": None, "is_shown": True, "page": False, "picture": False}
+    return _entry_of_record(record) | without_files | {"place": place}
+
+
+def _entry_of_record(record: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the part of a list entry that follows from the run.json of a run."""
+    name = run_name(record["scene"])
+    return {
+        "name": name.words,
+        "changes": name.changes,
+        "end": record.get("motion", {}).get("end"),
+        "level": level_at_listener(record.get("sound", {})),
+        "outcome": record["outcome"]["sentence"],
+        "headline": record.get("headline", ""),
+        "failed": _failed_check_lines(record["checks"]),
+        "checks": len(record["checks"]),
+    }
 
 
 def level_at_listener(sound: dict[str, Any]) -> float | None:

@@ -6,7 +6,12 @@ from functools import cache
 from typing import Any
 
 from sonify.report.write import scene_record
-from sonify.scene import differing_values, load_scene, shipped_scenes
+from sonify.scene import (
+    differing_values,
+    load_scene,
+    present_scene_name,
+    shipped_scenes,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -130,7 +135,7 @@ def run_name(record: Mapping[str, Any]) -> RunName:
     Changes are relative to the shipped scene of the same name. Keys that one of the two
     records lacks are ignored, because programs of other versions have other keys.
     """
-    name = str(record["name"])
+    name = present_scene_name(str(record["name"]))
     if name not in shipped_scenes():
         return RunName(words=name)
     shipped = _shipped_record(name)
@@ -186,6 +191,8 @@ def _changed_values(
     replaced = ("name", "numerics", "surface", "material", "air.film")
     dependent = ["disk.mass", "disk.density"] * _has_other_material(record, shipped)
     dependent += ["friction.mu_dynamic"] * ("friction.mu_static" in changed)
+    if not _agrees(record.get("surface") or {}, shipped["surface"]):
+        dependent += ["contact.young", "contact.poisson"]
     found = {}
     for key, (before, value) in changed.items():
         section, _, name = key.partition(".")

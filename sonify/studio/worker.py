@@ -2,7 +2,7 @@
 
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from math import inf
@@ -12,13 +12,20 @@ from threading import Lock
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from sonify.runtime.progress import StageProgress, Stages, background_threads
+from sonify.runtime.progress import (
+    StageProgress,
+    Stages,
+    Watch,
+    background_threads,
+    duration_in_words,
+)
 from sonify.runtime.workers import serve_calls
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from sonify.pipeline import DiskModesCache
+    from sonify.pipeline import DiskModesCache, TableModesCache
+    from sonify.result import SolvedMotion
 
 PROGRESS_FILE = "progress.json"
 RECORDING_FILE = "recording.json"
@@ -32,13 +39,15 @@ class ProgressFile(Stages):
     """Stages that write notices, a line of progress and the state of the sound to a
     file."""
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path) -> None:
         super().__init__()
         self._folder = folder
         self._running: dict[str, StageProgress] = {}
         self._lock = Lock()
         self._written = 0.0
         self.notices: list[str] = []
+        self.expected = ""
+        self.found: dict[str, Any] | None = None
         self.heard = False
         self.streams = False
         self._gain = inf
@@ -46,13 +55,13 @@ class ProgressFile(Stages):
         self._weighting_state: np.ndarray | None = None
 
     @contextmanager
-    def stage(self, name: str):
+    def stage(self, name: str) -> Iterator[Watch]:
         """Time the block as stage `name` and write its progress."""
         progress = StageProgress(name, perf_counter())
         with self._lock:
             self._running[name] = progress
 
-        def watch(share, note=""):
+        def watch(share: float, note: str = "") -> None:
             with self._lock:
                 progress.report(perf_counter(), share, note)
             self.write()
@@ -65,12 +74,22 @@ class ProgressFile(Stages):
             with self._lock:
                 del self._running[name]
 
-    def notice(self, line: str):
+    def notice(self, line: str) -> None:
         """Write a message for the user."""
         self.notices.append(line)
         self.write(at_once=True)
 
-    def pressure(self, block, sample_rate: int, samples: int):
+    def expect(self, seconds: float) -> None:
+        """Write the predicted duration of the run."""
+        self.expected = duration_in_words(seconds)
+        self.write(at_once=True)
+
+    def results_so_far(self, found: dict[str, Any]) -> None:
+        """Write the results of a recording that are known before the last stage."""
+        self.found = found
+        self.write(at_once=True)
+
+    def pressure(self, block: "np.ndarray", sample_rate: int, samples: int) -> None:
         """Append a block of the pressure [Pa] to the stream, A-weighted like
         audible.wav.
 
@@ -99,7 +118,7 @@ class ProgressFile(Stages):
         self.streams = True
         self.write(at_once=True)
 
-    def write(self, at_once: bool = False):
+    def write(self, at_once: bool = False) -> None:
         """Write the progress, unless it was just written; `at_once`, in any case."""
         interval = 0.1  # s
         with self._lock:
@@ -117,6 +136,8 @@ class ProgressFile(Stages):
                 "line": line,
                 "share": min(shares, default=None),
                 "notices": self.notices,
+                "expected": self.expected,
+                "found": self.found,
                 "heard": self.heard,
                 "streams": self.streams,
             }
@@ -125,7 +146,7 @@ class ProgressFile(Stages):
             os.replace(temporary, self._folder / PROGRESS_FILE)
 
 
-def _wav_header(sample_rate, samples):
+def _wav_header(sample_rate: int, samples: int) -> bytes:
     """Return the header of a 16-bit mono WAV file."""
     size = 2 * samples
     form = (16, 1, 1, sample_rate, 2 * sample_rate, 2, 16)
@@ -135,13 +156,19 @@ def _wav_header(sample_rate, samples):
 
 
 def warm_up() -> None:
-    """Import all modules and compile the integrators by solving the default scene."""
+    """Import all modules, compile the integrators by solving the default scene, and
+    compute the radiation of the toy, which several scenes share."""
     from sonify.report.render_worker import painter
 
     painter()
+    from modal.blas_threads import one_blas_thread
     from sonify import pipeline
+    from sonify.scene import load_scene
+    from sonify.sound.film_radiation import radiated_multipoles
 
     pipeline.solve("published", "draft", eigenmodes=known_disk_modes())
+    toy = load_scene("toy")
+    one_blas_thread(radiated_multipoles)(toy.disk, toy.air)  # which keeps its results
 
 
 @cache
@@ -152,22 +179,33 @@ def known_disk_modes() -> "DiskModesCache":
     return DiskModesCache()
 
 
-def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
+@cache
+def known_table_modes() -> "TableModesCache":
+    """Return the modes of the last tables, which this process keeps for further runs."""
+    from sonify.pipeline import TableModesCache
+
+    return TableModesCache()
+
+
+def run_scene(document: dict[str, Any], out: Path, session: Path) -> dict[str, Any]:
     """Solve a scene and write the files of `sonify run` to `out`.
 
     The progress and the sound, while it is rendered, are written to `session`.
     """
     from sonify import pipeline
     from sonify.hearing.recording import listen_to_known_disk
+    from sonify.plan.duration import predicted_run_seconds
+    from sonify.plan.preflight import solvable_scene
     from sonify.plan.unused import unused_keys_notice
     from sonify.report.pictures import Pictures
     from sonify.runtime.files import claimed_folder
     from sonify.scene import from_document
 
     stages = ProgressFile(session)
-    scene, motion_plan = pipeline.solvable_scene(from_document(document), None)
+    scene, motion_plan = solvable_scene(from_document(document), None)
     if notice := unused_keys_notice(scene, motion_plan):
         stages.notice(notice)
+    stages.expect(predicted_run_seconds(scene, motion_plan))
     with claimed_folder(out) as folder, background_threads() as threads:
         pictures = Pictures(threads)
         tools = pipeline.Tools(
@@ -175,6 +213,7 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
             stages=stages,
             begin=_callback_that_notes_sound(pictures.begin, stages),
             eigenmodes=known_disk_modes(),
+            table_modes=known_table_modes(),
             listen=listen_to_known_disk,
             dynamics="compressed",
         )
@@ -189,7 +228,7 @@ def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
 
 
 def write_takes(
-    document: dict,
+    document: dict[str, Any],
     out: Path,
     session: Path,
     takes: int,
@@ -198,7 +237,7 @@ def write_takes(
 ) -> dict[str, Any]:
     """Write takes of a scene to `out` as `sonify export sound`, and return the names of
     the `files`."""
-    from sonify.export.takes import export_takes
+    from sonify.export.takes import TakeContent, export_takes
     from sonify.scene import from_document
 
     paths = export_takes(
@@ -206,14 +245,16 @@ def write_takes(
         takes,
         out=out,
         stages=ProgressFile(session),
-        last=last,
-        audible=audible,
+        content=TakeContent(last, audible),
     )
     return {"files": [path.name for path in paths]}
 
 
 def analyse_recording(
-    path: Path, document: dict, folder: Path, span: tuple[float, float] = (0.0, inf)
+    path: Path,
+    document: dict[str, Any],
+    folder: Path,
+    span: tuple[float, float] = (0.0, inf),
 ) -> dict[str, Any]:
     """Analyse a recording within a span [s] and compare it with a scene.
 
@@ -224,11 +265,10 @@ def analyse_recording(
     contain its name without its folder.
     """
     from sonify.hearing.audio_source import source_of_file
-    from sonify.hearing.recording import RecordingError
+    from sonify.hearing.recording_errors import RecordingError
     from sonify.scene_errors import InputError
 
     stages = ProgressFile(folder)
-    place = f"{path.parent}{os.sep}"
     try:
         source = source_of_file(path)
         fault = span_fault(span, source.frames / source.sample_rate)
@@ -243,12 +283,19 @@ def analyse_recording(
         found = {"summary": [str(error)]}
     finally:
         path.unlink(missing_ok=True)
-    empty: dict[str, Any] = {"runs": [], "details": []}
-    found = empty | found
-    for name in ("summary", "details"):
-        found[name] = [line.replace(place, "") for line in found[name]]
+    return _with_pictures({"runs": [], "details": []} | found, path, folder)
+
+
+def _with_pictures(found: dict[str, Any], path: Path, folder: Path) -> dict[str, Any]:
+    """Return results with the names of the pictures, and sentences that name the
+    recording without its folder."""
+    place = f"{path.parent}{os.sep}"
+    sentences = {
+        name: [line.replace(place, "") for line in found[name]]
+        for name in ("summary", "details")
+    }
     pictures = sorted(picture.name for picture in folder.glob("*.png"))
-    return found | {"pictures": pictures}
+    return found | sentences | {"pictures": pictures}
 
 
 def span_fault(span: tuple[float, float], duration: float) -> str:
@@ -261,11 +308,18 @@ def span_fault(span: tuple[float, float], duration: float) -> str:
     return ""
 
 
-def _analysis(path, document, folder, span, stages) -> dict[str, Any]:
+def _analysis(
+    path: Path,
+    document: dict[str, Any],
+    folder: Path,
+    span: tuple[float, float],
+    stages: ProgressFile,
+) -> dict[str, Any]:
     from sonify.fitting.comparison import simulated_numbers
+    from sonify.fitting.decay_model import neglected_parts
     from sonify.fitting.report import comparison_sentences, sentences, write_fits
     from sonify.fitting.result import fit
-    from sonify.hearing.recording import RecordingError
+    from sonify.hearing.recording_errors import RecordingError
     from sonify.report.recording import write_recording_report
     from sonify.scene import from_document
     from sonify.studio.recording_summary import (
@@ -288,29 +342,37 @@ def _analysis(path, document, folder, span, stages) -> dict[str, Any]:
     write_recording(path, folder / RECORDING_FILE, runs[0]["end"], span)
     if len(runs) > 1:
         return found
+    stages.results_so_far(_with_pictures(found, path, folder))
+    scene = from_document(document)
     try:
-        with stages.stage("fit") as watch:
-            fits = fit(path, from_document(document), watch, span)
-        found["summary"] = summary_of_fit(fits.files[0].judged)
-        write_recording(
-            path, folder / RECORDING_FILE, fits.files[0].judged.fit.value(0).value, span
-        )
+        with stages.stage(f"fit to the scene {scene.name}") as watch:
+            fits = fit(path, scene, watch, span)
+        judged = fits.files[0].judged
+        found["summary"] = summary_of_fit(judged, neglected_parts(scene))
+        if judged.explained:
+            end = judged.fit.parameter(0).value
+            write_recording(path, folder / RECORDING_FILE, end, span)
+        stages.results_so_far(_with_pictures(found, path, folder))
         measured = fits.files[0].measured
-        with stages.stage("simulation"):
+        with stages.stage("simulation of the scene"):
             simulated = simulated_numbers(fits.scene, measured["seconds"])
         fitted = sentences(fits) + comparison_sentences(fits, simulated)
         found["details"] = fitted + found["details"]
         write_fits(fits, folder, simulated)
     except RecordingError as error:
+        reason = str(error).removeprefix(f"{path}: ")
+        found["summary"][1] += f" How much each cause took is not shown: {reason}."
         found["details"] = [str(error), *found["details"]]
     return found
 
 
-def _callback_that_notes_sound(begin: Callable, stages: ProgressFile) -> Callable:
+def _callback_that_notes_sound(
+    begin: Callable[..., Any], stages: ProgressFile
+) -> Callable[..., Any]:
     """Return a callback that notes that the sound is complete, and then calls
     `begin`."""
 
-    def noting_begin(solved):
+    def noting_begin(solved: "SolvedMotion") -> None:
         if solved.completed_stage == "sound":
             stages.heard = True
             stages.write(at_once=True)

@@ -8,7 +8,7 @@ from math import isfinite, log2, prod
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from annotated_types import Ge, Gt, Le
+from annotated_types import Ge, Le
 
 from sonify.scene_errors import InputError
 
@@ -28,11 +28,8 @@ class Samples:
     """Number of points; a power of two for a Sobol sequence."""
     seed: Annotated[int, Ge(0)] = 0
     """Seed of the random number generator; equal seeds give equal points."""
-    widths: tuple[Annotated[float, Gt(0), Le(10)], ...] = ()
-    """Factors by which the widths of all ranges are multiplied; the first quarter of the
-    points is repeated for each factor."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.method == "sobol" and not log2(self.n).is_integer():
             below = 2 ** int(log2(self.n))
             raise ValueError(
@@ -46,22 +43,6 @@ class Samples:
         draw = qmc.Sobol if self.method == "sobol" else qmc.LatinHypercube
         return draw(dimensions, seed=np.random.default_rng(self.seed)).random(self.n)
 
-    @property
-    def count(self) -> int:
-        """Number of points, including those for other widths."""
-        return self.n + len(self.widths) * self.points_per_width
-
-    @property
-    def points_per_width(self) -> int:
-        """Number of points for each of `widths`."""
-        return max(self.n // 4, 1)
-
-    def width(self, run: int) -> float:
-        """Return the factor by which the widths of the ranges are multiplied in a run."""
-        if run < self.n:
-            return 1.0
-        return self.widths[(run - self.n) // self.points_per_width]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
@@ -72,8 +53,8 @@ class Axis:
 
     keys: tuple[str, ...]
     n: int
-    values: tuple[tuple, ...] = ()
-    ends: tuple[tuple, ...] = ()
+    values: tuple[tuple[Any, ...], ...] = ()
+    ends: tuple[tuple[Any, ...], ...] = ()
     log: bool = False
 
     @property
@@ -85,15 +66,10 @@ class Axis:
             for entry in self.values or self.ends
         ]
 
-    def at(self, share: float, width: float = 1.0) -> tuple:
-        """Return the values of the keys at the fraction `share` of the axis, in [0, 1].
-
-        A range is widened about its centre by the factor `width`; a list of values is
-        not."""
+    def at(self, share: float) -> tuple[Any, ...]:
+        """Return the values of the keys at the fraction `share` of the axis, in [0, 1]."""
         if self.values:
             return self.values[min(int(share * self.n), self.n - 1)]
-        if width != 1.0:
-            share = 0.5 + (share - 0.5) * width
         if share in (0.0, 1.0):
             return self.ends[int(share)]
         return tuple(
@@ -101,7 +77,7 @@ class Axis:
             for a, b in zip(*self.ends, strict=True)
         )
 
-    def step(self, k: int) -> tuple:
+    def step(self, k: int) -> tuple[Any, ...]:
         """Return the values of the keys at step k < n.
 
         Whole values are returned as integers if all ends are integers.
@@ -131,19 +107,17 @@ class Points:
         return [key for axis in self.axes for key in axis.keys]
 
     @cached_property
-    def _shares(self):
+    def _points_in_unit_cube(self) -> np.ndarray:
         """Sampled points of all runs (count, axes) with coordinates in [0, 1)."""
         assert self.samples
-        drawn = self.samples.unit_cube_points(len(self.axes))
-        repeated = drawn[: self.samples.points_per_width]
-        return np.concatenate([drawn, *(repeated for _ in self.samples.widths)])
+        return self.samples.unit_cube_points(len(self.axes))
 
     @property
     def count(self) -> int:
         """Number of runs."""
         if self.samples is None:
             return prod(axis.n for axis in self.axes)
-        return self.samples.count
+        return self.samples.n
 
     def __getitem__(self, run: int) -> dict[str, Any]:
         if self.samples is None:
@@ -151,13 +125,14 @@ class Points:
             return self.point(
                 axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)
             )
-        width = self.samples.width(run)
         return self.point(
-            axis.at(share, width)
-            for axis, share in zip(self.axes, self._shares[run], strict=True)
+            axis.at(share)
+            for axis, share in zip(
+                self.axes, self._points_in_unit_cube[run], strict=True
+            )
         )
 
-    def point(self, values_of_axes: Iterable[tuple]) -> dict[str, Any]:
+    def point(self, values_of_axes: Iterable[tuple[Any, ...]]) -> dict[str, Any]:
         """Return the values by key of a point, given by the values of each axis."""
         values = chain.from_iterable(values_of_axes)
         return dict(zip(self.keys, values, strict=True))
@@ -180,7 +155,7 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
     found.sort(key=lambda axis: not _changes_modes(axis))
     points = Points(axes=tuple(found), samples=samples)
     if twice := [key for key in points.keys if points.keys.count(key) > 1]:
-        raise InputError(f"axes.{twice[0]}: on more than one axis")
+        raise InputError(f"axes.{twice[0]}: varies on more than one axis")
     return points
 
 
@@ -203,7 +178,7 @@ def axis_of(name: str, given: Any) -> Axis:
     return range_axis(name, keys, given)
 
 
-def range_axis(name, keys, given):
+def range_axis(name: str, keys: tuple[str, ...], given: dict[str, Any]) -> Axis:
     """Parse an axis of a sweep file given as a range."""
     if unknown := given.keys() - {"from", "to", "n", "scale"}:
         raise InputError(
@@ -213,13 +188,13 @@ def range_axis(name, keys, given):
         raise InputError(f"axes.{name}.{missing[0]}: missing")
     n = given["n"]
     scale = given.get("scale", "linear")
-    if not _number(n) or n != int(n) or n < 1:
+    if not _is_finite_number(n) or n != int(n) or n < 1:
         raise InputError(f"axes.{name}.n = {n!r}: must be a whole number of at least 1")
     if scale not in ("linear", "log"):
         raise InputError(f"axes.{name}.scale = {scale!r}: must be 'linear' or 'log'")
     ends = tuple(one_value_per_key(name, keys, given[end]) for end in ("from", "to"))
     for low, high in zip(*ends, strict=True):
-        if not (_number(low) and _number(high)):
+        if not (_is_finite_number(low) and _is_finite_number(high)):
             raise InputError(
                 f"axes.{name}: from = {low!r}, to = {high!r}: must be finite numbers; give other "
                 f"values as a list"
@@ -235,7 +210,7 @@ def range_axis(name, keys, given):
     return Axis(keys=keys, n=int(n), ends=ends, log=scale == "log")
 
 
-def one_value_per_key(name, keys, value):
+def one_value_per_key(name: str, keys: tuple[str, ...], value: Any) -> tuple[Any, ...]:
     """Return one value per key, from a list of values or from a single shared value."""
     if len(keys) == 1 or not isinstance(value, list):
         return (value,) * len(keys)
@@ -246,7 +221,7 @@ def one_value_per_key(name, keys, value):
     return tuple(value)
 
 
-def _number(value):
+def _is_finite_number(value: Any) -> bool:
     return (
         isinstance(value, int | float)
         and not isinstance(value, bool)
@@ -254,5 +229,5 @@ def _number(value):
     )
 
 
-def _changes_modes(axis):
+def _changes_modes(axis: Axis) -> bool:
     return any(key.partition(".")[0] in MODE_SECTIONS for key in axis.keys)

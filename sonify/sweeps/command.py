@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pyarrow as pa
 
-from sonify.extras import require_extra
-from sonify.runtime.files import OutputError, atomic_write
+from sonify.runtime.files import OutputError, write_text
 from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import AbortedError
 from sonify.runtime.workers import core_count
@@ -106,7 +105,7 @@ def sweep(
     >>> sweep(document)  # doctest: +SKIP
     PosixPath('outputs/sweeps/rolling/runs.parquet')
     """
-    sweep_spec = load_with_libraries(source)
+    sweep_spec = load_sweep(source)
     stages = stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / sweep_spec.name)
     count = sweep_spec.points.count
@@ -147,17 +146,8 @@ def sweep(
 
         draw_maps(folder, sweep_spec.find)
     if sentences := conclusion(sweep_spec, found):
-        with atomic_write(folder / "conclusion.md") as temporary:
-            temporary.write_text("\n".join(sentences) + "\n", "utf-8")
+        write_text("\n".join(sentences) + "\n", folder / "conclusion.md")
     return store.path
-
-
-def load_with_libraries(source: str | Path | dict[str, Any]) -> Sweep:
-    """Load a sweep; raise InputError if a library that it needs is not installed."""
-    sweep_spec = load_sweep(source)
-    if "verdict" in sweep_spec.stages:
-        require_extra('find = "verdict"', "SALib", "verdict")
-    return sweep_spec
 
 
 def conclusion(sweep_spec: Sweep, rows: pa.Table) -> list[str]:
@@ -189,7 +179,7 @@ def plan(
 ) -> list[str]:
     """Return lines that describe a sweep, with its duration estimated from a few
     runs."""
-    sweep_spec = load_with_libraries(source)
+    sweep_spec = load_sweep(source)
     points = sweep_spec.points
     processes = processes or core_count()
     time = run_time(sweep_spec, processes, stages or Stages())

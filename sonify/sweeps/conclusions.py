@@ -28,11 +28,11 @@ def friction_conclusion(rows: pa.Table) -> list[str]:
     least = others.min(initial=np.inf)
     return [
         f"If the disk settles, it does so after {end[settled].min():.3g} to "
-        f"{end[settled].max():.3g} s. This time varies as the rolling arm to the power {by_arm:.2f} "
-        f"and Coulomb friction to the power {by_mu:.2f} (within {deviation:.0%}).",
+        f"{end[settled].max():.3g} s. This time is proportional to the power {by_arm:.2f} of the rolling "
+        f"arm and to the power {by_mu:.2f} of the friction coefficients (within {deviation:.0%}).",
         f"The disk slips {slips[settled].min():.0f} to {slips[settled].max():.0f} times. This "
-        f"number varies as the arm to the power {slips_by_arm:.2f} and friction to the power "
-        f"{slips_by_mu:.2f}{so}.",
+        f"number is proportional to the power {slips_by_arm:.2f} of the arm and to the power "
+        f"{slips_by_mu:.2f} of the friction coefficients{so}.",
         f"The disk settles in all runs below mu_static = {least:.2f}; at or above it, {len(others)} of "
         f"{(mu >= least).sum()} runs have another outcome."
         if len(others)
@@ -58,10 +58,10 @@ def halt_conclusion(rows: pa.Table) -> list[str]:
     by_air = text_mask(rows, "ended_by", "the film of air")
     still = by_air & ~known
     outside = (
-        f"At lower pressures {(~known).sum()} runs are inconclusive. There the compressibility "
-        f"number Lam, or 33 times the squeeze number, reaches {squeezed.max():.1g}, while the film "
-        f"law was verified up to {max_verified_compressibility:g}. By this law the film dissipates "
-        f"the most energy in {still.sum()} of them, down to "
+        f"At lower pressures {(~known).sum()} runs are inconclusive: the compressibility "
+        f"number Lam, or 33 times the squeeze number, reaches {squeezed.max():.1g}, but the film "
+        f"law was verified only up to {max_verified_compressibility:g}. According to this law, the film "
+        f"dissipates the most energy in {still.sum()} of these runs, down to "
         f"{pressure[still].min(initial=np.inf) / STANDARD_PRESSURE:.2g} atmospheres."
     )
     inside = (
@@ -70,8 +70,8 @@ def halt_conclusion(rows: pa.Table) -> list[str]:
     )
     return [
         f"At {pressure[known].min() / STANDARD_PRESSURE:.2g} atmospheres and above, where the film law was "
-        f"verified, the disk becomes airborne in {(airborne & known).sum()} of {known.sum()} runs.",
-        "There the film dissipates more of the last tenth of the energy than any other cause in "
+        f"verified, the air lifts the disk in {(airborne & known).sum()} of {known.sum()} runs.",
+        "In this range the film dissipates more of the last tenth of the energy than any other cause in "
         f"{(by_air & known).sum()} runs, up to a contour moment of "
         f"{moment[by_air & known].max(initial=0.0):.2g} N m.",
         inside if known.all() else outside,
@@ -100,12 +100,12 @@ def one_mode_table_conclusion(rows: pa.Table) -> list[str]:
         "self-check fails"
     )
     return [
-        f"A lighter table ends the motion earlier: after {light:.2g} s with a mode of "
-        f"{mass.min():.2g} kg, after {heavy:.2g} s with one of {mass.max():.2g} kg (medians). From "
+        f"The lighter the table, the earlier the motion ends: after {light:.2g} s with a mode of "
+        f"{mass.min():.2g} kg, and after {heavy:.2g} s with a mode of {mass.max():.2g} kg (medians). From "
         f"{pressure.min() / STANDARD_PRESSURE:.1g} to {pressure.max() / STANDARD_PRESSURE:.1g} "
         f"atmospheres, the air changes this time by {over_air:.2g} s at most.",
         f"Vibration breaks the contact before the end in {(kept == 0).sum()} of {solved.sum()} "
-        "runs. At the end the air carries the disk in "
+        "runs. Finally the air lifts the disk in "
         f"{text_mask(rows, 'outcome', 'AIRBORNE').sum()}{gains if failed else ''}.",
         f"Most of the last tenth of the energy goes into the air film in {air.sum()} runs, at "
         f"{pressure[air].min(initial=np.inf) / STANDARD_PRESSURE:.2g} atmospheres and above; into the "
@@ -129,8 +129,9 @@ def pitch_conclusion(rows: pa.Table) -> list[str]:
     return [
         f"The glass plate emits the rising tone of the last second in {plate.sum()} of "
         f"{heard.sum()} runs, up to a thickness of {1e3 * thickness[plate].max(initial=0.0):.2g} "
-        f"mm, {table_level[plate].min(initial=np.inf):.0f} to {table_level[plate].max(initial=0.0):.0f} dB "
-        "louder than the disk; in the other runs the disk is louder.",
+        f"mm. In these runs the plate is {table_level[plate].min(initial=np.inf):.0f} to "
+        f"{table_level[plate].max(initial=0.0):.0f} dB louder than the disk; in the others the disk is "
+        "louder.",
         f"From {distance.min():.2g} to {distance.max():.2g} m, the distance changes this level by "
         f"{max(steps):.1f} dB at most.",
     ]

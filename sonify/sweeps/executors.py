@@ -12,7 +12,7 @@ from concurrent.futures import (
 from contextlib import contextmanager
 from itertools import islice
 from time import monotonic
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sonify.extras import require_extra
 from sonify.runtime.signals import AbortedError
@@ -25,8 +25,11 @@ from sonify.sweeps.row_processes import (
 )
 from sonify.sweeps.version import version
 
+if TYPE_CHECKING:
+    from distributed import Client
+
 WORKERS_LOST_MESSAGE = "the worker processes are lost; the finished runs are saved"
-Submit = Callable[..., "Future[dict[str, Any]]"]
+Submit = Callable[..., "Future[Any]"]
 
 
 @contextmanager
@@ -51,7 +54,7 @@ def open_executor(
 
 
 @contextmanager
-def local_executor(processes: int):
+def local_executor(processes: int) -> Iterator[tuple[Submit, Callable[[], int]]]:
     """Yield an executor with `processes` local processes, which are killed at the
     end."""
     threads = ThreadPoolExecutor(processes)
@@ -65,7 +68,7 @@ def local_executor(processes: int):
 
 
 @contextmanager
-def dask_executor(address: str):
+def dask_executor(address: str) -> Iterator[tuple[Submit, Callable[[], int]]]:
     """Yield an executor for the workers of the Dask scheduler at `address`."""
     require_extra("--scheduler", "distributed", "cluster")
     import distributed
@@ -85,7 +88,7 @@ def dask_executor(address: str):
         client.close(timeout=1)
 
 
-def wait_for_first_worker(client, address):
+def wait_for_first_worker(client: "Client", address: str) -> None:
     """Wait for the first worker. Raises InputError if none joins the scheduler."""
     timeout = 5.0  # s
     try:
@@ -96,7 +99,7 @@ def wait_for_first_worker(client, address):
         raise InputError(fault) from None
 
 
-def _worker_counter(client):
+def _worker_counter(client: "Client") -> Callable[[], int]:
     """Return a function that counts the worker threads with at most one query per
     second.
 
@@ -105,7 +108,7 @@ def _worker_counter(client):
     last_query = -1.0
     found = 0
 
-    def count():
+    def count() -> int:
         nonlocal last_query, found
         if monotonic() - last_query > 1:
             try:
@@ -118,7 +121,7 @@ def _worker_counter(client):
     return count
 
 
-def _require_same_version(client):
+def _require_same_version(client: "Client") -> None:
     """Raise InputError unless all workers have this version of the program.
 
     Workers import functions of the program by name.
@@ -132,18 +135,18 @@ def _require_same_version(client):
 
 
 def solve_tasks(
-    tasks: Iterable[tuple[int, dict]],
+    tasks: Iterable[tuple[int, dict[str, Any]]],
     limit: float,
     submit: Submit,
     processes: Callable[[], int],
-):
+) -> Iterator[list[tuple[int, dict[str, Any]]]]:
     """Solve `tasks`, pairs (run number, task), and yield lists of (run number, row) in
     any order.
 
     The list is empty after one second without a result. The time limit of a task is
     `limit` [s]. Raises AbortedError if the processes or the scheduler are lost."""
     tasks = iter(tasks)
-    running = dict[Future, int]()
+    running = dict[Future[Any], int]()
     tasks_per_process = 3  # running or waiting; enough to keep each process busy
     while True:
         for run, task in islice(
@@ -156,7 +159,7 @@ def solve_tasks(
         yield [(running.pop(future), row_of_future(future)) for future in done]
 
 
-def row_of_future(future):
+def row_of_future(future: Future[dict[str, Any]]) -> dict[str, Any]:
     """Return the row of a finished task, or a row with the error of a failed one.
 
     Raises AbortedError, InputError or OSError if the sweep cannot continue.

@@ -9,12 +9,14 @@ from sonify.claims import (
     checks,
     landing,
     literature,
+    loss_causes,
     rigid_motion,
     table,
     two_way,
     verdict,
+    vibration_level,
 )
-from sonify.claims.finding import Finding
+from sonify.claims.finding import Finding, Need
 from sonify.claims.provenance import registered_judges
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
@@ -34,14 +36,14 @@ STAGE_OF_SCALAR |= dict.fromkeys(
 FINDING_INPUTS_BY_STAGE = {
     "motion": {"motion", "scene", "film law"},
     "modes": {"modes", "scene"},
-    "verdict": {"motion", "scene", "contact law"},
+    "verdict": {"motion", "scene", "contact law", "modes"},
 }
 """Inputs of the findings of each stage; findings with other inputs need the sound
 stage."""
 STAGE_MODULES = {
     "motion": (air, checks, landing, literature, rigid_motion, table, two_way),
     "modes": (checks, rigid_motion),
-    "verdict": (verdict,),
+    "verdict": (verdict, loss_causes, vibration_level),
 }
 """Modules whose claims can be judged after each stage, without sound."""
 STAGE_OF_OUTPUT = {"arrays": "motion", "wav": "sound", "page": "sound"}
@@ -66,12 +68,12 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 def stage_by_quantity() -> dict[str, str]:
     """Return the stage that computes each scalar, finding and check, by name."""
     return STAGE_OF_SCALAR | {
-        key: _stage(set(judge.needs), judge.function.__module__)
+        key: _stage_of_finding(set(judge.needs), judge.function.__module__)
         for key, judge in registered_judges().items()
     }
 
 
-def _stage(needs, module):
+def _stage_of_finding(needs: set[Need], module: str) -> str:
     """Return the stage that computes a finding with the inputs `needs`.
 
     A stage without sound suffices if it provides all inputs and judges the claims of

@@ -25,13 +25,13 @@ class RowProcess:
     """Worker process that solves runs; `timed_out` is True if a run exceeded its time
     limit."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.worker = WorkerProcess("sonify.sweeps.worker_loop")
         self.timed_out = False
         LIVE_PROCESSES.add(self)
         self.version = self._call(version)
 
-    def solve(self, task: dict, limit: float) -> dict[str, Any] | None:
+    def solve(self, task: dict[str, Any], limit: float) -> dict[str, Any] | None:
         """Return the row of a task, or None if the process died or exceeded `limit`
         [s]."""
         timer = threading.Timer(limit, self._time_out)
@@ -41,23 +41,23 @@ class RowProcess:
         finally:
             timer.cancel()
 
-    def kill(self):
+    def kill(self) -> None:
         """Kill the process, possibly during a task."""
         LIVE_PROCESSES.discard(self)
         self.worker.kill()
 
-    def _call(self, function: Callable, *arguments: Any) -> Any:
+    def _call(self, function: Callable[..., Any], *arguments: Any) -> Any:
         try:
             return self.worker.call(function, *arguments)
         except WorkerDiedError:
             return None
 
-    def _time_out(self):
+    def _time_out(self) -> None:
         self.timed_out = True
         self.worker.process.kill()
 
 
-def solve_isolated(task: dict, limit: float) -> dict[str, Any]:
+def solve_isolated(task: dict[str, Any], limit: float) -> dict[str, Any]:
     """Solve a task in the worker process of the calling thread, and return its row.
 
     The task may take `limit` [s].
@@ -95,7 +95,7 @@ def _process_of_thread() -> RowProcess:
     return process
 
 
-def end_all_processes():
+def end_all_processes() -> None:
     """Kill the processes of all threads."""
     for process in tuple(LIVE_PROCESSES):
         process.kill()

@@ -1,16 +1,13 @@
-"""Table of a sweep, runs.parquet, which loses no added row if the process or the
-machine fails.
+"""Table of a sweep, runs.parquet, which is complete at any time.
 
-Rows are first committed to an SQLite database. They are exported to the table
-periodically, at the end, and when an interrupted sweep resumes; the file is then
-replaced atomically."""
+The file is replaced atomically, by one with the rows added since. This happens so often
+that it takes 5 % of the time, and at the end. If the process or the machine fails, the
+runs since then are solved again when the sweep resumes."""
 
-import errno
 import json
 import os
-import sqlite3
-from collections.abc import Iterator
-from contextlib import ExitStack, closing, contextmanager
+from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -25,7 +22,6 @@ from sonify.runtime.files import OutputError, atomic_write, claimed_folder
 from sonify.scene_errors import InputError
 
 RUNS_FILE = "runs.parquet"
-DATABASE_FILE = "runs.sqlite"
 IDENTITY_KEY = b"sonify.sweep"
 """Metadata key in the Parquet file for the identity of the sweep."""
 
@@ -41,19 +37,19 @@ class RunStore:
     def __init__(
         self,
         folder: str | Path,
-        identity: dict,
+        identity: dict[str, Any],
         axes: list[str],
         count: int,
         retry: bool = False,
-    ):
+    ) -> None:
         self.folder = Path(folder)
         self.identity = identity
         self.axes = axes
         self.path = self.folder / RUNS_FILE
-        self.database_path = self.folder / DATABASE_FILE
         self.done = np.zeros(count, bool)
         self.failed = 0
         self._retry = retry
+        self._added: list[dict[str, Any]] = []
         self._export_end = 0.0
         self._export_seconds = 0.0
 
@@ -70,9 +66,11 @@ class RunStore:
             if not self.path.exists():
                 self._write(pa.table({"run": pa.array([], pa.int64())}))
             metadata = _read_parquet(pq.read_schema, self.path).metadata
-            self._require_identity(self.path, metadata.get(IDENTITY_KEY, b"null"))
-            self._database = stack.enter_context(closing(self._open_database()))
-            self.export()
+            if _identity(metadata.get(IDENTITY_KEY, b"null")) != self.identity:
+                raise InputError(
+                    f"{self.path}: the table of another sweep; rename this sweep or remove the "
+                    "file"
+                )
             found = _read_parquet(pq.read_table, self.path)
             if self._retry and "error" in found.column_names:
                 found = found.filter(pc.is_null(found["error"]))
@@ -80,101 +78,36 @@ class RunStore:
             self._resources = stack.pop_all()
         return self
 
-    def __exit__(self, kind, *_):
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         with self._resources:
-            if kind is not None and issubclass(kind, OSError):
-                return  # on a full disk, the rows stay in the database
-            self.export()
-            self._database.close()
-            self.database_path.unlink(missing_ok=True)
+            if kind is None or not issubclass(kind, OSError):  # such as a full disk
+                self.export()
 
-    def add(self, rows: list[dict[str, Any]]):
-        """Commit rows to the database and to disk. Raises OSError if the disk is
-        full."""
-        if not rows:
-            return
-        records = [(row["run"], json.dumps(row)) for row in rows]
-        with self._database_errors(), self._database as transaction:
-            transaction.executemany(
-                "INSERT OR REPLACE INTO runs VALUES (?, ?)", records
-            )
+    def add(self, rows: list[dict[str, Any]]) -> None:
+        """Add rows, which the next export writes. Raises OSError if the disk is full."""
+        self._added += rows
         self.done[[row["run"] for row in rows]] = True
         self.failed += sum(row.get("error") is not None for row in rows)
-        interval = max(
-            30.0, 20 * self._export_seconds
-        )  # s; exports take at most 5 % of the time
-        if monotonic() - self._export_end > interval:
+        if monotonic() - self._export_end > 20 * self._export_seconds:
             self.export()
 
-    def export(self):
-        """Move the rows of the database into the Parquet file."""
+    def export(self) -> None:
+        """Write the added rows into the Parquet file."""
+        if not self._added:
+            return
         start = monotonic()
-        with self._database_errors():
-            records = self._database.execute(
-                "SELECT content FROM runs ORDER BY run"
-            ).fetchall()
-        if records:
-            rows = [json.loads(content) for (content,) in records]
-            known = _read_parquet(pq.read_schema, self.path)
-            new = _as_table(rows, known, self.axes)
-            old = _read_parquet(pq.read_table, self.path)
-            old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
-            self._write(
-                pa.concat_tables([old, new], promote_options="default").sort_by("run")
-            )
-            with self._database_errors(), self._database as transaction:
-                transaction.execute("DELETE FROM runs")
+        known = _read_parquet(pq.read_schema, self.path)
+        new = _as_table(self._added, known, self.axes)
+        old = _read_parquet(pq.read_table, self.path)
+        old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
+        self._write(
+            pa.concat_tables([old, new], promote_options="default").sort_by("run")
+        )
+        self._added = []
         self._export_end = monotonic()
         self._export_seconds = self._export_end - start
 
-    def _open_database(self) -> sqlite3.Connection:
-        """Open the database, or create it with the identity of this sweep."""
-        with self._database_errors():
-            database = sqlite3.connect(self.database_path)
-            with ExitStack() as stack:
-                stack.enter_context(closing(database))
-                # An exclusive database needs no shared memory, which network drives lack.
-                database.execute("PRAGMA locking_mode = EXCLUSIVE")
-                database.execute("PRAGMA journal_mode = WAL")
-                database.execute("PRAGMA synchronous = FULL")
-                with database:
-                    database.execute(
-                        "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, content TEXT)"
-                    )
-                    database.execute("CREATE TABLE IF NOT EXISTS sweep (identity TEXT)")
-                    database.execute(
-                        "INSERT INTO sweep SELECT ? WHERE NOT EXISTS (SELECT * FROM sweep)",
-                        [json.dumps(self.identity)],
-                    )
-                (identity,) = database.execute("SELECT identity FROM sweep").fetchone()
-                self._require_identity(self.database_path, identity)
-                stack.pop_all()
-            _sync_folder(self.folder)
-            return database
-
-    def _require_identity(self, path: Path, identity: str | bytes):
-        """Raise InputError unless a file belongs to this sweep."""
-        if json.loads(identity) != self.identity:
-            raise InputError(
-                f"{path}: the table of another sweep; rename this sweep or remove the file"
-            )
-
-    @contextmanager
-    def _database_errors(self) -> Iterator[None]:
-        """Convert errors of the database to OutputError, or to OSError if the disk is
-        full."""
-        try:
-            yield
-        except sqlite3.Error as error:
-            primary_code = error.sqlite_errorcode & 0xFF
-            # SQLite reports an exceeded quota or file size limit as an I/O error.
-            if primary_code in (sqlite3.SQLITE_FULL, sqlite3.SQLITE_IOERR):
-                raise OSError(
-                    errno.ENOSPC, str(error), str(self.database_path)
-                ) from None
-            raise OutputError(f"{self.database_path}: {error}") from None
-
-    def _write(self, rows):
+    def _write(self, rows: pa.Table) -> None:
         leading = [
             "run",
             *self.axes,
@@ -190,7 +123,7 @@ class RunStore:
             key=lambda name: (name.startswith("seconds_"), name),
         )
         present = [name for name in leading if name in rows.column_names]
-        rows = rows.select(present + rest)
+        rows = rows.select([*present, *rest])
         rows = rows.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
         with atomic_write(self.path) as temporary, open(temporary, "wb") as written:
             pq.write_table(rows, written, compression="zstd")
@@ -199,7 +132,7 @@ class RunStore:
         _sync_folder(self.folder)
 
 
-def read_table(path: str | Path) -> tuple[pa.Table, dict]:
+def read_table(path: str | Path) -> tuple[pa.Table, dict[str, Any]]:
     """Return a table and the identity of its sweep.
 
     Raises InputError if the file is not the table of a sweep.
@@ -208,7 +141,7 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
         raise InputError(f"{path}: no such file")
     try:
         rows = _read_parquet(pq.read_table, path)
-        return rows, json.loads(rows.schema.metadata[IDENTITY_KEY])
+        return rows, _identity(rows.schema.metadata[IDENTITY_KEY])
     except (OSError, pa.ArrowInvalid) as error:
         raise InputError(
             f"{path}: cannot be read: {' '.join(str(error).split())}"
@@ -217,14 +150,25 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
         raise InputError(f"{path}: not the table of a sweep") from None
 
 
-def _read_parquet(read, path):
+def _identity(stored: bytes) -> Any:
+    """Return the identity of a stored sweep, without the widths of ranges that tables of
+    version 0.3 may name."""
+    identity = json.loads(stored)
+    if identity and identity.get("samples"):
+        identity["samples"].pop("widths", None)
+    return identity
+
+
+def _read_parquet(read: Callable[..., Any], path: str | Path) -> Any:
     """Return what a reader of pyarrow finds in a file; pyarrow accepts only paths in
     UTF-8."""
     with open(path, "rb") as file:
         return read(file)
 
 
-def _as_table(rows, known, axes):
+def _as_table(
+    rows: list[dict[str, Any]], known: pa.Schema, axes: list[str]
+) -> pa.Table:
     names = dict.fromkeys(name for row in rows for name in row)
     return pa.table(
         {
@@ -236,8 +180,11 @@ def _as_table(rows, known, axes):
     )
 
 
-def column_array(name, values, known, axis):
+def column_array(
+    name: str, values: list[Any], known: pa.Schema, axis: bool
+) -> pa.Array:
     """Return a column, in which non-finite numbers are null unless it is an axis."""
+    values = [v.item() if isinstance(v, np.generic) else v for v in values]
     given = {type(value) for value in values if value is not None}
     if name == "run":
         return pa.array(values, pa.int64())
@@ -259,7 +206,7 @@ def column_array(name, values, known, axis):
     )
 
 
-def _sync_folder(folder):
+def _sync_folder(folder: Path) -> None:
     """Synchronize a folder to disk; on Windows this is neither possible nor
     necessary."""
     if os.name == "posix":

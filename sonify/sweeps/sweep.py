@@ -2,6 +2,7 @@
 
 import json
 from collections import defaultdict
+from collections.abc import Iterable
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
@@ -22,7 +23,7 @@ from sonify.scene_errors import (
     SceneError,
     error_sentence,
 )
-from sonify.sweeps.axes import Points, Samples, points_of
+from sonify.sweeps.axes import Axis, Points, Samples, points_of
 from sonify.sweeps.required_stages import stages_for
 
 SHIPPED_SWEEPS_FOLDER = Path(__file__).parent / "shipped"
@@ -53,13 +54,14 @@ class Sweep:
     keep: tuple[Literal["arrays", "wav", "page"], ...] = ()
     """Kinds of output files that are kept for each run."""
     sources: dict[str, str] = field(default_factory=dict)
-    """Source of the range of each axis, or "assumed"."""
+    """Source of the range of each axis; a text with the word "assumed" or "unknown", and a
+    missing one, marks a range that is at least partly assumed."""
     limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
     """Time limit of a run [s]."""
     folder = Path()
 
     @cached_property
-    def document(self) -> dict:
+    def document(self) -> dict[str, Any]:
         """Document of the scene common to all runs."""
         near = self.folder / self.scene
         scene = load_scene(near if near.is_file() else self.scene).replace(*self.set)
@@ -78,14 +80,9 @@ class Sweep:
     @property
     def identity(self) -> dict[str, Any]:
         """Plain values that identify the sweep; sweeps with equal identity can share a
-        table.
-
-        A mesh is identified by the content of its file, which may have any path."""
-        scene = deepcopy(self.document)
-        if mesh := scene.get("surface", {}).get("file"):
-            scene["surface"]["file"] = sha256(Path(mesh).read_bytes()).hexdigest()
+        table."""
         content = {
-            "scene": scene,
+            "scene": with_hashed_mesh(self.document),
             "axes": self.axes,
             "samples": asdict(self.samples) if self.samples else None,
             "stages": self.stages,
@@ -93,7 +90,16 @@ class Sweep:
         }
         return json.loads(json.dumps(content, default=str))
 
-    def scene_of(self, run: int) -> dict:
+    @property
+    def assumed_axes(self) -> list[str]:
+        """Names of the axes whose range is at least partly assumed."""
+        return [name for name in self.axes if is_assumed(self.sources.get(name, ""))]
+
+    def source_of(self, axis: Axis) -> str:
+        """Return the source of the range of an axis, or "assumed"."""
+        return self.sources.get(", ".join(axis.keys)) or "assumed"
+
+    def scene_of(self, run: int) -> dict[str, Any]:
         """Return the scene document of a run."""
         return with_values(self.document, self.points[run])
 
@@ -103,26 +109,23 @@ class Sweep:
 
         Each column has one type; mixed types, lists and tables are stored as JSON.
         """
-        row = {
+        return {
             key: json.dumps(value) if key in self._json_columns else value
             for key, value in self.points[run].items()
         }
-        if self.samples and self.samples.widths:
-            row["width"] = self.samples.width(run)
-        return row
 
     @cached_property
-    def _json_columns(self):
+    def _json_columns(self) -> frozenset[str]:
         kinds = defaultdict[str, set[type]](set)
         for axis in self.points.axes:
             for entry in axis.entries:
                 for key, value in entry.items():
                     kinds[key].add(float if type(value) is int else type(value))
-        return {
+        return frozenset(
             key for key, found in kinds.items() if found not in ({float}, {bool}, {str})
-        }
+        )
 
-    def check(self):
+    def check(self) -> None:
         """Check all listed values and both ends of every range.
 
         Each value is tested with the first and with the last values of the other axes,
@@ -142,20 +145,21 @@ class Sweep:
                 )
                 for own in axis.entries
             ]
-            if all(faults):
-                raise faults[0]
+            refusals = [fault for fault in faults if fault is not None]
+            if len(refusals) == len(faults):
+                raise refusals[0]
             if all(
                 self._is_unused(own, others)
                 for own in axis.entries
                 for others in (first, last)
             ):
                 raise InputError(
-                    f"axes.{axis.keys[0]}: no effect on the runs of this sweep"
+                    f"axes.{axis.keys[0]}: has no effect on the runs of this sweep"
                 )
         for key in self.sources.keys() - {*self.axes}:
             raise InputError(f"sources.{key}: no such axis")
 
-    def _is_unused(self, own, others) -> bool:
+    def _is_unused(self, own: dict[str, Any], others: dict[str, Any]) -> bool:
         """Return True if no stage reads the keys in `own` in the scene with the values
         `others` and `own`."""
         try:
@@ -167,7 +171,21 @@ class Sweep:
         return own.keys() <= set(unused_keys(scene, plan))
 
 
-def _contradiction(documents):
+def with_hashed_mesh(document: dict[str, Any]) -> dict[str, Any]:
+    """Return a scene document in which the content of a mesh file, which may have any
+    path, replaces its name."""
+    document = deepcopy(document)
+    if mesh := document.get("surface", {}).get("file"):
+        document["surface"]["file"] = sha256(Path(mesh).read_bytes()).hexdigest()
+    return document
+
+
+def is_assumed(source: str) -> bool:
+    """Return True if the source of a range says that it is at least partly assumed."""
+    return not source or any(word in source for word in ("assumed", "unknown"))
+
+
+def _contradiction(documents: Iterable[dict[str, Any]]) -> ContradictionError | None:
     """Return None if one of the documents is a valid scene, otherwise a
     ContradictionError.
 
@@ -187,7 +205,7 @@ def _contradiction(documents):
     raise faults[0]
 
 
-def with_values(document: dict, values: dict[str, Any]) -> dict:
+def with_values(document: dict[str, Any], values: dict[str, Any]) -> dict[str, Any]:
     """Return a copy of a document with new values at keys such as `release.omega.2`."""
     document = deepcopy(document)
     for path, value in values.items():
@@ -206,7 +224,7 @@ def with_values(document: dict, values: dict[str, Any]) -> dict:
     return document
 
 
-def load_sweep(source: "str | Path | dict") -> Sweep:
+def load_sweep(source: "str | Path | dict[str, Any]") -> Sweep:
     """Load and check a sweep.
 
     Parameters

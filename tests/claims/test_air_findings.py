@@ -9,6 +9,7 @@ findings are known; the authors' laws, entered in a scene.
 import numpy as np
 import pytest
 from law_scenes import named_scene
+from scenes import smooth_toy
 
 from dynamics import Outcome, simulate
 from dynamics.disk import Friction
@@ -26,12 +27,12 @@ from sonify.claims.air import (
     carried_by_air,
     film_lift,
     friction_exponent,
-    motion_findings,
     pivoting_within_contact,
     what_ends,
 )
 from sonify.claims.details import details_in_words
 from sonify.claims.energy_causes import CAUSE_IN_WORDS
+from sonify.claims.landing import end_findings
 from sonify.plan.air import limits_of_film_law, published_law_notes, with_air
 from sonify.plan.plan import plan_of
 
@@ -102,10 +103,10 @@ def falling_film_share(motion, air):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("name", "changes", "share"),
+    ("scene", "changes", "share"),
     [
         (
-            "toy",
+            smooth_toy(),
             (
                 "numerics.time_limit=3",
                 "contact.fillet=1e-6",
@@ -114,15 +115,15 @@ def falling_film_share(motion, air):
             9.9e-6,
         ),  # the dip of the nutation in the contact force is 0.229
         (
-            "coin-polished",
+            load_scene("coin-polished"),
             ("numerics.time_limit=1", "air.film=acts"),
             None,
         ),  # hops on its contact
-        ("thorne", ("numerics.time_limit=3",), None),
+        (load_scene("thorne"), ("numerics.time_limit=3",), None),
     ],
 )
-def test_the_share_that_the_air_carries_is_the_lift_of_its_film(name, changes, share):
-    scene = load_scene(name).replace(*changes)
+def test_the_share_that_the_air_carries_is_the_lift_of_its_film(scene, changes, share):
+    scene = scene.replace(*changes)
     motion = simulate(scene).rolling
     found = carried_by_air(motion, film_under(scene.disk, scene.air)).value
     assert found == pytest.approx(falling_film_share(motion, scene.air), rel=0.05)
@@ -148,9 +149,7 @@ def test_early_in_a_motion_in_a_vacuum_air_may_be_neglected():
     assert not carried_by_air(motion, film).holds
     assert not what_ends(motion).claim.endswith("film of air")
     assert motion.outcome is Outcome.ROLLING_ON
-    assert "what_ends" not in {
-        finding.key for finding in motion_findings(scene, motion)
-    }  # no mechanism has ended it
+    assert end_findings(motion) == []  # no mechanism has ended it
 
 
 @pytest.mark.parametrize(

@@ -7,10 +7,12 @@ balance of a motion, the exact zero of a lost contact, and the constants of the 
 
 import pytest
 from made_findings import found as made
+from scenes import smooth_toy
 
 from dynamics import simulate
 from sonify import load_scene
 from sonify.claims import air, checks, literature, rigid_motion
+from sonify.claims.landing import end_findings
 from sonify.claims.reference_scenes import (
     is_paper_scene,
     is_toy_disk,
@@ -34,7 +36,7 @@ def coin():
 @pytest.fixture(scope="module")
 def airborne():
     """Return a toy on a rigid table in air, and its motion until the air carries it."""
-    scene = load_scene("toy").replace(DRAFT, "release.inclination_deg=2")
+    scene = smooth_toy(DRAFT, "release.inclination_deg=2")
     return scene, simulate(scene).rolling
 
 
@@ -90,7 +92,7 @@ def test_a_contact_lost_to_the_air_ends_with_a_force_of_exactly_zero(airborne):
 def test_the_answer_to_what_ends_a_hoop_is_a_cause_without_any_air(hoop):
     """A hoop has no film, so the cause of its end was missing; it was "interrupted"."""
     scene, motion = hoop
-    found = air.motion_findings(scene, motion)
+    found = [*air.motion_findings(scene, motion), *end_findings(motion)]
     cause = next(one for one in found if one.key == "what_ends")
     lost = motion.energy_lost(motion.t[-1:])
     assert max(lost, key=lambda name: lost[name][0]) == cause.cause
@@ -102,7 +104,7 @@ def test_the_answer_to_what_ends_a_hoop_is_a_cause_without_any_air(hoop):
 def test_a_motion_that_does_not_end_has_no_cause_of_its_end(hoop):
     scene, _ = hoop
     short = scene.replace("numerics.time_limit=0.5")
-    found = air.motion_findings(short, simulate(short))
+    found = end_findings(simulate(short))
     assert "what_ends" not in keys(found)
     answer = complete_answers(found)["what ends the motion"]
     assert answer == "not evaluated: the motion does not end in this run"

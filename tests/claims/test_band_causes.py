@@ -38,7 +38,7 @@ SILENT_SLAB = (
 
 @pytest.fixture(scope="module")
 def mirror():
-    scene = load_scene("mirror-base")
+    scene = load_scene("toy")
     return scene, plan_motion(scene, surface_modes(scene, 20e3))
 
 
@@ -75,7 +75,7 @@ def causes_of(scene, plan, film=True):
     for beta in np.geomspace(0.2, 0.01, 8):
         speed = steady_precession_rate(scene, beta) * abs(float(law.law.place(beta).f))
         steady.append([SteadyVibration(beta, scene.disk.weight, speed, True)])
-    motion = SimpleNamespace(plan=plan, film=film)
+    motion = SimpleNamespace(plan=plan, film=film, disk=scene.disk)
     found = band_causes(scene, motion, law, plan.contact_receptance, steady, np.ones(8))
     return found._replace(heard=found.complete)
 
@@ -105,7 +105,7 @@ def test_a_prediction_that_misses_the_sound_names_no_cause(mirror_causes):
 
 
 def test_the_contact_sets_the_band_on_a_slab():
-    scene = load_scene("mirror-base").replace(SILENT_SLAB, "air.film=none")
+    scene = load_scene("toy").replace(SILENT_SLAB, "air.film=none")
     found = causes_of(scene, plan_motion(scene), film=False)
     assert not table_moves_carrier(found).holds
     assert stiffness_moves_carrier(found).value == pytest.approx(1.0, abs=0.02)
@@ -123,7 +123,7 @@ def test_the_film_sets_the_band_where_it_amplifies(monkeypatch):
             return 1.0 + rise * np.exp(-(((f - 3600) / 50) ** 2))
 
     monkeypatch.setattr("sonify.claims.band_causes.VibratingDisk", Amplified)
-    scene = load_scene("mirror-base").replace(SILENT_SLAB)
+    scene = load_scene("toy").replace(SILENT_SLAB)
     found = causes_of(scene, plan_motion(scene))
     assert air_moves_carrier(found).holds
     assert found.complete == pytest.approx(3600, rel=0.03)

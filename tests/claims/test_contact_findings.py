@@ -28,7 +28,6 @@ from sonify.claims.contact import (
     PredictedVibration,
     air_moves_carrier,
     carrier_is_contact,
-    carrier_rises,
     contact_findings,
     contact_is_lost,
     loss_begins_at,
@@ -37,6 +36,8 @@ from sonify.claims.contact import (
     radiated_bands,
     several_contacts_notes,
 )
+from sonify.claims.pitch import carrier_rises, pitch_findings
+from sonify.claims.sound import analyse_sound
 from sonify.hearing.noise_band import NoiseBand, noise_band
 from sonify.plan.preflight import plan_with_modes
 from sonify.sound.pressure import Track
@@ -83,14 +84,11 @@ def test_digital_silence_has_no_band(begins):
     samples[: int(begins * RATE)] = 0.0
     found = noise_band(track(samples), 0.0, 8.0, 1.0)
     assert np.isnan(found.frequency).all()
-    assert np.isfinite(found.prominence_db).all()
 
 
 def test_a_carrier_that_stays_does_not_rise():
     t = np.arange(30.0)
-    falling, rising = (
-        NoiseBand(t, 2000 * factor ** (t / 30), t) for factor in (0.9, 1.6)
-    )
+    falling, rising = (NoiseBand(t, 2000 * factor ** (t / 30)) for factor in (0.9, 1.6))
     assert (carrier_rises(falling).holds, carrier_rises(rising).holds) == (False, True)
     assert carrier_rises(rising).value == pytest.approx(1.6, rel=0.05)
 
@@ -187,6 +185,7 @@ class Resounding:
     regime = staticmethod(lambda t: np.full(len(t), "roll"))
 
     film = True
+    plan = SimpleNamespace(film="film")
 
     def __init__(self, *described):
         draw = np.random.default_rng(7).normal(size=8 * 96000)
@@ -226,7 +225,7 @@ def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz,
     motion = Resounding()
     t = np.arange(1.0, 7.0)
     expected = still(1.0)
-    found = radiated_bands(scene, motion, expected, NoiseBand(t, np.full(6, hertz), t))
+    found = radiated_bands(scene, motion, expected, NoiseBand(t, np.full(6, hertz)))
     assert found.force == pytest.approx(1850.0, rel=0.02)
     assert found.radiated == pytest.approx(3600.0, rel=0.02)
     assert air_moves_carrier(found).holds == moved
@@ -248,17 +247,19 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
         motion = motion.rolling
         found = {
             finding.key: finding
-            for finding in contact_findings(scene, motion, sound)[0]
+            for finding in (
+                *contact_findings(scene, motion, sound)[0],
+                *pitch_findings(scene, motion, sound, analyse_sound(sound)[0]),
+            )
         }
         assert found["carrier_is_contact"].value == pytest.approx(1.0, abs=0.02)
         solved = predicted_vibration(scene, motion)
         band = measured_noise_band(sound, motion, solved)
         rising = radiated_bands(scene, motion, solved, band).expected
         risen = rising[-1] / rising[0]
-        assert found["carrier_rises"].value == pytest.approx(risen, abs=0.1)
-        assert (
-            found["carrier_rises"].verdict != "no"
-        )  # its margin may reach the threshold
+        # the prediction ends where the contact is no longer a single ellipse
+        assert found["carrier_rises"].value > risen - 0.1
+        assert found["carrier_rises"].verdict == "yes"
     softer = scene.replace("contact.young=20e9")
     motion = replace(motion, plan=plan_motion(softer))
     expected = predicted_vibration(softer, motion)

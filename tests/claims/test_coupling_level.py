@@ -18,7 +18,7 @@ from sonify.claims.coupling_level import coupling_error_is_predicted
 
 @pytest.fixture(scope="module")
 def on_mirror():
-    scene = load_scene("mirror-base").replace(
+    scene = load_scene("toy").replace(
         "numerics.accuracy=draft", "numerics.time_limit=2.0"
     )
     return scene, simulate(scene, surface_modes=surface_modes(scene, 20e3))

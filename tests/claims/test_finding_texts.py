@@ -78,9 +78,11 @@ def test_a_record_is_complete(key):
     assert text.source
     assert (text.question in NO_ANSWER_REASONS) == bool(text.answers or text.headline)
     if text.answers:
-        assert fields_of("".join(text.answers)) <= {"value", "cause"} | fields_of(
-            text.details if isinstance(text.details, str) else ""
-        )
+        assert fields_of("".join(text.answers)) <= {
+            "value",
+            "cause",
+            "told",
+        } | fields_of(text.details if isinstance(text.details, str) else "")
     for variant in text.variants.values():
         assert variant.keys() <= {"claim", "unit", "source"}
     if text.quotation:

@@ -7,6 +7,7 @@ disk, for which the answers are known.
 
 import json
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,13 +19,17 @@ from dynamics.landing.equations import LandingModel
 from dynamics.landing.landing_motion import TOUCH, solve_landing_motion
 from dynamics.landing.stop import DEFAULT_STOP_HEIGHT, stop_below
 from sonify import load_scene
+from sonify.claims.air import what_ends
 from sonify.claims.details import details_in_words
 from sonify.claims.landing import (
     air_catches_disk,
+    end_findings,
+    ends_without_rolling,
     halt_is_abrupt,
     landing_findings,
     one_impact_ends_it,
 )
+from sonify.claims.surface_summary import complete_answers
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +43,7 @@ def motion(scene):
 
 
 def test_the_published_disk_in_air_stops_within_a_fifth_of_a_turn(motion):
-    abrupt, caught, impact = landing_findings(motion)
+    _, abrupt, caught, impact = landing_findings(motion)
     assert motion.outcome is Outcome.AT_REST
     assert motion.rolling_outcome is Outcome.AIRBORNE
     assert abrupt.value == pytest.approx(0.21, abs=0.01)
@@ -109,6 +114,46 @@ def test_the_equations_of_a_tilted_disk_conserve_its_energy():
     )
 
 
+COIN = (
+    "disk={radius=0.01213, thickness=0.00175, mass=0.00567}",
+    "material={young=130e9, poisson=0.34, loss_factor=1.2e-4}",
+    "friction={mu_static=0.3, mu_dynamic=0.25, arm_rolling=6e-6, arm_pivoting=2e-5}",
+    "numerics.accuracy=draft",
+)
+"""A coin on a hard table."""
+
+
+@pytest.mark.parametrize(
+    ("release", "film", "cause"),
+    [
+        ("{inclination_deg=2.0, omega=[-8.0,1.0,0.5]}", "acts", "film"),
+        ("{inclination_deg=2.0, omega=[0.0,0.0,0.0]}", "none", "contact"),
+    ],
+)
+def test_a_dropped_coin_has_an_answer_to_what_ends_it(release, film, cause):
+    """It loses its energy after it has rolled; the energy lost by cause is known."""
+    motion = simulate(
+        load_scene("published").replace(*COIN, f"release={release}", f"air.film={film}")
+    )
+    assert motion.outcome is Outcome.AT_REST
+    assert ends_without_rolling(motion)
+    found = {one.key: one for one in landing_findings(motion)}
+    assert found["what_ends"].cause == cause
+    assert "one_impact_ends_it" in found
+    answer = complete_answers(found.values())["what ends the motion"]
+    assert f"{found['what_ends'].value:.0%}" in answer
+    total = motion.energy(0.0)[0] - motion.energy(motion.t[-1])[0]
+    lost = motion.energy_lost(motion.t[-1])
+    assert max(lost, key=lambda name: lost[name][0]) == cause
+    assert sum(lost.values())[0] == pytest.approx(total, rel=2e-5)
+
+
+def test_a_disk_that_rolls_to_its_end_is_judged_as_it_rolls(motion):
+    assert not ends_without_rolling(motion)
+    (cause,) = end_findings(motion)
+    assert cause.value == what_ends(motion.rolling).value
+
+
 def test_the_events_lead_from_the_lift_off_to_rest(motion):
     events = motion.events
     kinds = [event.kind for event in events]
@@ -123,7 +168,10 @@ def test_the_events_lead_from_the_lift_off_to_rest(motion):
 def test_a_disk_that_rolls_to_the_end_does_not_land(scene):
     vacuum = scene.replace("air.film=none")
     rolling = simulate(vacuum)
-    assert landing_findings(rolling) == []
+    cause, impact = landing_findings(rolling)
+    assert cause.key == "what_ends"
+    assert impact.key == "one_impact_ends_it"
+    assert impact.value == 0.0
     assert rolling.rolling is rolling
 
 
@@ -138,6 +186,29 @@ def dropped(scene, restitution, viscosity_factor=1e-12):
     return solve_landing_motion(model, start, 0.0, "dropped", 0.5, clearance=20e-6)
 
 
+def ended_by(landing):
+    """Return what the finding reads of a motion: its landing."""
+    return SimpleNamespace(landing=landing)
+
+
+def test_a_motion_without_landing_is_judged_by_its_contact():
+    """Bounces of 1 ms that lose 0.04 of 1 J each, of which 0.1 J is the final energy."""
+    t = np.linspace(0.0, 2.5, 25_001)
+    lost = 0.04 * np.minimum(np.floor(t / 0.1), 25.0)
+    bouncing = SimpleNamespace(
+        landing=None,
+        contact_losses=[object()],
+        t=t,
+        energy=lambda times: 1.0 - np.interp(times, t, lost),
+        energy_lost=lambda times: {"contact": np.interp(times, t, lost)},
+    )
+    found = one_impact_ends_it(bouncing)
+    assert found.value == pytest.approx(0.4, rel=1e-3)
+    assert found.verdict == "no"
+    kept = SimpleNamespace(landing=None, contact_losses=[])
+    assert one_impact_ends_it(kept).value == 0.0
+
+
 @pytest.mark.slow
 def test_a_thin_film_does_not_catch_the_disk(scene):
     caught = air_catches_disk(dropped(scene, 0.79))
@@ -149,10 +220,10 @@ def test_a_thin_film_does_not_catch_the_disk(scene):
 @pytest.mark.slow
 def test_an_impact_can_end_the_motion(scene):
     # a level impact loses 1 - e^2 of the energy
-    plastic = one_impact_ends_it(dropped(scene, 0.1))
+    plastic = one_impact_ends_it(ended_by(dropped(scene, 0.1)))
     assert plastic.value == pytest.approx(0.99, abs=0.02)
     assert plastic.verdict == "yes"
-    elastic = one_impact_ends_it(dropped(scene, 0.95))
+    elastic = one_impact_ends_it(ended_by(dropped(scene, 0.95)))
     assert elastic.verdict == "no"
 
 

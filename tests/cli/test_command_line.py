@@ -353,7 +353,7 @@ def test_a_run_ends_with_its_files_and_answers_and_tells_what_it_replaces(tmp_pa
         assert [sound, picture, page] == [str(tmp_path / name) for name in names]
         assert all((tmp_path / name).is_file() for name in names)
         answered = [line.split(": ", 1)[0] for line in lines if ": " in line]
-        assert answered == QUESTIONS
+        assert answered == [*QUESTIONS, "model"]
         assert lines[-1].endswith("findings in report.html")
     assert "will replace" not in first.stderr + again.stderr
     line = f"{tmp_path}: will replace the results of published (different: friction.mu_static)"

@@ -74,7 +74,8 @@ def documented_fields(kind: type) -> set[str]:
 
 def is_documented_elsewhere(owner: type, name: str) -> bool:
     """Return True for a method that the protocol `Motion` documents."""
-    return owner is not dynamics.Motion and name in vars(dynamics.Motion)
+    motion = dynamics.Motion
+    return owner is not motion and any(name in vars(b) for b in own_classes(motion))
 
 
 def public_parts(kind: type) -> set[str]:

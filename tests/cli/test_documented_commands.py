@@ -2,8 +2,9 @@
 
 Source: README.md and docs/*.md, in code blocks and within the text. Oracle: the exit status; the
 files; the options that click declares. Recordings and earlier results are inputs that the tests
-make. To save time, a run of a scene has the accuracy draft, a sweep has two values per axis or, with
-more than 300 runs, is only loaded, and a chart is drawn from its stored records.
+make. To save time, a run of a scene has the accuracy draft, a ladder is only planned, a sweep has
+two values per axis or, with more than 300 runs, is only loaded, and a chart is drawn from its
+stored records.
 tests/slow/test_shipped_scenes.py runs the shipped scenes.
 """
 
@@ -23,6 +24,7 @@ import soundfile
 from click.testing import CliRunner
 from disk_recordings import recording
 from paths import ROOT
+from scenes import smooth_toy
 
 from sonify import load_scene, shipped_scenes
 from sonify.__main__ import main
@@ -32,7 +34,7 @@ from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, load_sweep, shipped_sweep
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 PROGRAM = "python -m sonify "
-QUICK = ("scenes", "export modes", "sweep verdict-")
+QUICK = ("scenes", "export modes", "sweep verdict-", "ladder")
 """Beginnings of the commands that take at most 3 s; servers are quick too."""
 SERVERS = ("serve", "studio")
 PLAIN_RUNS = tuple(f"run {name}" for name in shipped_scenes())
@@ -124,7 +126,7 @@ def few_values(sweep: str) -> str:
 
 def write_recording(path: Path) -> None:
     """Write a take of the toy that rolling friction alone slows."""
-    decay = DecayModel(load_scene("toy"))
+    decay = DecayModel(smooth_toy())
     samples = recording(
         decay, [1e-4, 0.0, 0.0], noise=0.1, rate=16000, end=8.0, duration=9.0
     )
@@ -139,6 +141,8 @@ def shortened(arguments: list[str], folder: Path) -> list[str]:
         return []
     if command == "run" and rest:
         return [*arguments, "--accuracy", "draft"]
+    if command == "ladder":
+        return [command, rest[0], "--plan"]
     if command == "chart":
         records = folder / "outputs" / "charts"
         shutil.copytree(ROOT / "outputs" / "shown" / "charts", records)

@@ -28,6 +28,12 @@ TESTED = (
         "table_mesh",
     ),
     *("sweep_table", "surfaces"),
+    *(
+        "predictions",
+        "contact_circuit",
+        "two_coins",
+    ),  # by tests/rigid/test_predictions.py
+    "four_claims",  # by tests/claims/test_four_claims.py and tests/slow/test_shipped_scenes.py
 )
 
 

@@ -9,7 +9,7 @@ import pytest
 
 HIDE_AND_START = """
 import sys
-for name in ("pyarrow", "SALib", "distributed", "mosqito", "pandas"):
+for name in ("pyarrow", "distributed", "pandas", "pygltflib"):
     sys.modules[name] = None
 from sonify.__main__ import start
 start("sonify")
@@ -44,23 +44,29 @@ def test_a_run_and_a_table_as_text_need_no_optional_package(tmp_path):
     )
 
 
+def test_the_plan_of_a_ladder_needs_no_optional_package(tmp_path):
+    planned = without_optional_packages("ladder", "light-plate", "--plan", cwd=tmp_path)
+    assert planned.returncode == 0, planned.stderr
+    assert " rows, about " in planned.stdout.splitlines()[-1]
+
+
 @pytest.mark.parametrize(
-    ("arguments", "feature"),
+    ("arguments", "need", "extra"),
     [
-        (("sweep", "rolling"), "a sweep"),
-        (("map", "runs.parquet", "--of", "t_end"), "a sweep"),
-        (("export", "motion", "--as", "parquet", "published"), "--as parquet"),
+        ("sweep rolling", "a sweep requires pyarrow", "sweep"),
+        ("ladder light-plate", "a ladder requires pyarrow", "sweep"),
+        ("map runs.parquet --of t_end", "a sweep requires pyarrow", "sweep"),
+        ("export motion --as parquet", "--as parquet requires pyarrow", "sweep"),
+        ("export motion --as gltf", "--as gltf requires pygltflib", "export"),
     ],
-    ids=lambda value: value[0] if isinstance(value, tuple) else None,
 )
 def test_a_missing_package_is_one_line_with_its_installation(
-    tmp_path, arguments, feature
+    tmp_path, arguments, need, extra
 ):
-    ended = without_optional_packages(*arguments, cwd=tmp_path)
+    ended = without_optional_packages(*arguments.split(), cwd=tmp_path)
     assert ended.returncode == 2
     assert ended.stdout == ""
     assert ended.stderr.splitlines() == [
-        f"sonify: {feature} requires pyarrow; install it with: "
-        'python -m pip install -e ".[sweep]"'
+        f'sonify: {need}; install it with: python -m pip install -e ".[{extra}]"'
     ]
     assert not list(tmp_path.iterdir())

@@ -19,6 +19,7 @@ from dynamics import Air, Disk, Surface
 from dynamics.air import PRANDTL_NUMBER, STANDARD_AIR
 from dynamics.film.forces import (
     COMPRESSION_ONSET_NUMBER,
+    NO_HOLE,
     SLIP_MOBILITY_PER_KNUDSEN,
     film_forces,
     film_moment_parts,
@@ -183,7 +184,7 @@ def test_the_fit_of_inertia_is_that_of_unsteady_flow(S):
     )
     film = film_under(disk, Air(viscosity=MU, density=RHO))
     rate = S**2 * 2 * MU / (RHO * RADIUS**2) * disk.time_unit  # at sin(beta) = 1
-    inertia_alone = (1.0, 0.0, film.inertia, *[0.0] * 4)
+    inertia_alone = (1.0, 0.0, film.inertia, *[0.0] * 4, NO_HOLE)
     raised = film_forces(1.0, 0.0, rate, inertia_alone)[0] / rate
     assert raised == pytest.approx(unsteady / still, rel=0.05)
 
@@ -242,6 +243,7 @@ def by_law(Lam=0.0, falling=0.0, slip=0.0, bowl=0.0):
                 1.0,
                 SLIP_MOBILITY_PER_KNUDSEN * slip,
                 bowl,
+                NO_HOLE,
             ),
         )
     )

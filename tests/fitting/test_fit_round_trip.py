@@ -23,9 +23,8 @@ CONTOUR = (
     "granite",
     "polished",
     "glass",
-    "mirror-base",
 )
-STEADY = ("thorne", "toy", "dissipation", "glass", "power", "hoop", "viscous")
+STEADY = ("thorne", "dissipation", "glass", "power", "hoop", "viscous")
 """Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
 KNOWN = ("thorne", "granite", "polished", "glass")
 """Scenes dominated by contact friction on an identifiable motion; the fit is accurate to 5 %."""

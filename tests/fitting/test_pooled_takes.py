@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes import smooth_toy
 
-from sonify import load_scene
 from sonify.fitting.decay_model import DecayModel
 from sonify.fitting.least_squares import (
     Fit,
@@ -37,7 +37,7 @@ def decay():
     arms = [
         f"friction.{arm}=0" for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")
     ]
-    return DecayModel(load_scene("toy").replace(*arms, "air.film=acts"))
+    return DecayModel(smooth_toy(*arms, "air.film=acts"))
 
 
 def rates_of_take(decay, first, last, noise, random):
@@ -88,7 +88,7 @@ def test_the_intervals_of_forty_folders_of_three_takes_contain_the_truth(decay):
         fits = folder_of_takes(decay, seed)
         poor.append(verdict_of(decay, fits[-1]))
         together = pool_fits(fits)
-        values = together.values()
+        values = together.fitted_shares()
         for i, name in enumerate(("rolling", "air")):
             held[i] += values[name].low <= TRUTH[i] <= values[name].high
             assert values[name].low < values[name].value < values[name].high
@@ -166,10 +166,10 @@ def test_a_take_with_three_possible_motions_does_not_pull_the_others(decay):
     ]
     draws = np.concatenate([one.draws for one in motions])
     unsure = replace(motions[0], shares=np.array([5.5e-4, 0.7, 0.0]), draws=draws)
-    alone = pool_fits(clear).values()
+    alone = pool_fits(clear).fitted_shares()
     together = pool_fits([*clear, unsure])
     assert verdict_of(decay, together) == "both"
-    for name, value in together.values().items():
+    for name, value in together.fitted_shares().items():
         assert value.low < value.value < value.high
         assert value.value == pytest.approx(alone[name].value, rel=0.02)
         assert value.high - value.low < 1.1 * (alone[name].high - alone[name].low)

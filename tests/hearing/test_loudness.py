@@ -1,17 +1,17 @@
 """Claim: levels, A-weighting, threshold and loudness follow the standards.
 
 Source: IEC 61672-1, table 3 (A-weighting at nominal frequencies, +-0.05 dB of rounding), ISO
-226:2003, table 1, ITU-R BS.1770, the definition of the asper. Oracle: the values printed in these
+226:2003, table 1 and ITU-R BS.1770. Oracle: the values printed in these
 tables; a sine of known pressure.
 """
 
-import sys
 from itertools import pairwise
 
 import numpy as np
 import pytest
 import soundfile
 
+from dynamics.a_weighting import a_weighting_db
 from sonify.hearing.audio_source import (
     BLOCK_SIZE,
     SoundFile,
@@ -20,12 +20,9 @@ from sonify.hearing.audio_source import (
 )
 from sonify.hearing.loudness import (
     ISO_226_THRESHOLD_DB,
-    MissingExtraError,
-    a_weighting_db,
     audibility,
     band_levels,
     loudness_lufs,
-    roughness,
 )
 from sonify.hearing.spectrogram import spectrogram
 
@@ -87,44 +84,6 @@ def test_loudness_of_a_full_scale_tone(tmp_path):
     assert loudness_lufs(
         tone(tmp_path / "tone.wav", 997.0, 1 / np.sqrt(2), 5.0)
     ) == pytest.approx(-3.01, abs=0.1)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("rate", [44100, 48000])
-def test_an_asper_is_a_tone_of_60_db_fully_modulated_at_70_hz(tmp_path, rate):
-    """The value of 1 asper holds by definition.
-
-    Modulation at 20 Hz and at 160 Hz is far less rough, and a steady tone has no roughness (Zwicker
-    & Fastl, 11.1).
-    """
-    pytest.importorskip("mosqito", reason="the extra `roughness` is not installed")
-    t = np.arange(3 * rate) / rate
-    rough = {}
-    for modulation, depth in ((70, 1.0), (20, 1.0), (160, 1.0), (70, 0.0)):
-        sound = (1 + depth * np.sin(2 * np.pi * modulation * t)) * np.sin(
-            2 * np.pi * 1000 * t
-        )
-        sound *= 20e-6 * 10 ** (60 / 20) / np.sqrt(np.mean(sound**2))
-        soundfile.write(tmp_path / "rough.wav", sound, rate, "FLOAT")
-        time, asper = roughness(tmp_path / "rough.wav", 2.5)
-        assert len(time) == 10
-        assert 0.5 < time[0] < time[-1] < 2.5
-        rough[modulation, depth] = np.median(asper)
-    assert rough[70, 1.0] == pytest.approx(1.0, abs=0.05)
-    assert max(rough[20, 1.0], rough[160, 1.0]) < 0.5
-    assert rough[70, 0.0] < 0.02
-
-
-def test_without_the_library_there_is_no_roughness_but_a_reason(tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "mosqito.sq_metrics", None)
-    with pytest.raises(MissingExtraError, match="pip install"):
-        roughness(tone(tmp_path / "tone.wav", 1000.0, 1.0), 2.0)
-
-
-def test_less_than_a_window_has_no_roughness(tmp_path):
-    pytest.importorskip("mosqito", reason="the extra `roughness` is not installed")
-    with pytest.raises(ValueError, match="at least"):
-        roughness(tone(tmp_path / "tone.wav", 1000.0, 1.0, 0.1), 2.0)
 
 
 def test_a_long_file_is_seen_in_a_bounded_number_of_places(tmp_path):

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from sound_files import DECODER_DELAY, FORMATS, written
+from sound_files import DECODER_DELAY, FORMATS, read_mp3, written
 
 from sonify.hearing.audio_source import (
     Recording,
@@ -26,7 +26,7 @@ from sonify.hearing.audio_source import (
     source_of,
     source_of_file,
 )
-from sonify.hearing.mp3 import frame_header, read_mp3
+from sonify.hearing.mp3 import frame_header
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.recording_errors import conversion_advice
 from sonify.hearing.recording_files import recording_files

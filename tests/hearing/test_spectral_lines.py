@@ -8,11 +8,12 @@ known drift; a tone with amplitude modulation of increasing rate.
 import numpy as np
 import pytest
 import soundfile
+from scipy.linalg import hankel
 from scipy.signal import butter, firwin, lfilter, oaconvolve, sosfilt
 
 from sonify import load_scene
 from sonify.claims.resonance_matching import nearest_resonance, resonances
-from sonify.hearing.ring_down import decaying_lines, free_ringing
+from sonify.hearing.ring_down import _poles, decaying_lines, free_ringing
 from sonify.hearing.spectral_lines import (
     MAX_SIDEBAND_OFFSET_HZ,
     _peak_pairs,
@@ -237,6 +238,25 @@ def test_the_decay_rates_of_a_close_pair_are_found(seed):
     )
     assert [line.frequency for line in lines] == pytest.approx(frequency, abs=0.1)
     assert [line.decay_rate for line in lines] == pytest.approx(decay, rel=0.1)
+
+
+@pytest.mark.parametrize("noise", [1e-9, 1e-3, 0.1, 0.5, 3.0])
+@pytest.mark.parametrize("count", [0, 1, 3, 10])
+def test_the_poles_are_those_of_the_complete_singular_value_decomposition(noise, count):
+    """The oracle computes all singular vectors, and the median of all values."""
+    random = np.random.default_rng(count)
+    size = 301
+    pole = np.exp(random.uniform(-0.02, 0, count) + 1j * random.uniform(-2, 2, count))
+    parts = random.uniform(0.3, 1, count) * pole ** np.arange(size)[:, None]
+    white = random.standard_normal((2, size))
+    signal = parts.sum(axis=1) + noise * (white[0] + 1j * white[1])
+    vectors, values, _ = np.linalg.svd(hankel(signal[:150], signal[149:]))
+    limit = max(6 * np.median(values), 0.01 * values[0])
+    kept = vectors[:, : np.count_nonzero(values[:8] > limit)]
+    expected = np.linalg.eigvals(np.linalg.pinv(kept[:-1]) @ kept[1:])
+    found = _poles(signal)
+    assert len(found) == len(expected)
+    assert np.sort_complex(found) == pytest.approx(np.sort_complex(expected), abs=1e-9)
 
 
 @pytest.mark.parametrize("seed", [0, 2, 3])

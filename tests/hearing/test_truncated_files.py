@@ -14,13 +14,13 @@ import pytest
 import soundfile
 from click.testing import CliRunner
 from disk_recordings import recording
-from sound_files import DECODER_DELAY, FORMATS, LENGTH, written
+from scenes import smooth_toy
+from sound_files import DECODER_DELAY, FORMATS, LENGTH, read_mp3, written
 
-from sonify import load_scene
 from sonify.__main__ import main
 from sonify.fitting.decay_model import DecayModel
 from sonify.hearing.audio_source import SoundFile, ends_with_last_page, read_samples
-from sonify.hearing.mp3 import frame_header, read_mp3
+from sonify.hearing.mp3 import frame_header
 from sonify.hearing.recording import listen
 
 
@@ -128,9 +128,7 @@ def test_fit_takes_only_what_is_there(tmp_path):
     changes = [
         f"friction.{arm}=0" for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")
     ]
-    toy = load_scene("toy").replace(
-        *changes, "dissipation.contour_moment=1e-5", "air.film='acts'"
-    )
+    toy = smooth_toy(*changes, "dissipation.contour_moment=1e-5", "air.film='acts'")
     take = recording(
         DecayModel(toy), [1e-4, 0, 0], noise=0.3, rate=rate, end=8.0, duration=16.0
     )

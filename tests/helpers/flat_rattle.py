@@ -55,12 +55,6 @@ class FlatMotion(NamedTuple):
         Energy [J] that the contact has dissipated.
     stored : ndarray, (n,)
         Elastic energy [J] of the contact.
-    open_time : ndarray, (n,)
-        Time [s] without any contact so far.
-    hits : ndarray, (n,)
-        Contacts that have begun so far.
-    modes : ndarray, (n, k, 4)
-        Coordinates and rates of the modes, cosine and sine.
     """
 
     t: np.ndarray
@@ -68,9 +62,6 @@ class FlatMotion(NamedTuple):
     force: np.ndarray
     lost: np.ndarray
     stored: np.ndarray
-    open_time: np.ndarray
-    hits: np.ndarray
-    modes: np.ndarray
 
     def inclination(self, radius):
         """Return the inclination (n,) [rad]."""
@@ -135,20 +126,10 @@ def simulate_flat(case, start, duration, step, every, last=0.0):
     """
     steps = round(duration / step)
     rows = steps // every + 1
-    out = np.zeros((rows, 12))
-    ring = np.zeros((rows, len(case.modes.order), 4))
-    done = run_flat(case, start, steps, step, every, last, out, ring)
+    out = np.zeros((rows, 10))
+    done = run_flat(case, start, steps, step, every, last, out)
     out = out[:done]
-    return FlatMotion(
-        out[:, 0],
-        out[:, 1:7],
-        out[:, 7],
-        out[:, 8],
-        out[:, 9],
-        out[:, 10],
-        out[:, 11],
-        ring[:done],
-    )
+    return FlatMotion(out[:, 0], out[:, 1:7], out[:, 7], out[:, 8], out[:, 9])
 
 
 @kernel
@@ -167,8 +148,8 @@ def drift(y, q, turn, g, h):
 
 
 @outermost
-def run_flat(case, start, steps, step, every, last, out, ring):
-    """Advance the disk, write every so-manyth state to `out` and `ring`, and return their number.
+def run_flat(case, start, steps, step, every, last, out):
+    """Advance the disk, write every so-manyth state to `out`, and return their number.
 
     A step is half a flight, the impulse of the contacts, and half a flight.
     """
@@ -200,9 +181,6 @@ def run_flat(case, start, steps, step, every, last, out, ring):
             phase[j, i, 1] = modes.shape[j] * np.sin(modes.order[j] * cell * i)
     patch_mass = disk.mass / (1 + 1 / disk.gyration)
     lost = 0.0
-    open_time = 0.0
-    hits = 0
-    touched = True
     pull = np.zeros((k, 2))
     rows = 0
     for n in range(steps + 1):
@@ -273,12 +251,6 @@ def run_flat(case, start, steps, step, every, last, out, ring):
                     depth_sum = 0.0
                     speed_sum = 0.0
                     points = 0
-        if total == 0:
-            open_time += step
-            touched = False
-        elif not touched:
-            hits += 1
-            touched = True
         if n % every == 0:
             out[rows, 0] = n * step
             out[rows, 1:7] = y
@@ -288,12 +260,6 @@ def run_flat(case, start, steps, step, every, last, out, ring):
             out[rows, 7] = total
             out[rows, 8] = lost
             out[rows, 9] = stored
-            out[rows, 10] = open_time
-            out[rows, 11] = hits
-            ring[rows] = q
-            for j in range(k):
-                ring[rows, j, 2] += step * pull[j, 0] / 2
-                ring[rows, j, 3] += step * pull[j, 1] / 2
             rows += 1
             if tilt < last * disk.radius:
                 break

@@ -1,4 +1,4 @@
-"""Unevenness around the rim: random orders, the number that judges loss of contact, the decay."""
+"""Random heights around a rim, the depth of its contact, and the restitution of an impact."""
 
 from functools import cache
 from math import pi, sqrt
@@ -34,18 +34,6 @@ def contact_depth(weight, modulus, radius, fillet, inclination):
     return (weight / stiffness) ** (2 / 3)
 
 
-def curvature_number(amplitudes, radius, inclination, depth):
-    """Return kappa: rms curvature of the unevenness that the contact feels, over that of the rim.
-
-    Orders whose waves are shorter than the contact of this depth [m] are left out. Contact is first
-    lost at 0.25 to 0.5.
-    """
-    order = np.arange(len(amplitudes))
-    felt = order < sqrt(radius * inclination / (2 * depth))
-    curvature = ((order**2 - 1) * np.abs(amplitudes))[felt]
-    return sqrt(np.sum(curvature**2) / 2) / (radius * inclination)
-
-
 def damping_ratio(restitution):
     """Return the damping ratio of a patch with this restitution; see `restitution_from`.
 
@@ -55,17 +43,6 @@ def damping_ratio(restitution):
     0.233
     """
     return brentq(lambda ratio: restitution_from(ratio) - restitution, 1e-12, 4.0)
-
-
-def burst_depths(decay, rate, count):
-    """Return the envelope depths (count,) of a mode of this decay [1/s], kicked at a rate [Hz]."""
-    harmonic = np.arange(1, count + 1)
-    return 2 / np.sqrt(1 + (2 * pi * harmonic * rate / decay) ** 2)
-
-
-def precession_rate_exponent(slope):
-    """Return n of the rate of turning ~ (t_end - t)^-n if impacts alone slow the disk."""
-    return (2 - slope) / (4 - slope)
 
 
 @cache

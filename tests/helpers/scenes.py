@@ -21,6 +21,14 @@ from dynamics.steady_motion import steady_precession
 RADIUS = 0.03755
 
 
+def smooth_toy(*changes):
+    """Return the shipped toy on a plane, rigid, smooth table, with a rigid contact, and changes."""
+    from sonify import load_scene
+
+    sections = ("surface", "support", "roughness", "contact.law")
+    return load_scene("toy").replace(dict.fromkeys(sections), *changes)
+
+
 def roll(moved, loads=None, watch=lambda t, inclination, doing: None) -> Motion:
     """Return the motion of a scene until the rolling contact is lost for the first time."""
     plan = plan_motion(moved)

@@ -3,6 +3,8 @@
 import numpy as np
 import soundfile
 
+from sonify.hearing.mp3 import mp3_frames
+
 LENGTH = 8.0
 """Duration of the whole sound [s]."""
 DECODER_DELAY = 529
@@ -34,3 +36,9 @@ def written(path, rate=48_000, channels=1):
     kind = next(kind for end, kind in FORMATS.items() if path.name.endswith(end))
     soundfile.write(path, np.column_stack([sound] * channels), rate, **kind)
     return path.read_bytes()
+
+
+def read_mp3(path):
+    """Return the frames of an MP3 file, or None for another file."""
+    with open(path, "rb") as file:
+        return mp3_frames(file)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 from article_numbers import with_powers
 from article_tables import range_in_words
 
+from sonify.runtime.markdown import markdown_table
 from sonify.runtime.toml_files import read_toml
 from sonify.scene_errors import InputError
 from sonify.scene_keys import keys
@@ -33,7 +34,7 @@ def verdict_ranges() -> dict[Range, list[str]]:
 def ranges_table() -> str:
     """Return a Markdown table of all ranges in the shipped verdict sweeps."""
     units = {key.name: key.unit for key in keys()}
-    lines = ["| quantity | range | source | sweeps |", "|---|---|---|---|"]
+    rows = [["quantity", "range", "source", "sweeps"]]
     for given, names in sorted(verdict_ranges().items()):
         first = given.keys.split(", ")[0]
         unit = units.get(first) or units[first.rpartition(".")[0]]
@@ -41,5 +42,5 @@ def ranges_table() -> str:
         words = with_powers(values) + ("" if unit == "-" else f" {unit}")
         words += ", log" * bool(log)
         users = ", ".join(name.removeprefix("verdict-") for name in names)
-        lines.append(f"| `{given.keys}` | {words} | {given.source} | {users} |")
-    return "\n".join(lines)
+        rows.append([f"`{given.keys}`", words, given.source, users])
+    return markdown_table(rows)

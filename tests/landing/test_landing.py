@@ -7,14 +7,18 @@ a falling rod, of sinking, of levelling and of restitution; the balance of energ
 
 import numpy as np
 import pytest
+from scenes import smooth_toy
 from scipy.integrate import solve_ivp
 
-from dynamics import Disk
-from dynamics.film.tilted_film import TiltedFilm
+from dynamics import Air, Disk, Outcome, simulate
+from dynamics.film.tilted_film import TiltedFilm, film_below
 from dynamics.landing.equations import LOSSES, LandingModel, LandingState
 from dynamics.landing.lift_off import film_inclination_scale, predict_lift_off
+from dynamics.landing.rim_friction import RimFriction
 from dynamics.landing.solution import LandingEnd, solve_landing
 from dynamics.landing.stop import stop_below
+from dynamics.observables import precession_rate
+from sonify import load_scene
 
 DISK = Disk(radius=0.03755, thickness=0.0128, mass=0.4387)
 COIN = Disk(radius=0.012875, thickness=0.0022, mass=0.0085)
@@ -132,6 +136,28 @@ def test_the_disk_stops_within_a_fifth_of_a_turn_on_a_cushion(reference):
         reference.height[-1], 5e-6, DISK.weight
     )
     assert sunk == pytest.approx(0.786, rel=0.01)
+
+
+def test_the_energy_of_a_slow_sinking_is_accounted_for():
+    """The disk sinks by a fraction of a micrometre per second for minutes, while it glides and
+    turns slowly: the absolute tolerances of the speeds decide."""
+    film = film_below(DISK.radius, 0.0, Air())
+    stop = stop_below(DISK.radius, DISK.mass, RESTITUTION)
+    friction = RimFriction(0.3, (3.755e-6, 3.004e-5, 3.004e-4), ())
+    model = LandingModel(DISK, film, stop, friction)
+    first = start(1.463e-5, 0.0, 0.0)._replace(
+        height=5.258e-7,
+        rise=-1.398e-3,
+        turn_x=0.02816,
+        turn_y=0.03633,
+        turn_z=1.463e-5 * 0.02816,
+        speed_x=8.77e-4,
+        speed_y=9.49e-4,
+        axial_rate=-0.03312,
+    )
+    slow = Solved(model, first, duration=400.0)
+    assert slow.landing.end is LandingEnd.TIME_LIMIT
+    assert slow.closure() < 1e-4
 
 
 def test_the_energy_of_the_landing_is_accounted_for(reference):
@@ -296,10 +322,86 @@ def test_a_disk_that_only_the_film_resists_lifts_off(stop_height, expected):
 
 
 def test_high_asperities_prevent_the_lift_off():
-    prediction = predict_lift_off(DISK, AIR)
+    prediction = predict_lift_off(DISK, Air(viscosity=AIR, pressure=1e9))
     assert prediction.inclination == pytest.approx(2.60e-3, rel=0.01)
     assert prediction.max_stop_height == pytest.approx(37e-6, rel=0.02)
-    assert predict_lift_off(COIN, AIR).max_stop_height == pytest.approx(33e-6, rel=0.02)
+    assert predict_lift_off(COIN, Air(viscosity=AIR)).max_stop_height == pytest.approx(
+        33e-6, rel=0.02
+    )
     assert prediction.happens(10e-6)
     assert not prediction.happens(40e-6)
     assert not prediction.happens(10e-6, rattle_inclination=3e-3)
+
+
+@pytest.mark.parametrize(
+    ("depth", "low", "high"), [(32e-6, 25e-6, 30e-6), (108e-6, 10e-6, 15e-6)]
+)
+def test_lower_asperities_prevent_the_lift_off_from_a_concave_table(depth, low, high):
+    """Independent solutions lift off at the lower height and not at the higher one."""
+    air = Air(viscosity=AIR, pressure=1e9)
+    prediction = predict_lift_off(DISK, air, depth)
+    assert low < prediction.max_stop_height < high
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("sag", "tolerance"), [(1e-4, 0.02), (3e-4, 0.06), (1e-3, 0.35)]
+)
+def test_a_concave_table_delays_the_lift_off_as_predicted(sag, tolerance):
+    scene = load_scene("published").replace(
+        "air.film=acts",
+        "release={inclination_deg=1.2, omega=[0.0, 0.78363, 4.59772]}",
+        "friction.arm_pivoting=0",
+        f"surface.sag={sag}",
+        "surface.diameter=0.2286",
+    )
+    rolling = simulate(scene).rolling
+    assert rolling.rolling_outcome is Outcome.AIRBORNE
+    depth = scene.surface.curvature * scene.disk.radius**2 / 2
+    found = predict_lift_off(scene.disk, scene.air, depth)
+    assert found.inclination == pytest.approx(rolling.state[-1, 1], rel=tolerance)
+    plane = predict_lift_off(scene.disk, scene.air)
+    assert rolling.state[-1, 1] < 0.95 * plane.inclination
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("order", "amplitude", "waves_are_first"),
+    [(3, 5e-6, False), (3, 20e-6, True), (4, 8e-6, True)],
+)
+def test_high_waves_break_the_contact_before_the_film_lifts_the_disk(
+    order, amplitude, waves_are_first
+):
+    scene = load_scene("wavy").replace(
+        "air.film=acts", f"imperfection={{order={order}, amplitude={amplitude}}}"
+    )
+    rolling = simulate(scene).rolling
+    found = predict_lift_off(scene.disk, scene.air)
+    breaks = 1.05 * (order**2 - 1) * amplitude / scene.disk.radius
+    assert (breaks > found.inclination) == waves_are_first
+    assert bool(len(rolling.contact_losses)) == waves_are_first
+    if waves_are_first:
+        first = rolling.at(rolling.contact_losses[0].t)[0, 1]
+        assert first == pytest.approx(breaks, rel=0.3)
+    assert rolling.rolling_outcome is Outcome.AIRBORNE
+    assert rolling.state[-1, 1] == pytest.approx(found.inclination, rel=0.15)
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        load_scene("published").replace("air.film=acts"),
+        load_scene("published").replace("air.film=acts", "air.viscosity=0.91e-5"),
+        smooth_toy(),
+        load_scene("coin-polished"),
+    ],
+    ids=["published", "half the viscosity", "toy", "coin-polished"],
+)
+def test_the_predicted_lift_off_is_that_of_the_solved_motion(scene):
+    rolling = simulate(scene).rolling
+    last = rolling.at(rolling.t[-1])
+    found = predict_lift_off(scene.disk, scene.air)
+    assert rolling.rolling_outcome is Outcome.AIRBORNE
+    assert found.inclination == pytest.approx(last[0, 1], rel=0.1)
+    rate = abs(precession_rate(last)[0])
+    assert found.precession_rate == pytest.approx(rate, rel=0.1)

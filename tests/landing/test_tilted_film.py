@@ -118,5 +118,5 @@ def test_the_edge_seals_the_film_within_its_rounding():
 
     outside = radius + 0.6 * fillet
     force = quad(lambda r: r * pressure_at(r, outside), 0, outside, epsrel=1e-8)[0]
-    flat = film.sealing_radius(gap) ** 4 / (8 * gap**3)
+    flat = film.ambient_pressure_radius(gap) ** 4 / (8 * gap**3)
     assert force == pytest.approx(flat, rel=1e-3)

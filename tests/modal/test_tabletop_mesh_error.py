@@ -24,7 +24,7 @@ from modal.elements.user_mesh import (
     nodes_of_subcells,
 )
 from modal.elements.user_mesh_error import (
-    CORNER_ERROR_RATIO,
+    CORNER_EXTRAPOLATION_FACTOR,
     angles_about_edges,
     prolongation,
     relative_errors,
@@ -128,7 +128,7 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
         nodes_of_subcells(whole),
         (values, shapes),
         shift,
-        CORNER_ERROR_RATIO,
+        CORNER_EXTRAPOLATION_FACTOR,
     )
     finest = levels(*board(*zip(size, (2 * n for n in cells), strict=True), clamped))[1]
     nearer = (

@@ -34,7 +34,8 @@ from sonify.plan.table import (
     solve_table,
     table_exit_time,
 )
-from sonify.report.write import copy_table_mesh, scene_record, write_json
+from sonify.report.write import copy_table_mesh, scene_record
+from sonify.runtime.json_values import write_json
 from sonify.scene_errors import SceneError
 
 GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}
@@ -357,27 +358,27 @@ def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(
     )
 
 
-def moving_on(scene, t, at):
-    """Return a motion with these states on the table of a scene."""
-    plan = SimpleNamespace(scene=scene)
-    return SimpleNamespace(t=t, at=at, plan=plan, disk=scene.disk, rolling_fillet=0.0)
+def drifting_on(scene, axis, end):
+    """Return a motion up to a time [s] on the table of a scene, in which the contact circle turns
+    at 50 rad/s about a centre that drifts by 1 cm/s along x (axis 0) or y (axis 1)."""
+
+    def at(t):
+        state = np.zeros((len(t), 11))
+        state[:, 0] = 50 * t
+        state[:, 3 + axis] = 0.01 * t
+        return state
+
+    motion = {"t": np.array([0.0, end]), "at": at, "plan": SimpleNamespace(scene=scene)}
+    return SimpleNamespace(**motion, disk=scene.disk, rolling_fillet=0.0)
 
 
 def test_a_disk_that_goes_over_the_edge_is_said_to():
     """The contact circle of a flat disk turns about a centre that drifts by 1 cm/s."""
     scene = load_scene("glass-plate").replace("surface.radius=0.05")
-    t = np.array([0.0, 2.0])
-
-    def at(t):
-        state = np.zeros((len(t), 11))
-        state[:, 0] = 50 * t
-        state[:, 3] = 0.01 * t
-        return state
-
-    assert table_exit_time(moving_on(scene, t, at)) == pytest.approx(
+    assert table_exit_time(drifting_on(scene, 0, 2.0)) == pytest.approx(
         1.245, abs=0.13
     )  # one turn: 0.126 s
-    assert table_exit_time(moving_on(load_scene("glass-plate"), t, at)) is None
+    assert table_exit_time(drifting_on(load_scene("glass-plate"), 0, 2.0)) is None
 
 
 def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
@@ -385,19 +386,11 @@ def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
 
     The contact circle reaches the edge when its centre has moved by 0.06 m less the radius.
     """
-    t = np.array([0.0, 4.0])
     scene = load_scene("wood-table").replace("surface.place=[0.0, 0.14]")
-
-    def at(t):
-        state = np.zeros((len(t), 11))
-        state[:, 0] = 50 * t
-        state[:, 4] = 0.01 * t
-        return state
-
-    assert table_exit_time(moving_on(scene, t, at)) == pytest.approx(
+    assert table_exit_time(drifting_on(scene, 1, 4.0)) == pytest.approx(
         (0.06 - scene.disk.radius) / 0.01, abs=0.13
     )
-    assert table_exit_time(moving_on(load_scene("wood-table"), t, at)) is None
+    assert table_exit_time(drifting_on(load_scene("wood-table"), 1, 4.0)) is None
 
 
 def test_the_edge_of_a_plate_ends_the_motion():

@@ -21,6 +21,8 @@ from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import check_solvable_scene
 from sonify.report.write import json_safe
 from sonify.scene import (
+    FORMER_SCENE_NAMES,
+    SHIPPED_SCENES_FOLDER,
     Scene,
     from_document,
     scene_adapter,
@@ -225,6 +227,19 @@ def test_at_most_twenty_scenes_are_shipped():
     assert len(shipped_scenes()) <= 20
 
 
+@pytest.mark.parametrize(("former", "name"), FORMER_SCENE_NAMES.items())
+def test_a_former_name_of_a_scene_loads_it(former, name, tmp_path, monkeypatch):
+    """A file of that name in the current folder goes before; the list has the present name only."""
+    assert load_scene(former) == load_scene(name)
+    assert load_scene(former).name == name
+    assert former not in shipped_scenes()
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / former).write_text(
+        (SHIPPED_SCENES_FOLDER / "published.toml").read_text("utf-8")
+    )
+    assert load_scene(former).name == "published"
+
+
 SCENES = [("toi", "toy"), ("glass_plate", "glass-plate"), ("publishd", "published")]
 
 
@@ -262,7 +277,7 @@ ROUGH = [
     ("roughness.shortest=0.2", "longest = 0.1: must exceed shortest = 0.2"),
     (
         "roughness.longest=5e-4",
-        "roughness.longest = 0.0005: must exceed the contact, 0.000506 m long",
+        "roughness.longest = 0.0005: must exceed the length of the contact, 0.000506 m",
     ),
     (
         "roughness.shortest=1e-9",

@@ -112,6 +112,7 @@ VALUES = {
     "support.position": "bottom",
     "support.held": "['tangential', 'axial']",
     "surface.action": "sound",
+    "surface.hole": "0.02",
     "surface.radius": "0.16",
     "surface.thickness": "0.007",
     "surface.young": "6e10",

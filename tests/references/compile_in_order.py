@@ -65,7 +65,7 @@ def main(names: list[str]) -> None:
             for array in (motion.t, motion.state, more)
         ]
         print(name, float(motion.t[-1]), *hashes)
-    (assembly,) = step_motion.inspect_asm().values()
+    assembly = "".join(step_motion.inspect_asm().values())
     instructions = [
         words[0] for line in assembly.splitlines() if (words := line.split())
     ]

@@ -1,4 +1,4 @@
-"""Write finding_values.json: value and verdict of every finding, from the run.json of each scene in
+"""Write finding_values.json: value, verdict and details of every finding, from the run.json of each scene in
 a folder.
 
 Usage: python tests/references/finding_values.py FOLDER, where FOLDER/<scene>/run.json are runs of
@@ -15,7 +15,9 @@ def main(folder: str):
     for path in sorted(Path(folder).glob("*/run.json")):
         findings = json.loads(path.read_text("utf-8"))["findings"]
         values[path.parent.name] = {
-            finding["key"]: {"value": finding["value"], "verdict": finding["verdict"]}
+            finding["key"]: {
+                name: finding[name] for name in ("value", "verdict", "details")
+            }
             for finding in findings
         }
     text = json.dumps(values, indent=1, sort_keys=True)

@@ -10,6 +10,8 @@ from types import SimpleNamespace
 import pytest
 from made_findings import found
 
+from dynamics import plan_motion
+from sonify import load_scene
 from sonify.claims.checks import Check
 from sonify.claims.surface_summary import ANSWERS, complete_answers
 from sonify.report import closing_lines as module
@@ -22,6 +24,8 @@ from sonify.report.closing_lines import (
 from sonify.report.headline import HEADLINE_CLAUSES, VIOLATED_BALANCE
 
 MAX_LINES = 14
+PLAN = SimpleNamespace(motion=plan_motion(load_scene("published")))
+"""The part of a plan that the closing lines need."""
 
 
 def made_check(number, passed):
@@ -40,7 +44,9 @@ def made_result(tmp_path, failed=0):
     """Return what the closing lines need of a result."""
     checks = [made_check(i, passed=i >= failed) for i in range(8)]
     findings = [found("contact_kept", 1.0)]
-    return SimpleNamespace(checks=checks, findings=findings, out=tmp_path, motion=None)
+    return SimpleNamespace(
+        checks=checks, findings=findings, out=tmp_path, motion=None, plan=PLAN
+    )
 
 
 def longest(texts):
@@ -51,7 +57,7 @@ def longest(texts):
 @pytest.mark.parametrize(("failed", "violated"), list(product((0, 3), (False, True))))
 def test_the_longest_texts_fit_on_one_screen(tmp_path, monkeypatch, failed, violated):
     clauses = [longest(words) for words in HEADLINE_CLAUSES.values()]
-    sentence = f"{', '.join(clauses)}, and finally the air carries it."
+    sentence = f"{', '.join(clauses)}, and finally the air lifts it."
     if violated:
         sentence = (
             f"{VIOLATED_BALANCE.format(value=1.23, heat=1.0, radiated=0.23)} {sentence}"

@@ -17,7 +17,7 @@ from dynamics import simulate
 from dynamics.contact_geometry import centre_height, contact_position, contact_reach
 from sonify import load_scene
 from sonify.export.disk_frame import contact_points
-from sonify.export.gltf import body_poses, disk_mesh
+from sonify.export.model_geometry import body_poses, disk_mesh
 from sonify.report.page_data import encoded_contact
 from sonify.sound.radiation import listener_of
 from sonify.sound.sources.infinite_plate import InfiniteTable

@@ -38,7 +38,7 @@ def test_every_key_is_a_finding():
         ),
         (
             [found("pitch_rises", 1.0), found("carrier_rises", -1.0)],
-            "The pitch does not rise.",
+            "The pitch rises.",
         ),
         (
             [
@@ -46,7 +46,7 @@ def test_every_key_is_a_finding():
                 found("contact_kept", -1.0),
                 found("carried_by_air", 1.0, cause="film"),
             ],
-            "The motion of the disk is inaudible, and finally the air carries it.",
+            "The motion of the disk is inaudible, and finally the air lifts it.",
         ),
         (
             [found("contact_kept", 1.0), found("carried_by_air", 1.0)],

@@ -11,7 +11,11 @@ import pytest
 from scenes import whirling
 
 from dynamics import Air, simulate
-from sonify.report.page_data import MAX_STORED_LANDING_TIMES, encoded_motion
+from sonify.report.page_data import (
+    MAX_STORED_LANDING_TIMES,
+    encoded_landing,
+    encoded_motion,
+)
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +41,22 @@ def test_the_page_contains_the_landing_with_its_first_milliseconds(motion):
     assert inclination[-1] < 0.01 * inclination[t <= begin][-1]
 
 
+def test_the_page_contains_the_gap_that_slow_motion_shows(motion):
+    """The lift of the film opens it to micrometres; at the end the disk is down again."""
+    landing = encoded_landing(motion)
+    t, gap = decoded(landing["t"]), decoded(landing["gap"])
+    solved = motion.landing
+    begin = motion.rolling.t[-1]
+    assert t[-1] == begin + solved.t[-1]
+    since = np.minimum(t - begin, solved.t[-1])
+    assert gap == pytest.approx(1e6 * solved.clearance(since), rel=1e-6)
+    highest = 1e6 * solved.clearance(solved.t).max()
+    assert highest * 0.99 < gap.max() <= highest
+    assert gap.max() > 1.0
+
+
 def test_a_motion_without_a_landing_is_encoded_to_its_end():
     rolling = simulate(whirling(0.01, numerics={"time_limit": 0.2}))
     assert rolling.landing is None
     assert decoded(encoded_motion(rolling)["t"])[-1] == rolling.t[-1]
+    assert encoded_landing(rolling) is None

@@ -275,6 +275,28 @@ def test_the_spectrogram_is_that_of_the_audible_mix(page):
     assert canvas.evaluate(PIXELS) == whole
 
 
+def test_muting_before_the_first_picture_keeps_its_colour_scale(page):
+    """The scale is that of all stems, although all are muted while it is determined."""
+    page.evaluate("sonify.spectrograms[0].done")
+    canvas = page.locator(".spectrogram canvas").first
+    whole = canvas.evaluate(PIXELS)
+    scales = page.evaluate(
+        """async () => {
+      const s = sonify.spectrograms[0]
+      const before = s.scale
+      s.scale = s.first = undefined
+      s.show(...s.span)
+      sonify.player.names.forEach((name) => sonify.player.mute(name))
+      await s.done
+      return [before, s.scale] }"""
+    )
+    assert scales[0] == scales[1]
+    assert max(canvas.evaluate(PIXELS)[:3]) < 10, "silence is black"
+    page.evaluate("sonify.player.names.forEach((name) => sonify.player.mute(name))")
+    page.evaluate("sonify.spectrograms[0].done")
+    assert canvas.evaluate(PIXELS) == whole
+
+
 def test_the_page_plays_audible_wav(page, folder):
     """The stems with filter and gain add up to audible.wav, to 1 % of its level and the step of
     16 bits for each stem."""
@@ -324,10 +346,12 @@ def test_the_times_below_the_spectrogram_are_those_of_the_view(page):
 
 def test_the_spectrogram_of_noise_has_no_seam(page):
     """The mean level of six rows differs from that of the six rows above by less than 2 dB; a
-    change of the window by a factor of 8 would be a step of 9 dB."""
+    change of the window by a factor of 8 would be a step of 9 dB. The colour scale is that of the
+    picture before the noise."""
     rows = page.evaluate(
         """async () => {
       const s = sonify.spectrograms[0]
+      await s.done
       let seed = 1
       s.mix = Float32Array.from({ length: s.samples.length }, () => {
         seed = (seed * 48271) % 2147483647

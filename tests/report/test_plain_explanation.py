@@ -76,6 +76,14 @@ def test_the_turns_are_those_of_the_motion(motion, brief):
             1,
             "this is the tone that you hear, and therefore its pitch rises.",
         ),
+        (
+            [
+                found("pitch_rises", 1.0, cause="beats"),
+                found("tone_is_precession", 1.0),
+            ],
+            1,
+            "the sound beats with it, faster and faster.",
+        ),
         ([found("pitch_rises", -1.0)], 1, "the pitch of this sound does not rise."),
         ([found("pitch_rises", 1.0, 2.0)], 1, "was not decided in this run."),
         ([found("table_is_louder", 1.0)], 2, "the table vibrates"),

@@ -167,18 +167,22 @@ def barred(alpha, senses):
     ] - k2 * sin_a * senses[1]
 
 
-@pytest.mark.parametrize("case", range(6))
-def test_sliding_is_the_papers_4_7(case):
+def terms_of(case, slides):
+    """Return the contact of a random state, the state, and the terms that both equations share."""
     h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
-    c = contact((h, K), beta, np.array([w1, w2, w3]), u, senses, True)
+    c = contact((h, K), beta, np.array([w1, w2, w3]), u, senses, slides)
     alpha = math.pi / 2 - beta
-    nu = math.atan2(u[1], u[0])
-    sec = 1 / math.cos(alpha)
-    tan = math.tan(alpha)
     e = h * math.sin(alpha) + math.cos(alpha)
     f = h * math.cos(alpha) - math.sin(alpha)
-    k2, k3 = barred(alpha, senses)
-    gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * tan
+    gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * math.tan(alpha)
+    sec = 1 / math.cos(alpha)
+    return c, h, K, (w1, w2, w3), u, senses, sec, e, f, *barred(alpha, senses), gyro
+
+
+@pytest.mark.parametrize("case", range(6))
+def test_sliding_is_the_papers_4_7(case):
+    c, h, K, (w1, w2, w3), u, senses, sec, e, f, k2, k3, gyro = terms_of(case, True)
+    nu = math.atan2(u[1], u[0])
     pairs = [
         (
             c.du1 + c.domega2 - h * c.domega3,
@@ -208,15 +212,7 @@ def test_sliding_is_the_papers_4_7(case):
 
 @pytest.mark.parametrize("case", range(6))
 def test_rolling_is_the_papers_5_3_with_the_sign_of_omega_1(case):
-    h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
-    c = contact((h, K), beta, np.array([w1, w2, w3]), u, senses, False)
-    alpha = math.pi / 2 - beta
-    sec = 1 / math.cos(alpha)
-    tan = math.tan(alpha)
-    e = h * math.sin(alpha) + math.cos(alpha)
-    f = h * math.cos(alpha) - math.sin(alpha)
-    k2, k3 = barred(alpha, senses)
-    gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * tan
+    c, h, K, (w1, w2, w3), _, senses, sec, e, f, k2, k3, gyro = terms_of(case, False)
     pairs = [
         (
             (1 + 4 / K + 16 * h * h / (3 * K)) * c.domega1,

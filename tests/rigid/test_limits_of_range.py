@@ -226,7 +226,8 @@ def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state
         lambda *_: None,
     )
     with pytest.raises(
-        ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"
+        ImpossibleContactError,
+        match=r"at t = 0 s: inclination 0\.57.*the direction of the slide",
     ):
         roll(scene(mu_static=0.02, mu_dynamic=0.01))
 

@@ -1,11 +1,13 @@
 """Claim: scenes that differ only in numbers share compiled code, threads share no mutable state,
-and memory use stays constant.
+and memory use stays constant. DOP853 reads its flows from a cache of earlier processes.
 
 Source: the numbers of a scene are arguments of the compiled flow; each run has its own integrator.
-Oracle: the number of compilations; the same scenes solved one after the other, byte by byte; the
+Oracle: the number of compilations, also that of Numba; the same scenes solved one after the other, byte by byte; the
 process's memory.
 """
 
+import os
+import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -17,12 +19,22 @@ from scenes import scene, whirling
 from dynamics import Loads, OwnLaw, plan_motion, simulate
 from dynamics.equations import DiskConstants
 from dynamics.hybrid import StalledError
-from dynamics.regime import Regime
+from dynamics.integrators import codegen
+from dynamics.regime import Branch, Regime
 from dynamics.simulation import chosen_integrator, compile_in_background
 
 INTEGRATORS = ["taylor", "dop853"]
 LAW = DiskConstants(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 MEBIBYTE = 2**20
+ROLLING = Regime(False, (False,) * 3, (1.0,) * 3)
+FLOW_SCRIPT = """
+from dynamics.equations import DiskConstants
+from dynamics.integrators.codegen import compile_branch
+from dynamics.regime import Branch, Regime
+rolling = Regime(False, (False,) * 3, (1.0,) * 3)
+constants = DiskConstants(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
+print(compile_branch(Branch.of(rolling, constants, None)).flow.cache_hits)
+"""
 
 
 @pytest.fixture(params=INTEGRATORS)
@@ -131,6 +143,24 @@ def test_what_most_motions_need_is_compiled_before_they_ask():
     assert taylor.compiled_taylor_future.cache_info().misses == before + 2
 
 
+def test_a_second_process_compiles_no_flow(tmp_path):
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    command = [sys.executable, "-c", FLOW_SCRIPT]
+    hits = [
+        subprocess.check_output(command, env=environment, text=True) for _ in range(2)
+    ]
+    assert hits == ["0\n", "1\n"]
+
+
+def test_flows_compile_where_no_cache_can_be_written(tmp_path, monkeypatch):
+    file = tmp_path / "file"
+    file.touch()
+    monkeypatch.setattr(codegen.config, "CACHE_DIR", str(file / "folder"))
+    flow, _ = codegen.compile_branch.__wrapped__(Branch.of(ROLLING, LAW, None))
+    assert flow.cache_hits == 0
+    assert list(tmp_path.iterdir()) == [file]
+
+
 def test_a_wait_for_the_compiler_is_announced(integrator):
     told = []
     simulate(
@@ -147,6 +177,4 @@ def test_a_wait_for_the_compiler_is_announced(integrator):
 def test_a_series_that_is_not_finite_stops_the_run(integrator):
     lost = [0.7, 0.0, 0.2, float("nan"), *[0.0] * 7]
     with pytest.raises(StalledError, match="nan"):
-        chosen_integrator(integrator)[1](
-            lost, Regime(False, (False,) * 3, (1.0,) * 3), LAW, None, 1e-5, 1.0, 1e-12
-        )
+        chosen_integrator(integrator)[1](lost, ROLLING, LAW, None, 1e-5, 1.0, 1e-12)

@@ -112,8 +112,8 @@ def test_a_table_that_begins_to_move_gives_no_energy():
     motion = roll(scene)
     later = motion.switch_time
     assert 0 < later < motion.t[-1]
-    before = motion.passive_part.energy(later)[0]
-    after = motion.coupled_part.energy(0.0)[0]
+    before = motion.first.energy(later)[0]
+    after = motion.then.energy(0.0)[0]
     assert after <= before * (1 + 1e-13)
     assert after > 0.99 * before
     assert motion.largest_energy_gain_error() == 0.0

@@ -1,5 +1,5 @@
 """Claim: every shipped scene runs to its end, passes its self-checks and exits 0; its findings are
-unchanged, and the table of the README contains them.
+unchanged, and the table of docs/surfaces.md contains them.
 
 Source: the exit statuses of the command line. Oracle: the tolerances of the checks themselves. The
 values of the findings have no oracle here: `tests/references/finding_values.json` holds those of an
@@ -23,9 +23,10 @@ from scipy.signal import stft, welch
 from dynamics import plan_motion
 from sonify.__main__ import main
 from sonify.claims.finding import Finding
+from sonify.claims.four_claims import CASES, CLAIMS
 from sonify.claims.surface_summary import SURFACE_BY_SCENE, answer_table
 from sonify.claims.two_way import halt_comes_earlier
-from sonify.examples import surfaces
+from sonify.examples import four_claims, surfaces
 from sonify.hearing.loudness import a_weighting_db
 from sonify.plan.preflight import solve_motion
 from sonify.plan.table import audible_table_modes, solve_table
@@ -47,8 +48,11 @@ BOUNCING = {
     "carriers_are_modes", "carriers_are_steady", "halt_is_abrupt", "modes_take_little", "one_impact_ends_it",
 }  # fmt: skip
 """Findings on the impacts of a disk that has fallen in a vacuum, which are chaotic."""
-NAMES = sorted({*shipped_scenes(), *LAWS})
-"""Scenes of the package, and `dissipation` with each of its other laws."""
+VARIANTS = {name: ("dissipation", values) for name, values in LAWS.items()} | {
+    name: (case.scene, case.values) for name, case in CASES.items() if case.values
+}
+"""Scenes with changed values: `dissipation` with each of its other laws, and cases of the README."""
+NAMES = sorted({*shipped_scenes(), *VARIANTS})
 RATTLING = ("coin", "coin-grain", "coin-wood")
 """Scenes whose whole motion is chaotic: only the verdicts of the claims on it are compared."""
 CHAOTIC_SLIPS = ("light-plate", "wavy")
@@ -71,7 +75,8 @@ def record(tmp_path_factory):
     def run(name):
         if name not in records:
             folder = tmp_path_factory.mktemp(name)
-            scene = ["dissipation", "--set", *LAWS[name]] if name in LAWS else [name]
+            base, values = VARIANTS.get(name, (name, ()))
+            scene = [base, "--set", *values] if values else [base]
             done = CliRunner().invoke(main, ["run", *scene, "--out", str(folder)])
             found = json.loads((folder / "run.json").read_text("utf-8"))
             records[name] = done, found, folder
@@ -164,7 +169,7 @@ def test_a_table_brings_equal_inclinations_forward(name, contact, flat, above):
 def test_the_toy_on_its_mirror_is_as_loud_as_quiet_speech(record):
     """Median of the A-weighted level [dB] at 0.5 m, where quiet speech has 50 to 60 dB. On a mirror
     that only radiates it is 20 dB higher, on a rigid contact without roughness -32 dB."""
-    _, _, folder = record("mirror-base")
+    _, _, folder = record("toy")
     samples, rate = soundfile.read(folder / "pressure.wav")
     frequency, _, spectrum = stft(samples, rate, nperseg=8192)
     weight = 10 ** (a_weighting_db(frequency)[:, None] / 20)
@@ -229,16 +234,36 @@ def same_answers(first, second):
 
 
 @pytest.mark.slow
-def test_the_readme_shows_what_the_scenes_find(record):
+def test_the_page_of_surfaces_shows_what_the_scenes_find(record):
     """The words are equal; numbers agree within one unit of the last digit or 10 %, except on the
     light plate, whose slips are chaotic."""
     runs = {name: findings_of(record(name)) for name in SURFACE_BY_SCENE}
-    readme = shown((ROOT / "README.md").read_text("utf-8"))
+    page = shown((ROOT / "docs" / "surfaces.md").read_text("utf-8"))
     made = shown(surfaces.main(known=runs))
-    assert readme.keys() == made.keys()
+    assert page.keys() == made.keys()
     for name, (words, numbers) in made.items():
         if name in CHAOTIC_SLIPS:
-            assert same_answers(readme[name][0], words)
+            assert same_answers(page[name][0], words)
             continue
-        assert readme[name][0] == words
-        assert readme[name][1] == pytest.approx(numbers, rel=0.1, abs=1.0)
+        assert page[name][0] == words
+        assert page[name][1] == pytest.approx(numbers, rel=0.1, abs=1.0)
+
+
+@pytest.mark.slow
+def test_the_verdicts_of_the_readme_are_those_of_the_runs(record):
+    """Each cell has the verdict of the run, unless one of both is undecided."""
+    shown_cells = claim_cells((ROOT / "README.md").read_text("utf-8"))
+    made_cells = claim_cells(
+        four_claims.main(known={name: findings_of(record(name)) for name in CASES})
+    )
+    assert len(shown_cells) == len(made_cells) == len(CASES) * len(CLAIMS)
+    for shown_cell, made_cell in zip(shown_cells, made_cells, strict=True):
+        verdicts = {cell.partition(",")[0] for cell in (shown_cell, made_cell)}
+        assert "undecided" in verdicts or len(verdicts) == 1, (shown_cell, made_cell)
+
+
+def claim_cells(text):
+    """Return the cells of the table of the four claims in a text."""
+    head = "|the paper's claim|"
+    _, _, *rows = text[text.index(head) :].partition("\n\n")[0].splitlines()
+    return [cell for row in rows for cell in row.strip("|").split("|")[1:]]

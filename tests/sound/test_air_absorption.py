@@ -47,6 +47,16 @@ def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
     assert np.abs(np.angle(kept)).max() < 1e-3
 
 
+def test_the_air_of_a_listener_is_by_default_that_of_a_scene():
+    """Until it was annotated, the default air had no absorption, and the filter failed."""
+    listener = Listener(distance=100.0, elevation=0.5)
+    explicit = Listener(distance=100.0, elevation=0.5, air=Air())
+    impulse = np.eye(1, 400, 200).T
+    filtered = propagation_filter(listener, RATE)(impulse)
+    assert np.array_equal(filtered, propagation_filter(explicit, RATE)(impulse))
+    assert filtered.sum() == pytest.approx(1.0, abs=1e-3)  # no absorption at 0 Hz
+
+
 def test_near_by_nothing_is_filtered_and_the_plan_says_how_much_that_is():
     scene = load_scene("published")
     assert absorption_latency(scene.air, 0.5) == 0

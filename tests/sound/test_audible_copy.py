@@ -187,10 +187,10 @@ def test_every_file_says_that_the_end_is_missing_where_it_is(folder, tmp_path, o
 
 
 def test_other_programs_read_the_files(folder):
-    for name in ("sound", "audible"):
+    for name, width in (("sound", 3), ("audible", 2)):
         with wave.open(str(folder.path / f"{name}.wav")) as file:
             assert (file.getframerate(), file.getsampwidth(), file.getnframes()) == (
                 RATE,
-                3,
+                width,
                 folder.sound.samples,
             )

@@ -150,9 +150,12 @@ def steadily(table, beta, seconds):
         plan=SimpleNamespace(
             film=None,
             tabulated_law=table,
-            filter_modes=None,
-            filter_plate_mobility=0.0,
-            scene=SimpleNamespace(surface=SimpleNamespace(kind="rigid")),
+            filter_is_two_way=False,
+            surface_modes=None,
+            plate_mobility=0.0,
+            scene=SimpleNamespace(
+                surface=SimpleNamespace(kind="rigid"), roughness=None
+            ),
         ),
     )  # fmt: skip
 

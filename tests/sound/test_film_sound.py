@@ -464,7 +464,7 @@ def test_while_the_gap_stays_the_oscillators_are_exact():
     force = np.random.default_rng(1).standard_normal(2001)
     tuned = GapTunedOscillators(table_of((900, 900), (30, 30)), RATE, np.zeros(1), -0.5)
     bank = OscillatorBank([900.0], [30.0], RATE)
-    out = tuned.advance(block(force), np.full(2001, -0.5))[0]
+    out = tuned.advance_at_gap(block(force), np.full(2001, -0.5))[0]
     np.testing.assert_allclose(
         out, bank.advance(force[:, None]), rtol=0, atol=1e-11 * np.abs(out).max()
     )
@@ -486,7 +486,7 @@ def test_a_mode_follows_the_gap_without_a_click():
     smooth.state = smooth.observable_state(
         np.array([[load / (2 * np.pi * 900) ** 2], [1.0]]), np.array([load])
     )
-    out = tuned.advance(block(np.full(n + 1, load)), gap)[0, :, 0]
+    out = tuned.advance_at_gap(block(np.full(n + 1, load)), gap)[0, :, 0]
 
     def slope(t, y):
         part = t * RATE / n
@@ -512,7 +512,7 @@ def test_a_load_at_rest_stays_silent_while_the_film_closes():
     tuned = GapTunedOscillators(
         table_of((900, 1500), (20, 60)), RATE, np.array([5.0]), 0.0
     )
-    out = tuned.advance(block(np.full(n + 1, 5.0)), -np.arange(n + 1) / n)
+    out = tuned.advance_at_gap(block(np.full(n + 1, 5.0)), -np.arange(n + 1) / n)
     assert np.abs(out).max() < 1e-9
 
 

@@ -267,7 +267,7 @@ def test_the_record_states_the_chain(tmp_path):
             assert chain["loudness_lufs"] == AUDIBLE_COPY_LOUDNESS_LUFS
             copy = audible_copy(result.sound._audible_source)
             assert isinstance(copy, ScaledTrack)
-            assert np.abs(whole(copy) - samples).max() < 2**-23
+            assert np.abs(whole(copy) - samples).max() <= 2**-16  # half a step
 
 
 def test_unknown_dynamics_are_one_line(tmp_path):

@@ -34,7 +34,7 @@ from sonify.sound.film_radiation import (
     TABULATED_MEAN_GAPS,
     TABULATED_WAVENUMBERS,
     film_mesh,
-    film_rim_matrices,
+    film_outflow_matrices,
     flow_at_rim,
     multipoles_of,
     radiated_multipoles,
@@ -201,7 +201,7 @@ def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share
     """
     k = 2 * np.pi * hertz * RADIUS / Air().sound_speed
     air = Air()
-    film = film_rim_matrices(film_mesh(), gap / RADIUS, k, RADIUS, air)
+    film = film_outflow_matrices(film_mesh(), gap / RADIUS, k, RADIUS, air)
     rim, beyond = rim_and_beyond(0.005, k)
     found = multipoles_of(flow_at_rim(gap / RADIUS, film, rim), beyond)[0, :, 0]
     assert listener_pressure(0, [k], FAR, DISTANCE, ELEVATION)[0] @ found / flush(

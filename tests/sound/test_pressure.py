@@ -210,6 +210,7 @@ def test_files_hold_what_they_say(scene, short, modes, tmp_path):
     assert np.abs(copy).max() == pytest.approx(10 ** (-1 / 20), abs=1e-6)
     assert np.abs(copy * sound.full_scale - pressure).max() < sound.full_scale * 2**-23
     assert soundfile.info(tmp_path / "sound.wav").subtype == "PCM_24"
+    assert soundfile.info(tmp_path / "audible.wav").subtype == "PCM_16"
     assert soundfile.info(tmp_path / "pressure.wav").subtype == "FLOAT"
     assert sound.samples == len(pressure)
     assert sorted(p.name for p in tmp_path.iterdir()) == [

@@ -229,13 +229,32 @@ def steady(source, count, force):
     )
 
 
+def test_the_film_presses_on_the_table_where_the_contact_did(scene, table):
+    """A lift at the contact is a contact force; one without moment acts below the centre."""
+    source = ElasticTable(scene, table, listener_of(scene))
+    state = np.zeros((1, 11))
+    state[0, 1] = 1e-3
+    at = contact_position(state, scene.disk, scene.contact.rolling_fillet(scene.disk))
+    none, weight = np.zeros((1, 3)), np.array([[0.0, 0.0, 4.3]])
+    by_contact = source.input_channels(weight, state, np.zeros((1, 5)))
+    near, below = np.array(
+        [[[1e-4, 4.3, 4.3 * scene.disk.radius, 0, 0]], [[1e-4, 4.3, 0, 0, 0]]]
+    )
+    by_film = source.input_channels(none, state, near)
+    assert by_film == pytest.approx(by_contact, abs=1e-9 * np.abs(by_contact).max())
+    centre = -4.3 * table.at(*(table.place[:, None] + 0 * at.T))
+    assert source.input_channels(none, state, below) == pytest.approx(centre)
+
+
 def test_a_constant_force_at_rest_is_silent(scene, table):
     """The reference is the same force switched on at the start, i.e. the sound of a table not
     in equilibrium."""
     source = ElasticTable(scene, table, listener_of(scene))
     state = np.zeros((1, 11))
     state[0, 1] = 0.3
-    force = source.input_channels(np.array([[0.0, 0.0, 4.3]]), state, None)[0]
+    force = source.input_channels(np.array([[0.0, 0.0, 4.3]]), state, np.zeros((1, 5)))[
+        0
+    ]
 
     def pressure(first):
         return source.make_block_renderer(first, lambda *noted: None)(

@@ -99,7 +99,7 @@ def set_contact_circle(
 
 
 @kernel
-def advance_table(table, azimuth):
+def advance_table(table: DrivenTable, azimuth: float) -> float:
     """Advance the modes by one step and return the rise of the table at the contact [m].
 
     The contact is at `azimuth` [rad] after the step; the varying force of the last step

@@ -37,7 +37,7 @@ SMOOTH_PROFILE = Profile(np.zeros(6), 1.0)
 """Profile of a smooth surface."""
 
 
-def spline_profile(waves, period, n=None):
+def spline_profile(waves: np.ndarray, period: float, n: int | None = None) -> Profile:
     """Return the zero-mean profile with the Fourier transform `waves` (n/2 + 1,) of its heights."""
     n = n or 2 * (len(waves) - 1)
     order = np.arange(len(waves))
@@ -54,7 +54,7 @@ def spline_profile(waves, period, n=None):
 
 
 @kernel
-def height_integrals(profile, s):
+def height_integrals(profile: Profile, s: float) -> tuple[float, float]:
     """Return the third and the second integrals of the heights at path length s [m]."""
     c = profile.coefficients
     x = s * profile.cells_per_metre
@@ -79,7 +79,7 @@ def height_integrals(profile, s):
 
 
 @kernel
-def mean_height(profile, s, a):
+def mean_height(profile: Profile, s: float, a: float) -> float:
     """Return the mean height [m] over an ellipse of half-length a [m] at path s [m].
 
     The weight is 3 (1 - x^2/a^2)/4a over (s - a, s + a). The result for SMOOTH_PROFILE,
@@ -93,7 +93,12 @@ def mean_height(profile, s, a):
 
 
 @kernel
-def mean_rim_height(rough, reach, radius, turn):
+def mean_rim_height(
+    rough: tuple[Profile, Profile, float, float, float],
+    reach: float,
+    radius: float,
+    turn: float,
+) -> float:
     """Return the sum [m] of the mean heights of table and edge at the contact.
 
     `rough` contains the profiles of table and edge, the path lengths [m] on both, and the
@@ -107,7 +112,7 @@ def mean_rim_height(rough, reach, radius, turn):
 
 
 @outermost
-def mean_heights(profile, s, a):
+def mean_heights(profile: Profile, s: np.ndarray, a: np.ndarray) -> np.ndarray:
     """Return the `mean_height` (k,) [m] at paths s (k,) and half-lengths a (k,) [m]."""
     out = np.empty(s.size)
     for i in range(s.size):
@@ -115,7 +120,7 @@ def mean_heights(profile, s, a):
     return out
 
 
-def profile_from_csv(file, period: float | None = None) -> Profile:
+def profile_from_csv(file: str | Path, period: float | None = None) -> Profile:
     """Read a profile from a CSV file with lengths [m] and heights [m].
 
     A header is skipped. The best straight line is subtracted, and the profile is made

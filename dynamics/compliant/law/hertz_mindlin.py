@@ -18,7 +18,7 @@ from scipy.special import elliprd, elliprf
 
 from dynamics.compliant.law.kalker import creep_coefficients
 from dynamics.disk import Disk
-from dynamics.kinematics import ContactPlace, contact_place
+from dynamics.kinematics import ContactPlace, contact_place_in_metres
 
 MIN_CONTACT_INCLINATION = 5e-8
 """Inclination [rad] below which the contact is no longer a single ellipse."""
@@ -140,11 +140,8 @@ class ContactLaw:
 
     def place(self, inclination: ArrayLike) -> ContactPlace:
         """Return the position of the contact on the disk at inclinations (k,) [rad], in m."""
-        radius = self.disk.radius
-        ratio = self.rolling_fillet / radius
-        sine = np.sin(inclination)
-        place = contact_place(np.cos(inclination), sine, self.disk.aspect, ratio)
-        return ContactPlace(*(radius * length for length in place))
+        cosine, sine = np.cos(inclination), np.sin(inclination)
+        return contact_place_in_metres(self.disk, self.rolling_fillet, cosine, sine)
 
     def ellipse(
         self, inclination: ArrayLike

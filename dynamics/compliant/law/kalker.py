@@ -27,7 +27,9 @@ KALKER_C22 = np.array(
 """Coefficients across the rolling direction, in the same layout and from the same sources."""
 
 
-def creep_coefficients(ratio, poisson):
+def creep_coefficients(
+    ratio: np.ndarray, poisson: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Return Kalker's C11 and C22 at ratios b/a (k,) in (0, 1] and a Poisson's ratio.
 
     Steady creepages u/V cause the forces G a b C u/V. b/a C is interpolated linearly in
@@ -41,7 +43,9 @@ def creep_coefficients(ratio, poisson):
     )
 
 
-def slender_creep_coefficients(ratio, poisson):
+def slender_creep_coefficients(
+    ratio: float | np.ndarray, poisson: float
+) -> tuple[float | np.ndarray, float | np.ndarray]:
     """Return the asymptotes of C11 and C22 for b/a -> 0 of Kalker (1967).
 
     Their relative error is 4 % at b/a = 0.1.
@@ -55,7 +59,9 @@ def slender_creep_coefficients(ratio, poisson):
     )
 
 
-def _interpolate(tabulated, side, ratio, poisson):
+def _interpolate(
+    tabulated: np.ndarray, side: int, ratio: np.ndarray, poisson: float
+) -> np.ndarray:
     """Return C11 (`side` 0) or C22 (`side` 1) from its table or its asymptote."""
     rows = [
         np.interp(ratio, AXIS_RATIOS, AXIS_RATIOS * row) / ratio for row in tabulated
@@ -72,7 +78,7 @@ def _interpolate(tabulated, side, ratio, poisson):
     return np.where(ratio < smallest, outside, inside)
 
 
-def _lagrange_polynomial(i, x):
+def _lagrange_polynomial(i: int, x: float) -> float:
     """Return the quadratic that is 1 at POISSON_RATIOS[i] and 0 at the others."""
     p, q = np.delete(POISSON_RATIOS, i)
     own = POISSON_RATIOS[i]

@@ -6,17 +6,19 @@ the state consists of four numbers: velocities and deflections along a_2 and a_3
 deflection of an elastic table under the varying force is an additional height.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law.driven_table import (
+    DrivenTable,
     advance_table,
     driven_table,
     set_contact_circle,
 )
-from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_height
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile, mean_height
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.sections import Roughness
@@ -27,6 +29,10 @@ from dynamics.compliant.law.table_receptance import (
 )
 from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.numba_kernels import kernel, outermost
+
+if TYPE_CHECKING:
+    from dynamics.compliant.law.linearised import LinearContact
+    from dynamics.motion import Motion
 
 SAMPLES_PER_KNOT = 16
 """Number of force samples between two knots."""
@@ -70,7 +76,9 @@ class MotionBlock(NamedTuple):
     centre: np.ndarray
 
 
-def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = None):
+def motion_blocks(
+    motion: "Motion", rate: float, start: float = 0.0, stop: float | None = None
+) -> Iterator[MotionBlock]:
     """Yield the motion as MotionBlocks, which share their end knots.
 
     `rate` [1/s] is that of the samples. The contact advances by -R d(spin) along the
@@ -113,12 +121,12 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
 
 def linear_contact_force_blocks(
     tabulated: TabulatedLaw,
-    blocks,
+    blocks: Iterable[MotionBlock],
     rate: float,
-    profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE),
+    profiles: tuple[Profile, Profile] = (SMOOTH_PROFILE, SMOOTH_PROFILE),
     modes: Any = None,
     plate_mobility: float = 0.0,
-):
+) -> Iterator[np.ndarray]:
     """Yield the additional force of an elastic, rough contact along a_2 and a_3.
 
     Parameters
@@ -166,7 +174,9 @@ def linear_contact_force_blocks(
         yield out
 
 
-def _coefficients(tabulated, block, rate):
+def _coefficients(
+    tabulated: TabulatedLaw, block: MotionBlock, rate: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return the coefficients of `_filter_steps`.
 
     Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and
@@ -207,12 +217,12 @@ def _coefficients(tabulated, block, rate):
 def predicted_rms(
     tabulated: TabulatedLaw,
     roughness: Roughness,
-    inclination,
-    load,
-    speed,
-    above=MIN_VIBRATION_FREQUENCY,
+    inclination: np.ndarray,
+    load: float | np.ndarray,
+    speed: float | np.ndarray,
+    above: float = MIN_VIBRATION_FREQUENCY,
     receptance: TableReceptance = RIGID_TABLE,
-):
+) -> np.ndarray:
     """Return the rms (k,) [N] of the force above a frequency [Hz] in steady motion.
 
     It is computed from the spectrum of the heights. The contact moves along table and
@@ -232,9 +242,9 @@ def predicted_rms(
 def predicted_power(
     tabulated: TabulatedLaw,
     roughness: Roughness,
-    inclination,
-    load,
-    speed,
+    inclination: float | np.ndarray,
+    load: float | np.ndarray,
+    speed: float | np.ndarray,
     receptance: TableReceptance = RIGID_TABLE,
 ) -> np.ndarray:
     """Return the mean power (k,) [W] dissipated by roughness in steady motion.
@@ -258,13 +268,13 @@ def predicted_power(
 def predicted_spectrum(
     tabulated: TabulatedLaw,
     roughness: Roughness,
-    inclination,
-    load,
-    speed,
-    frequency,
-    rolls=True,
+    inclination: float,
+    load: float,
+    speed: float,
+    frequency: np.ndarray,
+    rolls: bool = True,
     receptance: TableReceptance = RIGID_TABLE,
-):
+) -> np.ndarray:
     """Return the power spectral density (f,) [N^2/Hz] of the force in a steady motion.
 
     The frequencies are (f,) [Hz].
@@ -279,7 +289,15 @@ def predicted_spectrum(
     return heights * square * 2 * np.pi / abs(speed)
 
 
-def _responses(tabulated, beta, force, velocity, omega, rolls, receptance):
+def _responses(
+    tabulated: TabulatedLaw,
+    beta: np.ndarray,
+    force: np.ndarray,
+    velocity: np.ndarray,
+    omega: np.ndarray,
+    rolls: bool,
+    receptance: TableReceptance,
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the means of |N'/z|^2 and of N'/z (f,) round the contact circle."""
     system = tabulated.linear_contact(beta, force, velocity, rolls)
     rate = float(np.abs(velocity / tabulated.law.place(beta).f)[0])
@@ -287,7 +305,7 @@ def _responses(tabulated, beta, force, velocity, omega, rolls, receptance):
     return mean_square_response(on_rigid_table, receptance(omega, rate))
 
 
-def force_per_height(system, omega):
+def force_per_height(system: "LinearContact", omega: np.ndarray) -> np.ndarray:
     """Return N'/z (f,) [N/m] of a linearised contact at angular frequencies (f,) [rad/s]."""
     roots, vectors = np.linalg.eig(system.A[0][np.ix_(FILTER_STATES, FILTER_STATES)])
     weight = (system.C[0, 2, FILTER_STATES] @ vectors) * np.linalg.solve(
@@ -298,7 +316,7 @@ def force_per_height(system, omega):
 
 
 @kernel
-def _propagator(A, B, h):
+def _propagator(A: np.ndarray, B: np.ndarray, h: float) -> np.ndarray:
     """Return [exp(A h), mean of exp(A s) B over a step] (4, 5) from a Taylor series."""
     # number of terms, exact within rounding up to MAX_PHASE_PER_STEP
     taylor_terms = 20
@@ -322,7 +340,15 @@ def _propagator(A, B, h):
 
 
 @outermost
-def _filter_steps(x, z, system, h, profiles, yielding, azimuth):
+def _filter_steps(
+    x: np.ndarray,
+    z: float,
+    system: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
+    h: float,
+    profiles: tuple[Profile, Profile],
+    yielding: DrivenTable,
+    azimuth: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, float]:
     """Return the force (n, 2) in a block, the last state and the last height.
 
     The `system` contains the `_coefficients`. NaN in `drive` along a_2 marks a sliding
@@ -377,7 +403,14 @@ def _filter_steps(x, z, system, h, profiles, yielding, azimuth):
 
 
 @kernel
-def _rise_over_infinite_plate(rise, yielding, x, E, normal, h):
+def _rise_over_infinite_plate(
+    rise: float,
+    yielding: DrivenTable,
+    x: np.ndarray,
+    E: np.ndarray,
+    normal: np.ndarray,
+    h: float,
+) -> float:
     """Return the rise minus the motion of an infinite plate in the step h.
 
     The plate moves by Y h times the mean of the forces N' before and after the step. The

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.compliant.law.hertz_mindlin import ContactLaw, ContactSprings
-from dynamics.disk import Disk
-from dynamics.kinematics import contact_place
+from dynamics.disk import Disk, inertias
+from dynamics.kinematics import contact_place_in_metres
 from dynamics.steady_motion import steady_precession
 
 RIGID_FLEXIBILITY = np.zeros((3, 3))
@@ -51,8 +51,9 @@ def rigid_mode_shapes(
     """
     beta = np.atleast_1d(np.asarray(inclination, dtype=float))
     J1, J2 = inertias(disk)
-    place = contact_place(np.cos(beta), np.sin(beta), disk.aspect, fillet / disk.radius)
-    radius, depth, height, lever = (disk.radius * length for length in place)
+    radius, depth, height, lever = contact_place_in_metres(
+        disk, fillet, np.cos(beta), np.sin(beta)
+    )
     shapes = np.zeros((len(beta), 3, 6))
     shapes[:, range(3), range(3)] = disk.mass**-0.5
     shapes[:, 1, 3] = height / J1**0.5
@@ -60,14 +61,6 @@ def rigid_mode_shapes(
     shapes[:, 0, 4] = radius / J2**0.5
     shapes[:, 0, 5] = depth / J1**0.5
     return shapes
-
-
-def inertias(disk: Disk) -> tuple[float, float]:
-    """Return the moments of inertia [kg m^2] about a diameter and about the axis."""
-    unit = disk.mass * disk.radius**2
-    K = disk.gyration
-    h = disk.aspect
-    return unit * (K / 4 + h * h / 3), unit * K / 2
 
 
 def mobility(disk: Disk, inclination: ArrayLike, fillet: float = 0.0) -> np.ndarray:

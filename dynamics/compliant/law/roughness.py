@@ -99,7 +99,7 @@ def wave_spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.n
     return 2 * pi * order / period, (roughness.rms or 0.0) ** 2 * power / power.sum()
 
 
-def ellipse_window(ka):
+def ellipse_window(ka: np.ndarray) -> np.ndarray:
     """Return the transfer function 3 (sin ka - ka cos ka)/(ka)^3 of the mean height."""
     ka = np.asarray(ka, dtype=float)
     small = ka < 1e-2
@@ -152,7 +152,12 @@ def circumference_gain(roughness: Roughness, period: float, count: int) -> float
     return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p))
 
 
-def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
+def shift_of_contact(
+    roughness: Roughness,
+    inclination: np.ndarray,
+    half_length: np.ndarray,
+    radius: float,
+) -> np.ndarray:
     """Return the relative shift rms(z'') R/beta (n,) of the contact along the edge.
 
     It is the shift in radians per radian, at inclinations (n,) [rad]. Table and edge
@@ -170,7 +175,7 @@ def shift_of_contact(roughness: Roughness, inclination, half_length, radius: flo
     return np.sqrt(curvature) * radius / np.sin(inclination)
 
 
-def _measured_spectrum(profile, k):
+def _measured_spectrum(profile: Profile, k: np.ndarray) -> np.ndarray:
     """Return the spectral density (w,) [m^3] of a measured profile in bins of k (w,)."""
     n = len(profile.coefficients) - 5
     cell = 1 / profile.cells_per_metre
@@ -186,7 +191,7 @@ def _measured_spectrum(profile, k):
     return np.diff(np.interp(edges, np.append(0.0, own), below)) / np.diff(edges)
 
 
-def _random_profile(roughness, period, n, which):
+def _random_profile(roughness: Roughness, period: float, n: int, which: int) -> Profile:
     """Return a random Gaussian profile with the spectrum of the roughness."""
     k, power = wave_spectrum(roughness, period)
     order = np.rint(k * period / (2 * pi)).astype(int)

@@ -216,6 +216,6 @@ def require_resolved_waves(roughness: Roughness, half_length: float) -> None:
     """Raise ValueError if no wave is longer than the ellipse of this half-length [m]."""
     if roughness.longest <= 2 * half_length:
         raise ValueError(
-            f"roughness.longest = {roughness.longest:g}: must exceed the contact, "
-            f"{2 * half_length:.3g} m long"
+            f"roughness.longest = {roughness.longest:g}: must exceed the length of the "
+            f"contact, {2 * half_length:.3g} m"
         )

@@ -7,7 +7,7 @@ from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, Contac
 from dynamics.pivoting import PIVOTING_COEFFICIENT_COUNT, SINE_ROOT_INDEX
 
 
-def slip_arm(law: ContactLaw, inclination, load):
+def slip_arm(law: ContactLaw, inclination: np.ndarray, load: float) -> np.ndarray:
     """Return the moment of full slip divided by mu and the normal force, in m.
 
     It is the mean distance from the centre weighted by Hertz's pressure, 3/8 a E(e),
@@ -17,7 +17,9 @@ def slip_arm(law: ContactLaw, inclination, load):
     return 3 / 8 * a * ellipe(1 - (b / a) ** 2)
 
 
-def spin_creep_moment_coefficient(law: ContactLaw, inclination, load):
+def spin_creep_moment_coefficient(
+    law: ContactLaw, inclination: np.ndarray, load: float
+) -> np.ndarray:
     """Return the moment of spin creep divided by normal force and creepage, in m^2.
 
     The normal force is `load` [N]. The creepage is the rotation rate about the normal
@@ -34,7 +36,7 @@ def spin_creep_moment_coefficient(law: ContactLaw, inclination, load):
     )
 
 
-def spin_coefficient(ratio, poisson):
+def spin_coefficient(ratio: np.ndarray, poisson: float) -> np.ndarray:
     """Return the asymptote of Kalker's C33 for small ratios b/a."""
     log = np.log(16 / ratio**2)
     return (

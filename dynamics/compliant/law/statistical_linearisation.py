@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from dynamics.compliant.law.linear_response import predicted_rms
-from dynamics.compliant.law.roughness import Roughness
+from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 
 GAUSSIAN_NODES = np.linspace(-6.0, 6.0, 241)
@@ -28,9 +28,9 @@ root, to 0.5 %.
 def effective_load_factor(
     tabulated: TabulatedLaw,
     roughness: Roughness,
-    inclination,
-    load,
-    speed,
+    inclination: float | np.ndarray,
+    load: float | np.ndarray,
+    speed: float | np.ndarray,
     rounds: int = LINEARISATION_ROUNDS,
 ) -> np.ndarray:
     """Return the load factors (k,) that account for the vibration of the contact.
@@ -48,7 +48,14 @@ def effective_load_factor(
     return np.array(factors)
 
 
-def _load_factor_of_motion(tabulated, roughness, inclination, load, speed, rounds):
+def _load_factor_of_motion(
+    tabulated: TabulatedLaw,
+    roughness: Roughness,
+    inclination: float,
+    load: float,
+    speed: float,
+    rounds: int,
+) -> float:
     """Return the load factor in one steady motion by fixed-point iteration."""
     at = np.array([inclination])
     factor = 1.0
@@ -63,7 +70,7 @@ def _load_factor_of_motion(tabulated, roughness, inclination, load, speed, round
     return factor
 
 
-def mean_stiffness(K, load, scatter) -> float:
+def mean_stiffness(K: float, load: float, scatter: float) -> float:
     """Return the mean of the stiffness 1.5 K d^0.5 [N/m] for a Gaussian approach d.
 
     d has the standard deviation `scatter` [m]. The mean of K d^1.5 is the `load` [N];
@@ -73,12 +80,9 @@ def mean_stiffness(K, load, scatter) -> float:
     if not scatter > 0:
         return 1.5 * K * np.sqrt(still)
 
-    def mean_power(mean, exponent):
-        return (
-            K
-            * GAUSSIAN_WEIGHTS
-            @ np.maximum(mean + scatter * GAUSSIAN_NODES, 0.0) ** exponent
-        )
+    def mean_power(mean: float, exponent: float) -> float:
+        pressed = np.maximum(mean + scatter * GAUSSIAN_NODES, 0.0)
+        return float(K * GAUSSIAN_WEIGHTS @ pressed**exponent)
 
     mean = brentq(
         lambda mean: mean_power(mean, 1.5) - load,

@@ -83,7 +83,7 @@ class ModalReceptance:
     decay_rate: np.ndarray
 
     @cached_property
-    def components(self) -> tuple[np.ndarray, np.ndarray]:
+    def orders_and_squares(self) -> tuple[np.ndarray, np.ndarray]:
         """Orders (n,) and mean squares (n, m) of the shapes round the circle [1/kg]."""
         count = len(self.shapes)
         parts = np.abs(np.fft.fft(self.shapes, axis=0) / count) ** 2
@@ -104,7 +104,7 @@ class ModalReceptance:
             stride = max(len(self.shapes) // AVERAGED_AZIMUTH_COUNT, 1)
             return self.shapes[::stride] ** 2 @ self._response(omega)
         total = np.zeros(len(omega), complex)
-        for order in self.components[0]:
+        for order in self.orders_and_squares[0]:
             total += self.of_order(order, omega, rate)
         return total[None]
 
@@ -113,7 +113,7 @@ class ModalReceptance:
 
         It is the mean over the azimuth for a table that is not round.
         """
-        orders, parts = self.components
+        orders, parts = self.orders_and_squares
         square = parts[orders == order].sum(axis=0)
         some = square > 1e-8 * square.max(initial=0.0)
         response = self._response(omega + order * rate, some)
@@ -122,16 +122,16 @@ class ModalReceptance:
     def supplied_by_weight(self, load: float, rate: float) -> float:
         """Return the power [W] of the weight that drags its own static bowl."""
         power = 0.0
-        for order in self.components[0]:
+        for order in self.orders_and_squares[0]:
             bowl = self.of_order(order, np.zeros(1), rate)[0].imag
             power -= order * rate * bowl
         return load**2 * power
 
     @cached_property
-    def lowest_frequencies(self) -> dict[float, float]:
+    def lowest_frequency_by_order(self) -> dict[float, float]:
         """Lowest frequency [Hz] of a mode with relevant waves of each order above 0."""
         min_share = 0.01  # of the mean square of the mode
-        orders, parts = self.components
+        orders, parts = self.orders_and_squares
         shares = parts / np.maximum(parts.sum(axis=0), 1e-300)
         return {
             float(order): float(self.frequency[share > min_share].min())

@@ -306,7 +306,7 @@ class TabulatedSeriesLaw(TabulatedLaw):
     Creep forces and contact losses are unchanged. All springs scale with the load like
     the Hertz contact. The coupling between the directions a_1, a_2, a_3 is neglected:
     the error of the contact resonance is 0.3 to 0.9 % for the toy, and up to 6 % for an
-    upright coin (tests/compliant/test_edge_flexibility.py).
+    upright coin (tests/contact_law/test_edge_flexibility.py).
     """
 
     def flexibility(self, inclination: ArrayLike) -> np.ndarray:

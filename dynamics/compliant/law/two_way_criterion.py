@@ -15,13 +15,14 @@ from dynamics.compliant.law.linear_response import (
     force_per_height,
 )
 from dynamics.compliant.law.roughness import (
-    Roughness,
     ellipse_window,
     spectral_density,
 )
+from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.table_receptance import (
     InfinitePlateReceptance,
     ModalReceptance,
+    RigidTable,
 )
 from dynamics.compliant.law.tabulated import TabulatedLaw
 
@@ -127,6 +128,8 @@ def table_acceleration(receptance: Any, omega: np.ndarray) -> np.ndarray:
 
     It is the sum over the modal accelerations; an infinite plate radiates like its force.
     """
+    if isinstance(receptance, RigidTable):
+        return np.zeros(len(omega))
     if isinstance(receptance, InfinitePlateReceptance):
         return np.ones(len(omega))
     return _modal_acceleration(receptance, omega)

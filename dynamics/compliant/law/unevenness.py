@@ -8,7 +8,7 @@ profile of the rim.
 from functools import lru_cache
 from math import acos, acosh, ceil, exp, pi, sqrt
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import brentq
@@ -79,11 +79,12 @@ def random_waves(
     return size, phase
 
 
+@lru_cache(8)
 def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
-    """Return the amplitudes (n,) [m] along the contact circle on a ruled table.
+    """Return the read-only amplitudes (n,) [m] along the contact circle on a ruled table.
 
     The height depends only on x = R cos(a). The waves along x have the spectrum of the
-    roughness.
+    roughness. The plan, the checks and the models of a scene share the result.
     """
     # period of a ruled table, divided by its longest wave or the diameter of the disk
     min_grain_periods = 16
@@ -98,7 +99,9 @@ def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
     heights = np.zeros(count)
     for number, amplitude, shift in zip(along, size, phase, strict=True):
         heights += amplitude * np.cos(2 * pi * number / period * x + shift)
-    return fourier_amplitudes(heights, highest_order)
+    amplitudes = fourier_amplitudes(heights, highest_order)
+    amplitudes.flags.writeable = False
+    return amplitudes
 
 
 def measured_amplitudes(file: str, radius: float) -> np.ndarray:
@@ -155,7 +158,13 @@ def rim_heights(
     return np.fft.irfft(waves, count) * count / 2
 
 
-def static_depth(weight, modulus, radius, fillet, inclination):
+def static_depth(
+    weight: float,
+    modulus: float,
+    radius: float,
+    fillet: float,
+    inclination: float | np.ndarray,
+) -> Any:
     """Return the static approach [m] of the elastic edge to a smooth table.
 
     Examples
@@ -168,7 +177,7 @@ def static_depth(weight, modulus, radius, fillet, inclination):
 
 
 def curvature_number(
-    amplitudes, radius: float, inclination: float, depth: float
+    amplitudes: np.ndarray, radius: float, inclination: float, depth: float
 ) -> float:
     """Return kappa, the rms curvature of the unevenness over that of the tilted rim.
 

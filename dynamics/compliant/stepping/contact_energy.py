@@ -1,35 +1,14 @@
 """Contact energy as a function of the gap, and evaluation of the tabulated law."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
-from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.state_layout import STATE, LawCubics
 from dynamics.numba_kernels import kernel
 
 
-class LawCubics(NamedTuple):
-    """Tabulated contact law as cubic polynomials of ln(sin(beta)).
-
-    Attributes
-    ----------
-    grid_start : float
-        First node.
-    intervals_per_unit : float
-        Reciprocal distance between nodes.
-    cubics : (intervals, columns, 4) array
-        Coefficients for the position within each interval (0 to 1), highest power
-        first.
-    """
-
-    grid_start: float
-    intervals_per_unit: float
-    cubics: np.ndarray
-
-
 @kernel
-def law_interval(law, sine):
+def law_interval(law: LawCubics, sine: float) -> tuple[int, float]:
     """Return the table interval that contains ln(sine), and the position in it."""
     x = (np.log(sine) - law.grid_start) * law.intervals_per_unit
     i = min(max(int(x), 0), len(law.cubics) - 1)
@@ -37,7 +16,7 @@ def law_interval(law, sine):
 
 
 @kernel
-def update_law_interval(y, law):
+def update_law_interval(y: np.ndarray, law: LawCubics) -> None:
     """Update the sine of the inclination in the state, and its table interval."""
     y[STATE.sin_inclination] = np.sqrt(
         y[STATE.axis] * y[STATE.axis] + y[STATE.axis + 1] * y[STATE.axis + 1]
@@ -48,7 +27,7 @@ def update_law_interval(y, law):
 
 
 @kernel
-def law_column(law, i, u, column):
+def law_column(law: LawCubics, i: int, u: float, column: int) -> float:
     """Return the value of a column of the law at the fraction u of interval i."""
     cubics = law.cubics
     return cubics[i, column, 3] + u * (
@@ -57,13 +36,13 @@ def law_column(law, i, u, column):
 
 
 @kernel
-def current_law(y, law, column):
+def current_law(y: np.ndarray, law: LawCubics, column: int) -> float:
     """Return the value of a column of the law at the inclination of the state."""
     return law_column(law, int(y[STATE.law_interval]), y[STATE.law_fraction], column)
 
 
 @kernel
-def hertz_stiffness_slope(law, i, u, sine):
+def hertz_stiffness_slope(law: LawCubics, i: int, u: float, sine: float) -> float:
     """Return the derivative dK/ds of the stiffness by s = sine at position u in interval i."""
     column = LAW_COLUMNS.hertz_stiffness
     cubics = law.cubics
@@ -74,7 +53,7 @@ def hertz_stiffness_slope(law, i, u, sine):
 
 
 @kernel
-def square_root_of_approach(gap):
+def square_root_of_approach(gap: float) -> float:
     """Return r = sqrt(-G) [m^0.5] of a gap G [m], or 0 for an open gap.
 
     The contact energy is U = 2/5 K r^5.
@@ -83,7 +62,7 @@ def square_root_of_approach(gap):
 
 
 @kernel
-def mean_force(r0, r1, gap0, gap1):
+def mean_force(r0: float, r1: float, gap0: float, gap1: float) -> float:
     """Return the mean force divided by the stiffness, -(U1 - U0)/K/(G1 - G0) [m^1.5].
 
     If both gaps are closed, the common factor r1 - r0 is cancelled analytically.

@@ -15,21 +15,24 @@ import numpy as np
 
 from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
-from dynamics.compliant.law.linearised import inertias, required_step_rate
+from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.sections import Imperfection
 from dynamics.compliant.law.tabulated import LOG_SINE_GRID_STEP, TabulatedLaw
-from dynamics.compliant.stepping.contact_energy import LawCubics
-from dynamics.compliant.stepping.rim_modes import NO_RIM_MODES, RimModes
-from dynamics.compliant.stepping.state_layout import STATE, STATE_SIZE, ModelConstants
+from dynamics.compliant.stepping.state_layout import (
+    STATE,
+    STATE_SIZE,
+    CompiledModel,
+    LawCubics,
+    ModelConstants,
+)
 from dynamics.compliant.stepping.table_modes import (
     ContactModes,
     modes_at_rest,
     set_steady_mode_response,
     wavy_table,
 )
+from dynamics.compliant.stepping.tangential import film_forces_on_table
 from dynamics.compliant.stepping.time_loop import (
-    CompiledModel,
-    EndReason,
     MotionRecords,
     MotionSteps,
     step_motion,
@@ -38,6 +41,9 @@ from dynamics.contact_losses import ContactLosses
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film, film_in_si_units
 from dynamics.solver_settings import ACCURACY_LEVELS
+from dynamics.stepping_core.body import body_constants
+from dynamics.stepping_core.end_reasons import EndReason
+from dynamics.stepping_core.rim_modes import NO_RIM_MODES, RimModes
 
 STEPS_PER_CALL = 2**15
 """Number of steps in one call of the time loop, unless a row has more."""
@@ -48,8 +54,8 @@ END_REASONS = {
     "other rim",
     EndReason.UNSOLVED: "the roughness rotated the disk too far in one step: there are several contacts, "
     "or the step rate is too low",
-    EndReason.IS_AIRBORNE: "the air film supported the disk; "
-    "the wedge model of the film requires a contact",
+    EndReason.IS_AIRBORNE: "the disk was higher above the table than it was tilted; "
+    "its landing on the film of air does not need the contact",
 }
 """Reasons for the end of a motion."""
 
@@ -138,21 +144,21 @@ class CompliantModel:
         f = self.friction
         has_spin_friction = f.arm_pivoting == "contact"
         fillet = self.tabulated_law.law.rolling_fillet
-        core = disk.radius - fillet, disk.thickness / 2 - fillet, fillet
-        J1, J2 = inertias(disk)
-        body = disk.mass, J1, J2, 1 / J2 - 1 / J1, disk.radius, *core, disk.weight
-        friction = (
-            min(f.mu_static, MAX_FINITE_FRICTION),
-            min(f.mu_dynamic, MAX_FINITE_FRICTION),
-            f.arm_nutation,
-            f.arm_rolling,
-            0.0 if has_spin_friction else f.arm_pivoting,
+        viscous_moment, viscous_force = self.viscous
+        return ModelConstants(
+            **body_constants(disk, fillet, self.bowl_curvature, self.bowl_place),
+            weight=disk.weight,
+            mu_static=min(f.mu_static, MAX_FINITE_FRICTION),
+            mu_dynamic=min(f.mu_dynamic, MAX_FINITE_FRICTION),
+            arm_nutation=f.arm_nutation,
+            arm_rolling=f.arm_rolling,
+            arm_pivoting=0.0 if has_spin_friction else float(f.arm_pivoting),
+            viscous_moment=viscous_moment,
+            viscous_force=viscous_force,
+            has_spin_friction=float(has_spin_friction),
+            friction_is_fitted=float(self.friction_is_fitted),
+            film=film_in_si_units(self.film, disk),
         )
-        bowl = disk.weight * self.bowl_curvature, *self.bowl_place
-        extra = *bowl, has_spin_friction, self.friction_is_fitted
-        values = *body, *friction, *self.viscous, *extra
-        film = film_in_si_units(self.film, disk)
-        return ModelConstants._make([*map(float, values), film])
 
     @cached_property
     def cubics(self) -> LawCubics:
@@ -286,12 +292,18 @@ class CompliantModel:
                 end_reason,
             )
 
-    def supporting_modes(self, y: np.ndarray) -> ContactModes:
-        """Return the modes that support a disk in the state y, and adjust its height."""
+    def supporting_modes(self, y: np.ndarray) -> ContactModes | None:
+        """Return the modes that support a disk in the state y, and adjust its height.
+
+        Without table modes, there are no disk modes.
+        """
         if self.imperfection is not None:
             return wavy_table(self.imperfection, y, self.constants)
+        if self.modes is None or not len(self.modes.frequency):
+            return None
         supporting = modes_at_rest(self.modes, 1 / self.rate, self.disk_modes)
-        set_steady_mode_response(supporting, self.modes, self, y)
+        forces = film_forces_on_table(y, self.constants)
+        set_steady_mode_response(supporting, self.modes, self, y, forces)
         return supporting
 
     def _check_step_rate(self, y: np.ndarray) -> None:

@@ -29,7 +29,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.law.height_profile import mean_height
+from dynamics.compliant.law.height_profile import Profile, mean_height
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     current_law,
@@ -39,41 +39,45 @@ from dynamics.compliant.stepping.contact_energy import (
     mean_force,
     square_root_of_approach,
 )
-from dynamics.compliant.stepping.state_layout import STATE
-from dynamics.compliant.stepping.vectors import cross, dot, plus, times, vector
+from dynamics.compliant.stepping.state_layout import (
+    STATE,
+    CompiledModel,
+    LawCubics,
+    ModelConstants,
+)
 from dynamics.numba_kernels import kernel
+from dynamics.stepping_core.rotation import rotation_change
+from dynamics.stepping_core.vectors import (
+    AnyVector,
+    Triple,
+    cross,
+    dot,
+    plus,
+    times,
+    vector,
+)
 
 MAX_ITERATIONS = 40
 """Largest number of iterations for the normal force in one step."""
 
 
 @kernel
-def rotation_change(n, b):
-    """Return the change m - n of the vector n that satisfies m - n = b x (m + n)."""
-    k0, k1, k2 = cross(b, n)
-    b0, b1, b2 = b
-    q = 2 / (1 + b0 * b0 + b1 * b1 + b2 * b2)
-    m0 = q * (k0 + b1 * k2 - b2 * k1)
-    m1 = q * (k1 + b2 * k0 - b0 * k2)
-    m2 = q * (k2 + b0 * k1 - b1 * k0)
-    return m0, m1, m2
-
-
-@kernel
-def contact_moves(displacement):
+def contact_moves(displacement: float) -> bool:
     """Return False if the contact is stationary in a step with this displacement [m]."""
     max_stationary_displacement = 1e-10
     return abs(displacement) > max_stationary_displacement
 
 
 @kernel
-def height_at_step_end(profile, path, moved, half, before):
+def height_at_step_end(
+    profile: Profile, path: float, moved: float, half: float, before: float
+) -> float:
     """Return the height after a step, which is unchanged if the contact is stationary."""
     return mean_height(profile, path + moved, half) if contact_moves(moved) else before
 
 
 @kernel
-def mean_slope(y0, y1, dx):
+def mean_slope(y0: float, y1: float, dx: float) -> float:
     """Return the mean slope of heights along a path; 0 if the contact is stationary."""
     return (y1 - y0) / dx if contact_moves(dx) else 0.0
 
@@ -92,7 +96,7 @@ class ContactFrame(NamedTuple):
 
 
 @kernel
-def contact_frame(constants, axis):
+def contact_frame(constants: ModelConstants, axis: Triple) -> ContactFrame:
     """Return the frame of the contact of a disk with an `axis` (3,)."""
     R = constants.core_radius
     H = constants.core_depth
@@ -140,8 +144,10 @@ class StepStart(NamedTuple):
 
 
 @kernel
-def step_start(y, constants, law, h):
+def step_start(y: np.ndarray, model: CompiledModel, h: float) -> StepStart:
     """Return the `StepStart` of a step h."""
+    constants = model.constants
+    law = model.law
     axis = vector(y, STATE.axis)
     momentum = vector(y, STATE.angular_momentum)
     quarter_turn = times(h / (2 * constants.diametral_inertia) / 2, momentum)
@@ -169,7 +175,15 @@ def step_start(y, constants, law, h):
 
 
 @kernel
-def path_changes(frame, constants, velocity, momentum, spin_along, spin_up, h):
+def path_changes(
+    frame: ContactFrame,
+    constants: ModelConstants,
+    velocity: AnyVector,
+    momentum: AnyVector,
+    spin_along: float,
+    spin_up: float,
+    h: float,
+) -> tuple[float, float]:
     """Return the advance of the contact along the path and along the edge [m] in a step.
 
     `spin_along` and `spin_up` are the components of the spin e (L.n) n along d and up.
@@ -188,7 +202,12 @@ def path_changes(frame, constants, velocity, momentum, spin_along, spin_up, h):
 
 
 @kernel
-def mean_spin(constants, start, mean_momentum, axis):
+def mean_spin(
+    constants: ModelConstants,
+    start: StepStart,
+    mean_momentum: AnyVector,
+    axis: AnyVector,
+) -> float:
     """Return e/2 times the mean of L.n at both ends of a step; `axis` is that at its end."""
     momentum = start.momentum
     return (
@@ -204,7 +223,9 @@ def mean_spin(constants, start, mean_momentum, axis):
 
 
 @kernel
-def rolling_moment(frame, N, table_slope, edge_slope):
+def rolling_moment(
+    frame: ContactFrame, N: float, table_slope: float, edge_slope: float
+) -> float:
     """Return the moment of the force N about d on slopes of table and edge."""
     return N * (table_slope * frame.lever + edge_slope * frame.rim_lever)
 
@@ -223,7 +244,14 @@ class ContactLoad(NamedTuple):
 
 
 @kernel
-def midpoint_velocities(y, constants, frame, load, A, h):
+def midpoint_velocities(
+    y: np.ndarray,
+    constants: ModelConstants,
+    frame: ContactFrame,
+    load: ContactLoad,
+    A: AnyVector,
+    h: float,
+) -> tuple[Triple, Triple]:
     """Return velocity and angular momentum at mid-step under a `ContactLoad`.
 
     A is the sum of the axes at both ends of the step.
@@ -294,7 +322,9 @@ class ContactEnd(NamedTuple):
 
 
 @kernel
-def end_without_load(y, constants, start, h):
+def end_without_load(
+    y: np.ndarray, constants: ModelConstants, start: StepStart, h: float
+) -> StepEnd:
     """Return the `StepEnd` with the axis of the frame and the velocities at the start.
 
     The sum of the axes and the sines are twice those of the frame at mid-step.
@@ -327,7 +357,14 @@ def end_without_load(y, constants, start, h):
 
 
 @kernel
-def end_under_load(y, constants, start, load, axis_sum, h):
+def end_under_load(
+    y: np.ndarray,
+    constants: ModelConstants,
+    start: StepStart,
+    load: ContactLoad,
+    axis_sum: AnyVector,
+    h: float,
+) -> StepEnd:
     """Return the `StepEnd` under a `ContactLoad`; the sum of the axes is an estimate."""
     frame = start.frame
     V, M = midpoint_velocities(y, constants, frame, load, axis_sum, h)
@@ -364,18 +401,20 @@ def end_under_load(y, constants, start, load, axis_sum, h):
 
 
 @kernel
-def heights_at_end(y, table, rim, start, end):
+def heights_at_end(
+    y: np.ndarray, model: CompiledModel, start: StepStart, end: StepEnd
+) -> HeightsAtEnd:
     """Return the `HeightsAtEnd` of a step."""
     return HeightsAtEnd(
         height_at_step_end(
-            table,
+            model.table,
             y[STATE.table_path],
             end.path_change,
             start.half_length,
             start.table_height,
         ),
         height_at_step_end(
-            rim,
+            model.rim,
             y[STATE.edge_path],
             end.edge_path_change,
             start.half_length,
@@ -387,7 +426,9 @@ def heights_at_end(y, table, rim, start, end):
 
 
 @kernel
-def contact_load(start, end, heights, N, torque):
+def contact_load(
+    start: StepStart, end: StepEnd, heights: HeightsAtEnd, N: float, torque: float
+) -> ContactLoad:
     """Return the `ContactLoad` of the normal force N and the torque g."""
     table_slope = mean_slope(start.table_height, heights.table_height, end.path_change)
     edge_slope = mean_slope(
@@ -402,7 +443,9 @@ def contact_load(start, end, heights, N, torque):
 
 
 @kernel
-def initial_force(y, start, heights):
+def initial_force(
+    y: np.ndarray, start: StepStart, heights: HeightsAtEnd
+) -> tuple[float, float]:
     """Return estimates of the normal force N and the torque g.
 
     They follow from the gap without heights, which is smoother than the force.
@@ -420,7 +463,14 @@ def initial_force(y, start, heights):
 
 
 @kernel
-def mean_stiffness_slope(law, start, end, contact_stiffness, interval, fraction):
+def mean_stiffness_slope(
+    law: LawCubics,
+    start: StepStart,
+    end: StepEnd,
+    contact_stiffness: float,
+    interval: int,
+    fraction: float,
+) -> float:
     """Return the difference quotient of the stiffness by s, or the mean of dK/ds."""
     # Relative change of sin(beta) below which the mean of dK/ds replaces its
     # difference quotient
@@ -432,7 +482,9 @@ def mean_stiffness_slope(law, start, end, contact_stiffness, interval, fraction)
 
 
 @kernel
-def contact_at_end(law, start, end, heights, h):
+def contact_at_end(
+    law: LawCubics, start: StepStart, end: StepEnd, heights: HeightsAtEnd, h: float
+) -> ContactEnd:
     """Return the `ContactEnd` of a step h."""
     i, u = law_interval(law, end.sine)
     stiffness = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
@@ -454,7 +506,14 @@ def contact_at_end(law, start, end, heights, h):
 
 
 @kernel
-def force_correction(constants, start, end, contact, N, h):
+def force_correction(
+    constants: ModelConstants,
+    start: StepStart,
+    end: StepEnd,
+    contact: ContactEnd,
+    N: float,
+    h: float,
+) -> float:
     """Return the Newton correction of the normal force N [N]."""
     damped_force = contact.elastic_force * (1 - start.loss * contact.gap_change)
     error = max(0.0, damped_force) - N
@@ -471,11 +530,21 @@ def force_correction(constants, start, end, contact, N, h):
 
 
 @kernel
-def finish_step(y, constants, law, start, end, contact, load, h):
+def finish_step(
+    y: np.ndarray,
+    model: CompiledModel,
+    start: StepStart,
+    end: StepEnd,
+    contact: ContactEnd,
+    load: ContactLoad,
+    h: float,
+) -> None:
     """Write the state at the end of a step under the final `ContactLoad`.
 
     The change of the load since `end` changes velocities and axis to first order.
     """
+    constants = model.constants
+    law = model.law
     V, M = midpoint_velocities(y, constants, start.frame, load, end.axis_sum, h)
     M0, M1, M2 = end.momentum
     change = (M[0] - M0, M[1] - M1, M[2] - M2)
@@ -516,7 +585,7 @@ def finish_step(y, constants, law, start, end, contact, load, h):
 
 
 @kernel
-def step_normal(y, constants, law, table, rim, h):
+def step_normal(y: np.ndarray, model: CompiledModel, h: float) -> bool:
     """Advance y by the normal part of a step h; return False if there is no solution."""
     # Relative error of force and torque below which one more Newton step is
     # sufficient. The energy of an impact is then conserved to 1e-12.
@@ -527,7 +596,8 @@ def step_normal(y, constants, law, table, rim, h):
     height_update_distance = 1e-9
     # Largest number of evaluations of the heights in one step
     max_height_evaluations = 3
-    start = step_start(y, constants, law, h)
+    constants = model.constants
+    start = step_start(y, model, h)
     end = end_without_load(y, constants, start, h)
     heights = HeightsAtEnd(start.table_height, start.edge_height, np.inf, np.inf)
     N = 0.0
@@ -538,12 +608,12 @@ def step_normal(y, constants, law, table, rim, h):
             abs(end.edge_path_change - heights.edge_path_change),
         )
         if iteration < max_height_evaluations and moved > height_update_distance:
-            heights = heights_at_end(y, table, rim, start, end)
+            heights = heights_at_end(y, model, start, end)
         if iteration == 0:
             N, torque = initial_force(y, start, heights)
         load = contact_load(start, end, heights, N, torque)
         end = end_under_load(y, constants, start, load, end.axis_sum, h)
-        contact = contact_at_end(law, start, end, heights, h)
+        contact = contact_at_end(model.law, start, end, heights, h)
         next_load = contact_load(start, end, heights, N, torque)
         torque_error = abs(contact.torque - torque) + abs(next_load.roll - load.roll)
         torque = contact.torque
@@ -553,6 +623,6 @@ def step_normal(y, constants, law, table, rim, h):
         N += correction
         if converged:
             load = contact_load(start, end, heights, N, torque)
-            finish_step(y, constants, law, start, end, contact, load, h)
+            finish_step(y, model, start, end, contact, load, h)
             return True
     return False

@@ -34,31 +34,40 @@ from dynamics.compliant.stepping.contact_energy import (
     mean_force,
     square_root_of_approach,
 )
-from dynamics.compliant.stepping.normal import MAX_ITERATIONS, rotation_change
-from dynamics.compliant.stepping.rim_modes import disk_twist_rate
-from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.normal import MAX_ITERATIONS
+from dynamics.compliant.stepping.state_layout import (
+    STATE,
+    CompiledModel,
+    LawCubics,
+    ModelConstants,
+)
 from dynamics.compliant.stepping.table_modes import (
     CONTACT,
+    ContactModes,
     advance_modes,
     angle_between,
     mode_work_sums,
     predict_free_motion,
     track_contact,
 )
-from dynamics.compliant.stepping.tangential import step_tangential_at
-from dynamics.compliant.stepping.vectors import dot, plus, times, vector
+from dynamics.compliant.stepping.tangential import step_tangential
 from dynamics.numba_kernels import kernel
+from dynamics.stepping_core.rim_modes import disk_twist_rate
+from dynamics.stepping_core.rotation import rotation_change
+from dynamics.stepping_core.vectors import AnyVector, Triple, dot, plus, times, vector
 
 
 @kernel
-def update_gap_stiffness(y, constants, modes, law):
+def update_gap_stiffness(
+    y: np.ndarray, model: CompiledModel, modes: ContactModes
+) -> None:
     """Update the contact stiffness to the current inclination; see above."""
     K0 = modes.contact[CONTACT.gap_stiffness]
-    K1 = current_law(y, law, LAW_COLUMNS.hertz_stiffness)
+    K1 = current_law(y, model.law, LAW_COLUMNS.hertz_stiffness)
     modes.contact[CONTACT.gap_stiffness] = K1
     root = square_root_of_approach(y[STATE.gap])
     if root > 0 and K0 > 0:
-        add_kinetic_energy(y, constants, modes, 0.4 * (K0 - K1) * root**5)
+        add_kinetic_energy(y, model.constants, modes, 0.4 * (K0 - K1) * root**5)
 
 
 class ContactMove(NamedTuple):
@@ -129,10 +138,13 @@ class GapEnd(NamedTuple):
 
 
 @kernel
-def find_contact(y, constants, law, table, rim, modes, scratch, h):
+def find_contact(
+    y: np.ndarray, model: CompiledModel, modes: ContactModes, h: float
+) -> ContactMove:
     """Return the `ContactMove` of a step h; a contact that jumps is moved before the step."""
     # largest rotation [rad] of a rolling contact in one step; beyond it, the contact has jumped
     max_rolling_turn = 0.3
+    constants = model.constants
     velocity = vector(y, STATE.velocity)
     n = vector(y, STATE.axis)
     L = vector(y, STATE.angular_momentum)
@@ -146,14 +158,13 @@ def find_contact(y, constants, law, table, rim, modes, scratch, h):
     )
     turned = angle_between(np.arctan2(n[1], n[0]), before)
     edge_path = y[STATE.edge_path] + constants.radius * (turned - twist_change)
-    half_length = current_law(y, law, LAW_COLUMNS.half_length)
+    half_length = current_law(y, model.law, LAW_COLUMNS.half_length)
     angle, height, path_change = track_contact(
         modes,
         constants,
         (y[0] + h * velocity[0], y[1] + h * velocity[1]),
         axis,
-        (table, rim, table_path, edge_path, half_length),
-        scratch,
+        (model.table, model.rim, table_path, edge_path, half_length),
     )
     turn = abs(angle_between(before, angle))
     jumped = turn > max_rolling_turn
@@ -180,7 +191,9 @@ def find_contact(y, constants, law, table, rim, modes, scratch, h):
 
 
 @kernel
-def gap_at_start(y, law, modes, h):
+def gap_at_start(
+    y: np.ndarray, law: LawCubics, modes: ContactModes, h: float
+) -> GapStart:
     """Return the `GapStart` of a step h."""
     sine = max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
     return GapStart(
@@ -199,7 +212,15 @@ def gap_at_start(y, law, modes, h):
 
 
 @kernel
-def momentum_at_mid_step(L, move, constants, t, N, stiffening, h):
+def momentum_at_mid_step(
+    L: AnyVector,
+    move: ContactMove,
+    constants: ModelConstants,
+    t: AnyVector,
+    N: float,
+    stiffening: float,
+    h: float,
+) -> Triple:
     """Return the angular momentum [kg m^2/s] at mid-step, under the force N and the torque g.
 
     L is that at the start of the step, t the mean axis and `stiffening` the ratio g/s~.
@@ -215,7 +236,15 @@ def momentum_at_mid_step(L, move, constants, t, N, stiffening, h):
 
 
 @kernel
-def gap_changes(n, a, q, move, constants, N, dz):
+def gap_changes(
+    n: AnyVector,
+    a: AnyVector,
+    q: AnyVector,
+    move: ContactMove,
+    constants: ModelConstants,
+    N: float,
+    dz: float,
+) -> tuple[float, float]:
     """Return dG and T [m] of a step in which the axis n changes by q to a.
 
     N is the normal force and dz the change in height of the centre [m].
@@ -231,7 +260,16 @@ def gap_changes(n, a, q, move, constants, N, dz):
 
 
 @kernel
-def gap_at_end(start, move, constants, axis, N, torque, stiffness_slope, h):
+def gap_at_end(
+    start: GapStart,
+    move: ContactMove,
+    constants: ModelConstants,
+    axis: AnyVector,
+    N: float,
+    torque: float,
+    stiffness_slope: float,
+    h: float,
+) -> GapEnd:
     """Return the `GapEnd` of a step h under the normal force N.
 
     The axis at the end of the step, the torque g and dK/ds are those of the previous trial.
@@ -272,7 +310,16 @@ def gap_at_end(start, move, constants, axis, N, torque, stiffness_slope, h):
 
 
 @kernel
-def next_normal_force(start, move, end, constants, N, other_force, other_error, h):
+def next_normal_force(
+    start: GapStart,
+    move: ContactMove,
+    end: GapEnd,
+    constants: ModelConstants,
+    N: float,
+    other_force: float,
+    other_error: float,
+    h: float,
+) -> float:
     """Return the next trial of the normal force after N and `other_force`.
 
     In a hard impact Newton's method alternates around the solution, which the secant
@@ -295,7 +342,13 @@ def next_normal_force(start, move, end, constants, N, other_force, other_error, 
 
 
 @kernel
-def solve_normal_force(y, start, move, constants, h):
+def solve_normal_force(
+    y: np.ndarray,
+    start: GapStart,
+    move: ContactMove,
+    constants: ModelConstants,
+    h: float,
+) -> tuple[bool, float, GapEnd]:
     """Return True if there is a normal force for a step h, the force, and its `GapEnd`."""
     # tolerance of the normal force, divided by the sum of force and weight, and of the axis
     tolerance = 1e-12
@@ -332,14 +385,17 @@ def solve_normal_force(y, start, move, constants, h):
 
 
 @kernel
-def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
+def step_normal_with_modes(
+    y: np.ndarray, model: CompiledModel, modes: ContactModes, h: float
+) -> bool:
     """Advance the state y and the modes by the normal part of a step h.
 
     Returns False if the normal force has no solution.
     """
-    update_gap_stiffness(y, constants, modes, law)
-    move = find_contact(y, constants, law, table, rim, modes, scratch, h)
-    start = gap_at_start(y, law, modes, h)
+    constants = model.constants
+    update_gap_stiffness(y, model, modes)
+    move = find_contact(y, model, modes, h)
+    start = gap_at_start(y, model.law, modes, h)
     solved, N, end = solve_normal_force(y, start, move, constants, h)
     if not solved:
         return False
@@ -371,13 +427,19 @@ def step_normal_with_modes(y, constants, law, table, rim, modes, scratch, h):
     add_kinetic_energy(y, constants, modes, N * end.gap_error)
     y[STATE.sin_inclination] = np.sqrt(a[0] * a[0] + a[1] * a[1])
     y[STATE.law_interval], y[STATE.law_fraction] = law_interval(
-        law, max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
+        model.law, max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
     )
     return True
 
 
 @kernel
-def move_contact_along_rim(y, constants, modes, angle, height):
+def move_contact_along_rim(
+    y: np.ndarray,
+    constants: ModelConstants,
+    modes: ContactModes,
+    angle: float,
+    height: float,
+) -> None:
     """Move the contact to another place of the rim, at a constant state of disk and table.
 
     The new place is that of `shape_after`. The gap there is usually larger, and the
@@ -403,26 +465,25 @@ def move_contact_along_rim(y, constants, modes, angle, height):
 
 
 @kernel
-def step_tangential_with_modes(y, constants, powers, law, modes, h):
+def step_tangential_with_modes(
+    y: np.ndarray, model: CompiledModel, modes: ContactModes, h: float
+) -> None:
     """Advance the state y by the tangential part of a step h.
 
     Away from the lowest point of the rim, t and d are not exactly the principal
     directions of the mobility. The velocities are scaled to compensate for the energy
     error of the midpoint rule.
     """
+    constants = model.constants
     energy_before = kinetic_energy(y, constants) + stored_and_lost_energy(y)
     angle = modes.contact[CONTACT.angle]
-    step_tangential_at(y, constants, powers, law, np.cos(angle), np.sin(angle), h)
-    add_kinetic_energy(
-        y,
-        constants,
-        modes,
-        energy_before - kinetic_energy(y, constants) - stored_and_lost_energy(y),
-    )
+    given = step_tangential(y, model, modes, np.cos(angle), np.sin(angle), h)
+    energy = kinetic_energy(y, constants) + stored_and_lost_energy(y)
+    add_kinetic_energy(y, constants, modes, energy_before - energy - given)
 
 
 @kernel
-def stored_and_lost_energy(y):
+def stored_and_lost_energy(y: np.ndarray) -> float:
     """Return the energy of springs and squeezed air plus that lost so far."""
     springs = (
         y[STATE.spring_stiffness] * y[STATE.spring_stretch] ** 2
@@ -439,7 +500,7 @@ def stored_and_lost_energy(y):
 
 
 @kernel
-def kinetic_energy(y, constants):
+def kinetic_energy(y: np.ndarray, constants: ModelConstants) -> float:
     """Return the kinetic energy of the disk."""
     v = vector(y, STATE.velocity)
     L = vector(y, STATE.angular_momentum)
@@ -450,7 +511,9 @@ def kinetic_energy(y, constants):
 
 
 @kernel
-def add_kinetic_energy(y, constants, modes, work):
+def add_kinetic_energy(
+    y: np.ndarray, constants: ModelConstants, modes: ContactModes, work: float
+) -> None:
     """Add `work` to the kinetic energy of the disk by scaling its velocities.
 
     If the kinetic energy is insufficient, the modes supply the rest. The remainder is

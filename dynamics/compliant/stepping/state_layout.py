@@ -1,21 +1,13 @@
-"""Layout of the state array and the model constants of the compliant motion."""
+"""Layout of the state array, and the model of the compliant motion in compiled code."""
 
-from itertools import accumulate
-from typing import Annotated, NamedTuple, get_type_hints
+from typing import NamedTuple
 
+import numpy as np
+
+from dynamics.compliant.law.height_profile import Profile
 from dynamics.film.wedge import Film
-
-Pair = Annotated[int, 2]
-"""Index of the first of two successive entries."""
-Vector = Annotated[int, 3]
-"""Index of the first of three successive entries."""
-
-
-def first_indices(layout):
-    """Return a `layout` (NamedTuple class) of first indices, and the number of entries."""
-    hints = get_type_hints(layout, include_extras=True).values()
-    sizes = [getattr(hint, "__metadata__", (1,))[0] for hint in hints]
-    return layout(*accumulate(sizes[:-1], initial=0)), sum(sizes)
+from dynamics.stepping_core.layout import Pair, Vector, first_indices
+from dynamics.stepping_core.ledger import losses_of
 
 
 class StateLayout(NamedTuple):
@@ -74,12 +66,8 @@ class StateLayout(NamedTuple):
     relieved_friction_energy: int
     """Energy by which fitted friction was reduced, because contact and creep had
     dissipated it [J]."""
-    film_lift: int
-    """Lift of the air film [N]."""
-    flight_duration: int
-    """Duration of the current loss of contact [s]."""
-    flight_lift_impulse: int
-    """Impulse of the lift of the film during the current loss of contact [N s]."""
+    table_rise: int
+    """Upward velocity of the modes of the table below the contact [m/s]."""
     squeezed_air_energy: int
     """Energy of the compressed air in the film [J]."""
     energy_deficit: int
@@ -94,7 +82,7 @@ class StateLayout(NamedTuple):
 STATE, STATE_SIZE = first_indices(StateLayout)
 STATE_SLICES = StateLayout._make(map(slice, STATE, (*STATE[1:], STATE_SIZE)))
 """Indices of all entries of each quantity in the state."""
-ENERGY_LOSSES = slice(STATE.contact_loss, STATE.body_loss + 1)
+ENERGY_LOSSES = losses_of(STATE)
 """Energies lost to each of CAUSES in the state [J]."""
 
 
@@ -113,6 +101,9 @@ class ModelConstants(NamedTuple):
     """Distance [m] of the centre of the fillet from the middle plane."""
     fillet: float
     """Radius of the edge [m]."""
+    bowl: tuple[float, float, float]
+    """Restoring acceleration of a concave table divided by the distance from its middle
+    [1/s^2], and position of the origin relative to its middle [m]."""
     weight: float
     mu_static: float
     mu_dynamic: float
@@ -123,14 +114,41 @@ class ModelConstants(NamedTuple):
     """Moment divided by angular velocity [N m s]."""
     viscous_force: float
     """Force divided by velocity [N s/m]."""
-    bowl_stiffness: float
-    """Restoring force of a concave table [N/m]."""
-    bowl_x: float
-    bowl_y: float
-    """Position of the origin relative to the middle of a concave table [m]."""
     has_spin_friction: float
     """1 if slip and creep in the contact replace arm_pivoting, else 0."""
     friction_is_fitted: float
     """1 if the friction was fitted to a rough disk and includes its losses, else 0."""
     film: Film
     """Constants of the air film; zeros without a film."""
+
+
+class LawCubics(NamedTuple):
+    """Tabulated contact law as cubic polynomials of ln(sin(beta)).
+
+    Attributes
+    ----------
+    grid_start : float
+        First node.
+    intervals_per_unit : float
+        Reciprocal distance between nodes.
+    cubics : (intervals, columns, 4) array
+        Coefficients for the position within each interval (0 to 1), highest power
+        first.
+    """
+
+    grid_start: float
+    intervals_per_unit: float
+    cubics: np.ndarray
+
+
+class CompiledModel(NamedTuple):
+    """Constants and tabulated functions of a model for the compiled time steps."""
+
+    constants: ModelConstants
+    powers: np.ndarray
+    """Power laws (n, 2) of the precession rate: c [W s^b] and b."""
+    law: LawCubics
+    """Tabulated contact law."""
+    table: Profile
+    """Height profiles of table and edge."""
+    rim: Profile

@@ -8,28 +8,35 @@ modes of the disk, which lower the rim by q w, obey the same equation (see
 rim_modes.py).
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from dynamics.compliant.law.height_profile import mean_rim_height
-from dynamics.compliant.stepping.rim_modes import (
+from dynamics.compliant.law.height_profile import Profile, mean_rim_height
+from dynamics.compliant.stepping.state_layout import STATE, STATE_SLICES, ModelConstants
+from dynamics.numba_kernels import kernel
+from dynamics.stepping_core.layout import first_indices
+from dynamics.stepping_core.oscillators import MidpointModes, midpoint_modes
+from dynamics.stepping_core.rim_modes import (
     NO_RIM_MODES,
     RimModes,
     evaluate_rim_ripple,
     rim_shapes,
     store_rim_shapes,
 )
-from dynamics.compliant.stepping.round_table import (
-    RoundTable,
-    round_deflection,
-    round_table,
-    store_round_shapes,
-    store_round_slopes,
+from dynamics.stepping_core.table_shapes import (
+    TableShapes,
+    spline_shapes,
+    store_table_shapes,
+    table_deflection,
+    table_shapes,
 )
-from dynamics.compliant.stepping.state_layout import STATE, STATE_SLICES, first_indices
-from dynamics.numba_kernels import kernel
+
+if TYPE_CHECKING:
+    from dynamics.compliant.law.sections import Imperfection
+    from dynamics.stepping_core.vectors import AnyVector
 
 RIM_SCAN_POINTS = 48
 """Number of points in a scan of the whole rim for minima of the gap."""
@@ -62,18 +69,8 @@ class ContactModes(NamedTuple):
 
     Attributes
     ----------
-    coefficients : (a, b, t) array
-        Spline coefficients of the shapes of the t table modes.
-    knots_x, knots_y : arrays
-        Knots of the splines [m].
-    round_shapes : RoundTable
-        Shapes of the modes of a round table, in place of the splines.
-    place : (2,) array
-        Position [m] in the frame of the shapes of the origin (`table_is_fixed` = 1) or
-        of the centre of the disk (`table_is_fixed` = 0).
-    table_is_fixed : float
-        0 if the mode shapes move with the disk, like those of modes given by numbers;
-        else 1.
+    table : TableShapes
+        Shapes of the t table modes.
     stiffness, damping : (m,) arrays
         Constants k [1/s^2] and c [1/s] of the modes.
     compliance : (m,) array
@@ -84,18 +81,17 @@ class ContactModes(NamedTuple):
         State of the modes.
     shape_before, shape_after : (m,) arrays
         Mode shapes at the contact at the start and at the end of the step.
+    film_shape : (m,) array
+        Shapes of the table modes below the centre of pressure of the film; 0 for the disk.
     free_change : (m,) array
         Change of the amplitudes in a step without contact force.
     contact : array
         Data of the contact; see `ContactLayout`.
+    scratch : (8, 6) array
+        Work array.
     """
 
-    coefficients: np.ndarray
-    knots_x: np.ndarray
-    knots_y: np.ndarray
-    round_shapes: RoundTable
-    place: np.ndarray
-    table_is_fixed: float
+    table: TableShapes
     stiffness: np.ndarray
     damping: np.ndarray
     compliance: np.ndarray
@@ -104,67 +100,41 @@ class ContactModes(NamedTuple):
     velocity: np.ndarray
     shape_before: np.ndarray
     shape_after: np.ndarray
+    film_shape: np.ndarray
     free_change: np.ndarray
     contact: np.ndarray
+    scratch: np.ndarray
 
 
-def modes_at_rest(modes, h: float, body: RimModes) -> ContactModes:
-    """Return table modes (`modal.SurfaceModes`) and disk modes at rest for steps h [s].
-
-    Without table modes, there are no disk modes.
-    """
-    if modes is None or not len(modes.frequency):
-        nothing = np.zeros(0)
-        return _at_rest(
-            np.zeros((0, 0, 0)),
-            nothing,
-            nothing,
-            round_shapes=round_table(None),
-            place=np.zeros(2),
-            table_is_fixed=1.0,
-            stiffness=nothing,
-            damping=nothing,
-            compliance=nothing,
-            rim=np.column_stack(NO_RIM_MODES),
-        )
+def modes_at_rest(modes: Any, h: float, body: RimModes) -> ContactModes:
+    """Return table modes (`modal.SurfaceModes`) and disk modes at rest for steps h [s]."""
     decay = np.append(modes.decay_rate, body.decay)
     squared = np.append((2 * np.pi * modes.frequency) ** 2, body.squared)
-    pole = -decay + 1j * np.sqrt(squared - decay**2 + 0j)
-    midpoint = 2 / h * np.tanh(pole * h / 2)
-    k = np.abs(midpoint) ** 2
-    c = -2 * midpoint.real
-    # copies, because read-only arrays have a different Numba type
-    return _at_rest(
-        *(np.array(part, order="C") for part in (modes.coefficients, *modes.knots)),
-        round_shapes=round_table(modes.round_shapes),
-        place=np.array(modes.place, dtype=float),
-        table_is_fixed=float(modes.mass > 0),  # modes given by numbers have no mass
-        stiffness=k,
-        damping=c,
-        compliance=1 / (1 + h * c / 2 + h * h * k / 4),
-        rim=np.column_stack(body),
-    )
+    return _at_rest(table_shapes(modes), midpoint_modes(squared, decay, h), body)
 
 
-def _at_rest(coefficients, knots_x, knots_y, **constants):
+def _at_rest(table: TableShapes, modes: MidpointModes, body: RimModes) -> ContactModes:
     """Return `ContactModes` whose amplitudes and velocities are zero."""
     max_gap_minima = 4  # number of minima of the gap that are tracked
-    m = len(constants["stiffness"])
+    m = len(modes.stiffness)
     return ContactModes(
-        coefficients,
-        knots_x,
-        knots_y,
-        **constants,
+        table,
+        *modes,
+        rim=np.column_stack(body),
         amplitude=np.zeros(m),
         velocity=np.zeros(m),
         shape_before=np.zeros(m),
         shape_after=np.zeros(m),
+        film_shape=np.zeros(m),
         free_change=np.zeros(m),
         contact=np.zeros(CONTACT.minimum_angles + max_gap_minima),
+        scratch=np.zeros((8, 6)),
     )
 
 
-def wavy_table(imperfection, y, constants) -> ContactModes:
+def wavy_table(
+    imperfection: "Imperfection", y: np.ndarray, constants: ModelConstants
+) -> ContactModes:
     """Return a rigid wavy table as one constant mode; raise the disk onto it.
 
     The height is amplitude (r/R)^n cos(n theta), where R is the radius of the contact
@@ -183,22 +153,15 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
         * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
     )
     spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
-    modes = _at_rest(
-        np.ascontiguousarray(spline.c.T[:, :, None]),
-        spline.t,
-        spline.t,
-        round_shapes=round_table(None),
-        place=np.zeros(2),
-        table_is_fixed=0.0,
-        stiffness=np.zeros(1),
-        damping=np.zeros(1),
-        compliance=np.zeros(1),
-        rim=np.column_stack(NO_RIM_MODES),
+    shapes = spline_shapes(
+        np.ascontiguousarray(spline.c.T[:, :, None]), spline.t, is_fixed=0.0
     )
+    constant = MidpointModes(np.zeros(1), np.zeros(1), np.zeros(1))
+    modes = _at_rest(shapes, constant, NO_RIM_MODES)
     modes.amplitude[:] = 1.0
     modes.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
     store_table_shapes(
-        modes,
+        modes.table,
         *(reach * a),
         np.zeros((3, 4)),
         np.zeros((3, 4)),
@@ -209,134 +172,26 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
 
 
 @kernel
-def cubic_basis(knots, x, out):
-    """Write four cubic B-splines at x and two derivatives to `out` (3, 4).
-
-    Returns the index of the first spline.
-    """
-    n = knots.size - 4
-    x = min(max(x, knots[3]), knots[n])
-    i = min(max(int((x - knots[3]) / (knots[n] - knots[3]) * (n - 3)) + 3, 3), n - 1)
-    while x < knots[i]:
-        i -= 1
-    while i < n - 1 and x >= knots[i + 1]:
-        i += 1
-    a = 1 / (knots[i + 1] - knots[i])
-    b0 = 1 / (knots[i + 1] - knots[i - 1])
-    b1 = 1 / (knots[i + 2] - knots[i])
-    c0 = 1 / (knots[i + 1] - knots[i - 2])
-    c1 = 1 / (knots[i + 2] - knots[i - 1])
-    c2 = 1 / (knots[i + 3] - knots[i])
-    l0 = (knots[i + 1] - x) * a
-    l1 = (x - knots[i]) * a
-    q0 = (knots[i + 1] - x) * b0 * l0
-    q2 = (x - knots[i]) * b1 * l1
-    q1 = 1 - q0 - q2
-    out[0, 0] = (knots[i + 1] - x) * c0 * q0
-    out[0, 3] = (x - knots[i]) * c2 * q2
-    out[0, 1] = (x - knots[i - 2]) * c0 * q0 + (knots[i + 2] - x) * c1 * q1
-    out[0, 2] = 1 - out[0, 0] - out[0, 1] - out[0, 3]
-    out[1, 0] = -3 * c0 * q0
-    out[1, 3] = 3 * c2 * q2
-    out[1, 1] = 3 * (c0 * q0 - c1 * q1)
-    out[1, 2] = 3 * (c1 * q1 - c2 * q2)
-    d0 = -2 * b0 * l0
-    d1 = 2 * (b0 * l0 - b1 * l1)
-    d2 = 2 * b1 * l1
-    out[2, 0] = -3 * c0 * d0
-    out[2, 3] = 3 * c2 * d2
-    out[2, 1] = 3 * (c0 * d0 - c1 * d1)
-    out[2, 2] = 3 * (c1 * d1 - c2 * d2)
-    return i - 3
-
-
-@kernel
-def store_table_shapes(modes, x, y, bx, by, shapes):
-    """Store the table mode shapes at (x, y) [m] in `shapes`."""
-    if modes.round_shapes.mode_index.size > 0:
-        store_round_shapes(
-            modes.round_shapes, x + modes.place[0], y + modes.place[1], shapes
-        )
-        return
-    i = cubic_basis(modes.knots_x, x + modes.place[0], bx)
-    j = cubic_basis(modes.knots_y, y + modes.place[1], by)
-    count = modes.coefficients.shape[2]
-    for m in range(count):
-        shapes[m] = 0.0
-    for a in range(4):
-        for b in range(4):
-            share = bx[0, a] * by[0, b]
-            row = modes.coefficients[i + a, j + b]
-            for m in range(count):
-                shapes[m] += share * row[m]
-
-
-@kernel
-def store_table_slopes(modes, x, y, bx, by, slopes):
-    """Store the slopes (2, t) of the table mode shapes along x and y at (x, y) [m]."""
-    if modes.round_shapes.mode_index.size > 0:
-        store_round_slopes(
-            modes.round_shapes, x + modes.place[0], y + modes.place[1], slopes
-        )
-        return
-    i = cubic_basis(modes.knots_x, x + modes.place[0], bx)
-    j = cubic_basis(modes.knots_y, y + modes.place[1], by)
-    slopes[:] = 0.0
-    for a in range(4):
-        for b in range(4):
-            row = modes.coefficients[i + a, j + b]
-            for m in range(row.size):
-                slopes[0, m] += bx[1, a] * by[0, b] * row[m]
-                slopes[1, m] += bx[0, a] * by[1, b] * row[m]
-
-
-@kernel
-def table_deflection(modes, x, y, bx, by, out):
-    """Write W at (x, y), its gradient and its derivatives xx, xy, yy to `out` (6,).
-
-    W is the deflection at the end of a step without contact force.
-    """
-    if modes.round_shapes.mode_index.size > 0:
-        round_deflection(
-            modes.round_shapes,
-            modes.amplitude,
-            modes.free_change,
-            x + modes.place[0],
-            y + modes.place[1],
-            out,
-        )
-        return
-    i = cubic_basis(modes.knots_x, x + modes.place[0], bx)
-    j = cubic_basis(modes.knots_y, y + modes.place[1], by)
-    out[:] = 0.0
-    for a in range(4):
-        for b in range(4):
-            row = modes.coefficients[i + a, j + b]
-            value = 0.0
-            for m in range(row.size):
-                value += row[m] * (modes.amplitude[m] + modes.free_change[m])
-            out[0] += bx[0, a] * by[0, b] * value
-            out[1] += bx[1, a] * by[0, b] * value
-            out[2] += bx[0, a] * by[1, b] * value
-            out[3] += bx[2, a] * by[0, b] * value
-            out[4] += bx[1, a] * by[1, b] * value
-            out[5] += bx[0, a] * by[2, b] * value
-
-
-@kernel
-def angle_between(before, after):
+def angle_between(before: float, after: float) -> float:
     """Return the signed angle [rad] from one direction to another, in [-pi, pi]."""
     return after - before - 2 * np.pi * np.rint((after - before) / (2 * np.pi))
 
 
 @kernel
-def evaluate_gap(modes, constants, centre, axis, angle, scratch):
+def evaluate_gap(
+    modes: ContactModes,
+    constants: ModelConstants,
+    centre: tuple[float, float],
+    axis: "AnyVector",
+    angle: float,
+) -> tuple[float, float, float, float]:
     """Evaluate table and rim at an angle of a disk with an axis n and a centre (x, y).
 
-    The deflection of the table and its derivatives are written to scratch[6], those of
-    the rim to scratch[7]. Returns cosine and sine of the angle, the reach from the
+    The deflection of the table and its derivatives are written to modes.scratch[6], those
+    of the rim to modes.scratch[7]. Returns cosine and sine of the angle, the reach from the
     centre [m], and n.e.
     """
+    scratch = modes.scratch
     x, y = centre
     n0, n1, n2 = axis
     c = np.cos(angle)
@@ -344,11 +199,12 @@ def evaluate_gap(modes, constants, centre, axis, angle, scratch):
     down = n0 * c + n1 * s
     reach = constants.core_radius * n2 - down * constants.core_depth
     table_deflection(
-        modes,
+        modes.table,
+        modes.amplitude,
+        modes.free_change,
         x + reach * c,
         y + reach * s,
-        scratch[0:3, 0:4],
-        scratch[3:6, 0:4],
+        (scratch[0:3, 0:4], scratch[3:6, 0:4]),
         scratch[6],
     )
     evaluate_rim_ripple(
@@ -362,7 +218,12 @@ def evaluate_gap(modes, constants, centre, axis, angle, scratch):
 
 
 @kernel
-def find_gap_minima(modes, constants, centre, axis, scratch):
+def find_gap_minima(
+    modes: ContactModes,
+    constants: ModelConstants,
+    centre: tuple[float, float],
+    axis: "AnyVector",
+) -> None:
     """Scan the whole rim for minima of the gap; store as many as there is space for.
 
     The scan begins at the contact, so that it is the same in all directions. A minimum
@@ -389,9 +250,8 @@ def find_gap_minima(modes, constants, centre, axis, scratch):
             centre,
             axis,
             contact + 2 * np.pi * n / RIM_SCAN_POINTS,
-            scratch,
         )
-        risen = scratch[6, 0] + scratch[7, 0]
+        risen = modes.scratch[6, 0] + modes.scratch[7, 0]
         highest = max(highest, risen)
         lowest = min(lowest, risen)
         value = risen + R * down
@@ -414,7 +274,13 @@ def find_gap_minima(modes, constants, centre, axis, scratch):
 
 
 @kernel
-def track_contact(modes, constants, centre, axis, rough, scratch):
+def track_contact(
+    modes: ContactModes,
+    constants: ModelConstants,
+    centre: tuple[float, float],
+    axis: "AnyVector",
+    rough: tuple[Profile, Profile, float, float, float],
+) -> tuple[float, float, float]:
     """Find the contact of a disk with an axis n and a centre (x, y) on the table.
 
     One Newton step updates each minimum of the gap without heights; the lowest one with
@@ -430,22 +296,23 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
     # curvature of the gap along the rim, divided by that on a level table, below which the disk
     # is almost parallel to the table
     min_curvature_ratio = 0.5
+    scratch = modes.scratch
     field = scratch[6]
     rim_field = scratch[7]
     R = constants.core_radius
     n0, n1, n2 = axis
     level_curvature = R * np.sqrt(n0 * n0 + n1 * n1)
-    x = modes.table_is_fixed * centre[0]
-    y = modes.table_is_fixed * centre[1]
+    x = modes.table.is_fixed * centre[0]
+    y = modes.table.is_fixed * centre[1]
     modes.contact[CONTACT.steps_to_scan] -= 1
     if modes.contact[CONTACT.steps_to_scan] < 0:
-        find_gap_minima(modes, constants, (x, y), axis, scratch)
+        find_gap_minima(modes, constants, (x, y), axis)
     last = modes.contact[CONTACT.angle]
     lowest_gap = -np.inf
     contact_angle = last
     for n in range(int(modes.contact[CONTACT.minimum_count])):
         angle = modes.contact[CONTACT.minimum_angles + n]
-        c, s, reach, down = evaluate_gap(modes, constants, (x, y), axis, angle, scratch)
+        c, s, reach, down = evaluate_gap(modes, constants, (x, y), axis, angle)
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
         slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
@@ -468,7 +335,7 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
     s = np.sin(contact_angle)
     reach = R * n2 - (n0 * c + n1 * s) * constants.core_depth
     store_table_shapes(
-        modes,
+        modes.table,
         x + reach * c,
         y + reach * s,
         scratch[0:3, 0:4],
@@ -487,7 +354,7 @@ def track_contact(modes, constants, centre, axis, rough, scratch):
 
 
 @kernel
-def predict_free_motion(modes, h):
+def predict_free_motion(modes: ContactModes, h: float) -> None:
     """Store the change of each amplitude in a step without contact force."""
     for m in range(len(modes.amplitude)):
         q = modes.amplitude[m]
@@ -498,7 +365,7 @@ def predict_free_motion(modes, h):
 
 
 @kernel
-def mode_work_sums(modes, h):
+def mode_work_sums(modes: ContactModes, h: float) -> tuple[float, float, float, float]:
     """Return D, E, P, S in the mode sums sum w~ dq = D - E N and sum q~ dw = P - S N."""
     D = 0.0
     E = 0.0
@@ -516,7 +383,7 @@ def mode_work_sums(modes, h):
 
 
 @kernel
-def advance_modes(modes, N, h):
+def advance_modes(modes: ContactModes, N: float, h: float) -> tuple[float, float]:
     """Advance the modes by a step h under the force N; return their energy losses.
 
     The losses are those of the table modes and of the disk modes.
@@ -537,7 +404,7 @@ def advance_modes(modes, N, h):
 
 
 @kernel
-def mode_energies(modes):
+def mode_energies(modes: ContactModes) -> tuple[float, float]:
     """Return the energies of the table modes and of the disk modes [J]."""
     energy = 0.0
     total = 0.0
@@ -551,14 +418,29 @@ def mode_energies(modes):
     return energy, total - energy
 
 
-def set_steady_mode_response(contact_modes: ContactModes, modes, model, y) -> None:
-    """Set the modes to their steady response to a steadily precessing contact force.
+@kernel
+def table_rise(modes: ContactModes) -> float:
+    """Return the upward velocity [m/s] of the modes of the table below the contact."""
+    rise = 0.0
+    for m in range(len(modes.amplitude) - len(modes.rim)):
+        if modes.compliance[m] > 0:  # else it does not move
+            rise += modes.shape_before[m] * modes.velocity[m]
+    return rise
 
-    Each mode is excited by the Fourier series of its shape around the rim, without free
-    vibration.
+
+def set_steady_mode_response(
+    contact_modes: ContactModes,
+    modes: Any,
+    model: Any,
+    y: np.ndarray,
+    film_forces: Sequence[tuple[float, float]] = (),
+) -> None:
+    """Set the modes to their steady response to steadily precessing forces.
+
+    They are the contact force and those of the film on the table [N], each with its distance
+    from the low point [m]. Each mode is excited by the Fourier series of its shape along a
+    circle, without free vibration.
     """
-    if modes is None or not len(contact_modes.amplitude):
-        return
     constants = model.constants
     n = y[STATE_SLICES.axis]
     s = np.hypot(n[0], n[1])
@@ -569,19 +451,21 @@ def set_steady_mode_response(contact_modes: ContactModes, modes, model, y) -> No
     )
     turning = axis_rate[:2] @ np.array([-n[1], n[0]]) / s**2
     angle = start + 2 * np.pi * np.arange(RIM_SCAN_POINTS) / RIM_SCAN_POINTS
-    centre = contact_modes.table_is_fixed * y[:2] + modes.place
-    east, north = centre[:, None] + reach * np.array([np.cos(angle), np.sin(angle)])
+    centre = contact_modes.table.is_fixed * y[:2] + modes.place
+    direction = np.array([np.cos(angle), np.sin(angle)])
+    east, north = centre[:, None] + reach * direction
     below = rim_shapes(model.disk_modes, angle, np.arctan2(s, n[2]))
     shapes = np.hstack([modes.at(east, north), below])
     rate = 1j * turning * np.fft.fftfreq(RIM_SCAN_POINTS, 1 / RIM_SCAN_POINTS)[:, None]
     k = contact_modes.stiffness
     c = contact_modes.damping
-    responses = (
-        -y[STATE.normal_force]
-        * np.fft.fft(shapes, axis=0)
-        / RIM_SCAN_POINTS
-        / (k + c * rate + rate**2)
-    )
+    dynamic_stiffness = k + c * rate + rate**2
+    responses = -y[STATE.normal_force] * np.fft.fft(shapes, axis=0)
+    table = slice(len(modes.frequency))
+    for force, offset in film_forces:
+        east, north = centre[:, None] + (reach - offset) * direction
+        responses[:, table] -= force * np.fft.fft(modes.at(east, north), axis=0)
+    responses = responses / RIM_SCAN_POINTS / dynamic_stiffness
     contact_modes.contact[CONTACT.angle] = start
     amplitude = responses.sum(axis=0).real
     contact_modes.amplitude[:] = amplitude

@@ -16,10 +16,18 @@ rotation, so that they only dissipate kinetic energy. Friction fitted to a rough
 includes the losses by contact and creep; the moments of rolling are therefore reduced
 by this energy.
 
-The air film (film/forces.py) opposes omega_3, and its pressure acts at the centre of
-pressure of the face against the velocity there. The compressed air stores at most the
-energy of the film in the current state; the rest is dissipated. It exerts no pressure
-when no energy is stored.
+The air film (film/forces.py) opposes omega_3, and its pressure acts on the face and on the
+table below it, against the velocity with which they separate. The pressure on a falling
+disk is a force at its centre of pressure. In flight, the film has its present gap, and
+its resistance to heave and tilt is that of two forces, at its centre of pressure and at
+the low point of the rim; the latter vanishes where the gap closes. The compressed air
+stores at most the energy of the film in the current state; the rest is dissipated. It
+exerts no pressure when no energy is stored.
+
+The modes of the table are loaded by forces at points instead of the pressure. With its
+variance v, along one direction, a mode with the wave number k is loaded by the factor
+exp(-k^2 v/2) too much; v is at most R^2/6, that of a level disk. The small moment of the
+drag does not act on the modes, and the film does not act on the modes of the disk.
 """
 
 from typing import NamedTuple
@@ -28,17 +36,27 @@ import numpy as np
 
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import current_law
-from dynamics.compliant.stepping.state_layout import STATE
-from dynamics.compliant.stepping.vectors import dot, vector
+from dynamics.compliant.stepping.state_layout import (
+    STATE,
+    CompiledModel,
+    LawCubics,
+    ModelConstants,
+)
+from dynamics.compliant.stepping.table_modes import ContactModes
 from dynamics.film.film_kernels import (
     compressed_air_impulse,
     film_capacity,
     film_loads,
+    film_opening,
 )
 from dynamics.numba_kernels import kernel
-from dynamics.pivoting import friction_limited_arm
-
-limited_arm_kernel = kernel(friction_limited_arm)
+from dynamics.stepping_core.resistance import (
+    limited_arm_kernel,
+    resistance_to,
+    resisted_directions,
+)
+from dynamics.stepping_core.table_shapes import store_table_shapes
+from dynamics.stepping_core.vectors import AnyVector, Triple, dot, vector
 
 
 class PlaceOfContact(NamedTuple):
@@ -53,25 +71,49 @@ class PlaceOfContact(NamedTuple):
     """Distance along d [m]."""
     rise: float
     """Depth below the centre [m]."""
+    sine: float
+    """Sine of the inclination, above zero."""
+
+
+class FilmPressure(NamedTuple):
+    """Drag of the film, and forces that replace its pressure."""
+
+    drag: float
+    """Moment against the precession [N m], at the rate of a closed film with this gap."""
+    low_resistance: float
+    """Resistance to separation at the low point [kg/s]; 0 for a closed film."""
+    resistance: float
+    """Resistance to separation at the centre of pressure of a falling disk [kg/s]."""
+    span: float
+    """Distance of that centre from the low point [m]."""
+    lift: float
+    """Lift of the compressed air [N], and its distance from the low point [m]."""
+    lift_place: float
+
+
+class FilmLine(NamedTuple):
+    """Diameter through the low point of the rim, on which the film presses on both faces."""
+
+    place: PlaceOfContact
+    span: float
+    """Distance from the low point to the centre of pressure of a falling disk [m]."""
 
 
 @kernel
-def step_tangential(y, constants, powers, law, h):
-    """Advance y by the tangential part of a step h at the lowest point of the rim."""
-    step_tangential_at(
-        y,
-        constants,
-        powers,
-        law,
-        y[6] / y[STATE.sin_inclination],
-        y[7] / y[STATE.sin_inclination],
-        h,
-    )
+def step_tangential(
+    y: np.ndarray,
+    model: CompiledModel,
+    modes: "ContactModes | None",
+    d0: float,
+    d1: float,
+    h: float,
+) -> float:
+    """Advance y by the tangential part of a step h at a contact in direction d.
 
-
-@kernel
-def step_tangential_at(y, constants, powers, law, d0, d1, h):
-    """Advance y by the tangential part of a step h at a contact in direction d."""
+    Returns the kinetic energy [J] that the film gives to the modes of the table.
+    """
+    constants = model.constants
+    law = model.law
     m = constants.mass
     J = constants.diametral_inertia
     R = constants.core_radius
@@ -81,22 +123,15 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     s = max(y[STATE.sin_inclination], 1e-9)
     reach = R - down * (R * down / (1 + c) + H)
     rise = R * down + H * c + constants.fillet
-    place = PlaceOfContact(d0, d1, down, reach, rise)
-    for side in range(2):
-        k = current_law(y, law, LAW_COLUMNS.stiffness_1 + side)
-        q = y[STATE.spring_stretch + side]
-        before = y[STATE.spring_stiffness + side]
-        y[STATE.spring_stretch + side] = q * min(1.0, before / k)
-        y[STATE.spring_stiffness + side] = k
-        y[STATE.creep_loss] += (
-            before * q * q - k * y[STATE.spring_stretch + side] ** 2
-        ) / 2
+    place = PlaceOfContact(d0, d1, down, reach, rise, s)
+    update_spring_stiffness(y, model.law)
     e = constants.inverse_inertia_excess
-    apply_resisting_moments(y, constants, powers, s, d0, d1, h)
+    apply_resisting_moments(y, model, place, h)
     if constants.has_spin_friction > 0:
-        apply_spin_friction(y, constants, law, place, h)
+        apply_spin_friction(y, model, place, h)
+    given = 0.0
     if constants.film.turning > 0:
-        apply_film_impulses(y, constants, s, d0, d1, reach, h)
+        given = apply_film_impulses(y, constants, modes, place, h)
     velocity = contact_velocity(y, constants, place)
     Wt = 1 / m + (reach * reach + rise * rise) / J + e * (reach * c + rise * down) ** 2
     Wd = 1 / m + rise * rise / J
@@ -119,21 +154,38 @@ def step_tangential_at(y, constants, powers, law, d0, d1, h):
     y[11] -= h * reach * pt
     y[STATE.tangential_force] = -pt
     y[STATE.tangential_force + 1] = -pd
+    return given
 
 
 @kernel
-def apply_bowl_force(y, constants, h):
+def update_spring_stiffness(y: np.ndarray, law: LawCubics) -> None:
+    """Update the stiffness of the springs to the current inclination; see above."""
+    for side in range(2):
+        k = current_law(y, law, LAW_COLUMNS.stiffness_1 + side)
+        q = y[STATE.spring_stretch + side]
+        before = y[STATE.spring_stiffness + side]
+        y[STATE.spring_stretch + side] = q * min(1.0, before / k)
+        y[STATE.spring_stiffness + side] = k
+        y[STATE.creep_loss] += (
+            before * q * q - k * y[STATE.spring_stretch + side] ** 2
+        ) / 2
+
+
+@kernel
+def apply_bowl_force(y: np.ndarray, constants: ModelConstants, h: float) -> None:
     """Advance the velocity under the restoring force of a concave table by a time h."""
-    if constants.bowl_stiffness > 0:
-        rate = constants.bowl_stiffness / constants.mass
-        y[3] -= h * rate * (y[0] + constants.bowl_x)
-        y[4] -= h * rate * (y[1] + constants.bowl_y)
+    rate, east, north = constants.bowl
+    if rate > 0:
+        y[3] -= h * rate * (y[0] + east)
+        y[4] -= h * rate * (y[1] + north)
 
 
 @kernel
-def contact_velocity(y, constants, place):
+def contact_velocity(
+    y: np.ndarray, constants: ModelConstants, place: PlaceOfContact
+) -> tuple[float, float]:
     """Return the velocities of the disk at the contact along t and d."""
-    d0, d1, down, reach, rise = place
+    d0, d1, down, reach, rise, _ = place
     J = constants.diametral_inertia
     momentum = vector(y, STATE.angular_momentum)
     spin = constants.inverse_inertia_excess * dot(momentum, vector(y, STATE.axis))
@@ -144,7 +196,14 @@ def contact_velocity(y, constants, place):
 
 
 @kernel
-def advance_springs(y, constants, velocity, mobility, lengths, h):
+def advance_springs(
+    y: np.ndarray,
+    constants: ModelConstants,
+    velocity: tuple[float, float],
+    mobility: tuple[float, float],
+    lengths: tuple[float, float],
+    h: float,
+) -> tuple[float, float]:
     """Advance the springs; return their mean forces on the contact point along t and d.
 
     Velocity, mobility and relaxation length of the contact are those along t and d.
@@ -199,14 +258,18 @@ def advance_springs(y, constants, velocity, mobility, lengths, h):
 
 
 @kernel
-def limit_stretch(qt, qd, kt, kd, limit):
+def limit_stretch(
+    qt: float, qd: float, kt: float, kd: float, limit: float
+) -> tuple[float, float]:
     """Return the spring stretch, reduced so that the force is at most `limit`."""
     keep = min(1.0, limit / max(np.sqrt((kt * qt) ** 2 + (kd * qd) ** 2), 1e-300))
     return keep * qt, keep * qd
 
 
 @kernel
-def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
+def project_on_friction_circle(
+    pt: float, pd: float, Ct: float, Cd: float, limit: float, trial_force: float
+) -> tuple[float, float]:
     """Return the force p with |p| = limit and C p + y p = C p0."""
     if limit == 0:
         return 0.0, 0.0
@@ -225,13 +288,17 @@ def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
 
 
 @kernel
-def apply_resisting_moments(y, constants, powers, s, d0, d1, h):
-    """Apply the resisting moments, power laws (n, 2) and viscous loads as impulses."""
+def apply_resisting_moments(
+    y: np.ndarray, model: CompiledModel, place: PlaceOfContact, h: float
+) -> None:
+    """Apply the resisting moments, power laws and viscous loads as impulses."""
+    constants = model.constants
+    powers = model.powers
     J = constants.diametral_inertia
     e = constants.inverse_inertia_excess
     loss = STATE.moment_loss
     arms = constants.arm_nutation, constants.arm_rolling, constants.arm_pivoting
-    axes = (-d1, d0, 0.0), (d0, d1, 0.0), (0.0, 0.0, 1.0)
+    axes = resisted_directions(place.d0, place.d1)
     viscous = h * constants.viscous_moment
     for i in range(3):
         size = h * arms[i] * y[STATE.normal_force]
@@ -244,7 +311,8 @@ def apply_resisting_moments(y, constants, powers, s, d0, d1, h):
         y[3] = left * y[3]
         y[4] = left * y[4]
     for i in range(len(powers)):
-        a = diameter_through_contact(y, s, d0, d1)
+        a = diameter_through_contact(y, place)
+        s = place.sine
         rate = abs(dot(vector(y, STATE.angular_momentum), a)) / (J * s)
         growth = 1.0 if powers[i, 1] == 1 else rate ** (powers[i, 1] - 1)
         size = h * powers[i, 0] * growth / s
@@ -252,14 +320,18 @@ def apply_resisting_moments(y, constants, powers, s, d0, d1, h):
 
 
 @kernel
-def diameter_through_contact(y, s, d0, d1):
+def diameter_through_contact(y: np.ndarray, place: PlaceOfContact) -> Triple:
     """Return e_3, the upward unit vector along the diameter through the contact."""
-    return -y[8] * d0, -y[8] * d1, s
+    return -y[8] * place.d0, -y[8] * place.d1, place.sine
 
 
 @kernel
-def apply_spin_friction(y, constants, law, place, h):
+def apply_spin_friction(
+    y: np.ndarray, model: CompiledModel, place: PlaceOfContact, h: float
+) -> None:
     """Apply the moment by which the contact ellipse resists pivoting as an impulse."""
+    constants = model.constants
+    law = model.law
     J = constants.diametral_inertia
     e = constants.inverse_inertia_excess
     spin = dot(vector(y, STATE.axis), vector(y, STATE.angular_momentum))
@@ -283,60 +355,255 @@ def apply_spin_friction(y, constants, law, place, h):
 
 
 @kernel
-def apply_film_impulses(y, constants, s, d0, d1, reach, h):
-    """Apply drag, pressure of the fall and pressure of the compressed air as impulses."""
+def film_pressure(
+    constants: ModelConstants, gap: float, eps: float, rate: float
+) -> FilmPressure:
+    """Return the `FilmPressure` at a precession rate [rad/s].
+
+    `gap` is the mean gap over the radius, and `eps` the tilt over this gap.
+    """
+    drag, fall, lever, tip, lift = film_loads(constants.film, gap, rate)
+    heave = 0.0
+    if eps < 1.0:
+        across, falling, levers, heaving = film_opening(eps)
+        drag *= across
+        heave = heaving * fall
+        fall *= falling
+        lever *= levers
+    radius = constants.radius
+    lever /= radius
+    place = radius * tip / lift if lift > 0 else 0.0
+    # the pressure of the compressed air vanishes with the square of the tilt
+    lift *= eps * eps / radius
+    return FilmPressure(
+        drag, heave / radius**2, lever * lever * fall, 1 / lever, lift, place
+    )
+
+
+@kernel
+def apply_film_impulses(
+    y: np.ndarray,
+    constants: ModelConstants,
+    modes: "ContactModes | None",
+    place: PlaceOfContact,
+    h: float,
+) -> float:
+    """Apply drag, pressure of the fall and pressure of the compressed air as impulses.
+
+    While the disk is in flight, they are those of the open film at its present gap. Returns
+    the kinetic energy [J] given to the modes of the table.
+    """
     J = constants.diametral_inertia
-    a = diameter_through_contact(y, s, d0, d1)
+    s = place.sine
+    gap = s + max(y[STATE.gap], 0.0) / constants.radius
+    a = diameter_through_contact(y, place)
     # the offset avoids division by zero
     rate = dot(vector(y, STATE.angular_momentum), a) / (J * s) + 1e-30
-    drag, fall, lever, tip, lift = film_loads(constants.film, s, rate)
-    drag_per_rate = h * drag / (rate * s)
+    film = film_pressure(constants, gap, s / gap, rate)
+    drag_per_rate = h * film.drag / (rate * gap)
     apply_angular_impulse(y, a, 0.0, drag_per_rate, J, 0.0, STATE.film_loss, 0.0)
-    lever /= constants.radius
-    arm = reach - 1 / lever
-    v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
-    fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
-    y[STATE.film_loss] -= fall_impulse * (v + fall_impulse * mobility / 2)
-    push_face(y, constants, arm, fall_impulse, d0, d1)
-    lift_impulse = h * lift / constants.radius
-    if lift_impulse > 0:
-        arm = reach - constants.radius * tip / lift
-        v, mobility = face_velocity_and_mobility(y, constants, arm, d0, d1)
-        lift_impulse, work = compressed_air_impulse(
-            lift_impulse, v, mobility, y[STATE.squeezed_air_energy]
+    line = FilmLine(place, film.span)
+    store_film_shapes(y, modes, line)
+    given = 0.0
+    if film.low_resistance > 0:
+        given += resist_separation(
+            y, constants, modes, line, 0.0, h * film.low_resistance
         )
-        y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
-        push_face(y, constants, arm, lift_impulse, d0, d1)
-    capacity = film_capacity(constants.film, s, rate)
-    stored_energy = min(y[STATE.squeezed_air_energy], capacity)
+    given += resist_separation(
+        y, constants, modes, line, film.span, h * film.resistance
+    )
+    if film.lift > 0:
+        given += press_compressed_air(
+            y, constants, modes, line, film.lift_place, h * film.lift
+        )
+    stored_energy = min(
+        y[STATE.squeezed_air_energy], film_capacity(constants.film, gap, rate)
+    )
     y[STATE.film_loss] = (
         y[STATE.film_loss] + y[STATE.squeezed_air_energy] - stored_energy
     )
     y[STATE.squeezed_air_energy] = stored_energy
-    y[STATE.film_lift] = (fall_impulse + lift_impulse) / h
+    return given
+
+
+def film_forces_on_table(
+    y: np.ndarray, constants: ModelConstants
+) -> list[tuple[float, float]]:
+    """Return the forces [N] of a closed film on a table at rest, and their distances from
+    the low point of the rim [m]."""
+    if constants.film.turning == 0:
+        return []
+    axis = vector(y, STATE.axis)
+    s = float(np.hypot(axis[0], axis[1]))
+    reach = constants.core_radius * axis[2] - constants.core_depth * s
+    place = PlaceOfContact(axis[0] / s, axis[1] / s, s, reach, 0.0, s)
+    a = diameter_through_contact(y, place)
+    rate = dot(vector(y, STATE.angular_momentum), a) / (constants.diametral_inertia * s)
+    film = film_pressure(constants, s, 1.0, rate)
+    v, _ = face_velocity_and_mobility(y, constants, place, reach - film.span)
+    return [(-film.resistance * v, film.span), (film.lift, film.lift_place)]
 
 
 @kernel
-def face_velocity_and_mobility(y, constants, arm, d0, d1):
+def press_compressed_air(
+    y: np.ndarray,
+    constants: ModelConstants,
+    modes: "ContactModes | None",
+    line: FilmLine,
+    offset: float,
+    impulse: float,
+) -> float:
+    """Apply at most the given impulse of the compressed air at a point of both faces.
+
+    The air does at most the work of its energy. Returns the kinetic energy [J] given to the
+    modes of the table.
+    """
+    v, mobility = separation_and_mobility(y, constants, modes, line, offset)
+    impulse, work = compressed_air_impulse(
+        impulse, v, mobility, y[STATE.squeezed_air_energy]
+    )
+    y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
+    return push_apart(y, constants, modes, line, offset, impulse)
+
+
+@kernel
+def resist_separation(
+    y: np.ndarray,
+    constants: ModelConstants,
+    modes: "ContactModes | None",
+    line: FilmLine,
+    offset: float,
+    resistance: float,
+) -> float:
+    """Resist the separation of both faces at a point; see `separation_and_mobility`.
+
+    `resistance` [kg] is the impulse divided by the velocity, if it were constant. Returns
+    the kinetic energy [J] given to the modes of the table.
+    """
+    v, mobility = separation_and_mobility(y, constants, modes, line, offset)
+    impulse = v / mobility * np.expm1(-resistance * mobility)
+    y[STATE.film_loss] -= impulse * (v + impulse * mobility / 2)
+    return push_apart(y, constants, modes, line, offset, impulse)
+
+
+@kernel
+def store_film_shapes(
+    y: np.ndarray, modes: "ContactModes | None", line: FilmLine
+) -> None:
+    """Store the shapes of the table modes below the centre of pressure as `film_shape`."""
+    if modes is None:
+        return
+    arm = line.place.reach - line.span
+    store_table_shapes(
+        modes.table,
+        modes.table.is_fixed * y[0] + arm * line.place.d0,
+        modes.table.is_fixed * y[1] + arm * line.place.d1,
+        np.zeros((3, 4)),
+        np.zeros((3, 4)),
+        modes.film_shape,
+    )
+
+
+@kernel
+def table_shape(modes: ContactModes, m: int, share: float) -> float:
+    """Return the shape of mode m of the table, linear between low point and centre of
+    pressure; 0 for a mode that does not move.
+
+    Along a line, a force is equivalent to its two parts at the ends of the line.
+    """
+    if modes.compliance[m] == 0:
+        return 0.0
+    return modes.shape_before[m] + share * (modes.film_shape[m] - modes.shape_before[m])
+
+
+@kernel
+def separation_and_mobility(
+    y: np.ndarray,
+    constants: ModelConstants,
+    modes: "ContactModes | None",
+    line: FilmLine,
+    offset: float,
+) -> tuple[float, float]:
+    """Return the velocity [m/s] with which both faces separate at a point, and its mobility
+    [1/kg].
+
+    The point is at the distance `offset` [m] from the low point.
+    """
+    v, mobility = face_velocity_and_mobility(
+        y, constants, line.place, line.place.reach - offset
+    )
+    if modes is None:
+        return v, mobility
+    for m in range(len(modes.amplitude) - len(modes.rim)):
+        shape = table_shape(modes, m, offset / line.span)
+        v -= shape * modes.velocity[m]
+        mobility += shape * shape
+    return v, mobility
+
+
+@kernel
+def push_apart(
+    y: np.ndarray,
+    constants: ModelConstants,
+    modes: "ContactModes | None",
+    line: FilmLine,
+    offset: float,
+    impulse: float,
+) -> float:
+    """Apply an impulse [N s] upwards to the face and downwards to the table; see
+    `separation_and_mobility`.
+
+    Returns the kinetic energy [J] given to the modes of the table.
+    """
+    push_face(y, constants, line.place, line.place.reach - offset, impulse)
+    given = 0.0
+    if modes is None:
+        return given
+    for m in range(len(modes.amplitude) - len(modes.rim)):
+        change = -impulse * table_shape(modes, m, offset / line.span)
+        given += change * (modes.velocity[m] + change / 2)
+        modes.velocity[m] += change
+    return given
+
+
+@kernel
+def face_velocity_and_mobility(
+    y: np.ndarray, constants: ModelConstants, place: PlaceOfContact, arm: float
+) -> tuple[float, float]:
     """Return the upward velocity of a point of the face, and its mobility [1/kg].
 
-    The point is at the distance `arm` [m] from the centre in direction d.
+    The point is at the distance `arm` [m] from the centre towards the contact.
     """
     J = constants.diametral_inertia
-    v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
+    v = y[5] - arm * (y[10] * place.d0 - y[9] * place.d1) / J
     return v, 1 / constants.mass + arm * arm / J
 
 
 @kernel
-def push_face(y, constants, arm, impulse, d0, d1):
+def push_face(
+    y: np.ndarray,
+    constants: ModelConstants,
+    place: PlaceOfContact,
+    arm: float,
+    impulse: float,
+) -> None:
     """Apply an upward impulse at a point of the face; see `face_velocity_and_mobility`."""
     y[5] += impulse / constants.mass
-    y[9] += arm * impulse * d1
-    y[10] -= arm * impulse * d0
+    y[9] += arm * impulse * place.d1
+    y[10] -= arm * impulse * place.d0
 
 
 @kernel
-def apply_angular_impulse(y, a, size, per_rate, J, e, cause, fitted):
+def apply_angular_impulse(
+    y: np.ndarray,
+    a: AnyVector,
+    size: float,
+    per_rate: float,
+    J: float,
+    e: float,
+    cause: int,
+    fitted: float,
+) -> None:
     """Apply an angular impulse along the unit vector a that at most stops the rotation.
 
     The impulse is `size` + `per_rate` times the rate. With `fitted` = 1 it is reduced
@@ -358,7 +625,7 @@ def apply_angular_impulse(y, a, size, per_rate, J, e, cause, fitted):
         relief = min(size, available_relief / abs(rate))
         y[STATE.relieved_friction_energy] += relief * abs(rate)
         size -= relief
-    turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / mobility)
+    turn = -resistance_to(rate, size + per_rate * abs(rate), abs(rate) / mobility)
     for i in range(3):
         y[STATE.angular_momentum + i] += turn * a[i]
     y[cause] -= turn * (rate + turn * mobility / 2)

@@ -1,50 +1,32 @@
 """Time loop of the compliant motion, with many steps per compiled call."""
 
-from enum import IntEnum, auto
 from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.law.height_profile import Profile
-from dynamics.compliant.stepping.contact_energy import LawCubics, update_law_interval
+from dynamics.compliant.stepping.contact_energy import update_law_interval
 from dynamics.compliant.stepping.normal import step_normal
 from dynamics.compliant.stepping.normal_with_modes import (
     step_normal_with_modes,
     step_tangential_with_modes,
     update_gap_stiffness,
 )
-from dynamics.compliant.stepping.state_layout import STATE, ModelConstants
-from dynamics.compliant.stepping.table_modes import CONTACT, mode_energies
+from dynamics.compliant.stepping.state_layout import (
+    STATE,
+    CompiledModel,
+)
+from dynamics.compliant.stepping.table_modes import (
+    CONTACT,
+    ContactModes,
+    mode_energies,
+    table_rise,
+)
 from dynamics.compliant.stepping.tangential import apply_bowl_force, step_tangential
 from dynamics.numba_kernels import kernel, outermost
+from dynamics.stepping_core.end_reasons import EndReason
 
 FLAT_INCLINATION = 1e-5
 """Inclination [rad] below which a disk on a table with modes is considered flat."""
-
-
-class EndReason(IntEnum):
-    """Reason why a call of `step_motion` returned."""
-
-    CONTINUES = auto()
-    """All rows are filled; the motion continues."""
-    LIES_FLAT = auto()
-    STANDS_UPRIGHT = auto()
-    UNSOLVED = auto()
-    """The equation for the normal force has no solution."""
-    IS_AIRBORNE = auto()
-
-
-class CompiledModel(NamedTuple):
-    """Constants and tabulated functions of a model for the compiled time steps."""
-
-    constants: ModelConstants
-    powers: np.ndarray
-    """Power laws (n, 2) of the precession rate: c [W s^b] and b."""
-    law: LawCubics
-    """Tabulated contact law."""
-    table: Profile
-    """Height profiles of table and edge."""
-    rim: Profile
 
 
 class MotionSteps(NamedTuple):
@@ -78,7 +60,13 @@ class MotionRecords(NamedTuple):
 
 
 @outermost
-def step_motion(y, steps, model, modes, records):
+def step_motion(
+    y: np.ndarray,
+    steps: MotionSteps,
+    model: CompiledModel,
+    modes: ContactModes | None,
+    records: MotionRecords,
+) -> tuple[EndReason, int, int, int]:
     """Advance the state y and fill the rows of the records.
 
     Parameters
@@ -89,8 +77,9 @@ def step_motion(y, steps, model, modes, records):
         Time steps.
     model : CompiledModel
         Constants and tabulated functions of the model.
-    modes : ContactModes
-        Modes of table and disk, which are advanced.
+    modes : ContactModes or None
+        Modes of table and disk, which are advanced. A version without them is compiled for
+        a rigid table.
     records : MotionRecords
         Output.
 
@@ -106,7 +95,7 @@ def step_motion(y, steps, model, modes, records):
     # Ratio of sin(inclination) after and before a step below which the disk is flat, because
     # it would pass through the table in the next steps.
     min_inclination_ratio = 0.6
-    constants, powers, law, table, rim = model
+    constants = model.constants
     steps_before, h, steps_per_row, final_sine = steps
     rows, forces, flights, slips = records
     flying = flights[0, 0] == flights[0, 0]
@@ -114,8 +103,6 @@ def step_motion(y, steps, model, modes, records):
     flight = 0
     slip = 0
     forces[:] = 0.0
-    scratch = np.zeros((8, 6))
-    has_modes = len(modes.amplitude) > 0
     steps_per_force = (
         steps_per_row * len(rows) // len(forces)
     )  # number of steps in each mean force
@@ -124,18 +111,19 @@ def step_motion(y, steps, model, modes, records):
     steps_left = steps_per_force
     half_weight = 1 / (2 * steps_per_force)
     for row in range(len(rows)):
-        if row == 0 or not has_modes:
-            update_law_interval(y, law)
+        if row == 0 or modes is None:
+            update_law_interval(y, model.law)
         for i in range(steps_per_row + 1):
             tangential_step = h / 2 if i in (0, steps_per_row) else h
             # outside the tangential parts, which balance the energy without gravity
             apply_bowl_force(y, constants, tangential_step / 2)
-            if has_modes:
-                step_tangential_with_modes(
-                    y, constants, powers, law, modes, tangential_step
+            if modes is None:
+                sine = y[STATE.sin_inclination]
+                step_tangential(
+                    y, model, modes, y[6] / sine, y[7] / sine, tangential_step
                 )
             else:
-                step_tangential(y, constants, powers, law, tangential_step)
+                step_tangential_with_modes(y, model, modes, tangential_step)
             apply_bowl_force(y, constants, tangential_step / 2)
             for k in range(
                 2
@@ -155,18 +143,12 @@ def step_motion(y, steps, model, modes, records):
             if i == steps_per_row:
                 break
             gap_before = y[STATE.gap]
-            sine_before = y[STATE.sin_inclination]
-            if has_modes:
-                solved = step_normal_with_modes(
-                    y,
-                    constants,
-                    law,
-                    table,
-                    rim,
-                    modes,
-                    scratch,
-                    h,
-                )
+            if modes is None:
+                sine = y[STATE.sin_inclination]
+                solved = step_normal(y, model, h)
+                flat = y[STATE.sin_inclination] < min_inclination_ratio * sine
+            else:
+                solved = step_normal_with_modes(y, model, modes, h)
                 modes.contact[CONTACT.flat_steps] = (
                     modes.contact[CONTACT.flat_steps] + 1
                     if y[STATE.sin_inclination] < FLAT_INCLINATION
@@ -176,9 +158,6 @@ def step_motion(y, steps, model, modes, records):
                     modes.contact[CONTACT.flat_steps] * h > rest_duration
                     or y[STATE.energy_deficit] > 0
                 )
-            else:
-                solved = step_normal(y, constants, law, table, rim, h)
-                flat = y[STATE.sin_inclination] < min_inclination_ratio * sine_before
             if not solved:
                 return EndReason.UNSOLVED, row, flight, slip
             forces[current_force, 2] += 2 * half_weight * y[STATE.normal_force]
@@ -199,16 +178,20 @@ def step_motion(y, steps, model, modes, records):
             steps_before += 1
             if flat:
                 return EndReason.LIES_FLAT, row, flight, slip
-            if constants.film.turning > 0 and update_contact_loss(y, constants, h):
+            tilt = constants.radius * y[STATE.sin_inclination]
+            if constants.film.turning > 0 and y[STATE.gap] > tilt:
                 return EndReason.IS_AIRBORNE, row, flight, slip
-        if has_modes:
-            update_gap_stiffness(y, constants, modes, law)
+        if modes is not None:
+            update_gap_stiffness(y, model, modes)
             y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
+            y[STATE.table_rise] = table_rise(modes)
         for j in range(
             len(y)
         ):  # `rows[row] = y` would add seconds to the compilation time
             rows[row, j] = y[j]
-        if (y[STATE.sin_inclination] < final_sine and not has_modes) or y[8] <= 0:
+        floats = constants.film.turning > 0 and y[STATE.gap] > 0
+        is_final = y[STATE.sin_inclination] < final_sine and not floats
+        if (is_final and modes is None) or y[8] <= 0:
             return (
                 (EndReason.STANDS_UPRIGHT if y[8] <= 0 else EndReason.LIES_FLAT),
                 row + 1,
@@ -219,26 +202,15 @@ def step_motion(y, steps, model, modes, records):
 
 
 @kernel
-def update_contact_loss(y, constants, h):
-    """Update a loss of contact; return True if the air film supports the disk."""
-    # mean lift, divided by the weight, above which the air film supports the disk
-    airborne_lift_share = 0.5
-    # shortest loss of contact [s] in which the air film may support the disk
-    airborne_duration = 2e-3
-    in_flight = 1.0 if y[STATE.gap] > 0 else 0.0
-    y[STATE.flight_duration] = in_flight * (y[STATE.flight_duration] + h)
-    y[STATE.flight_lift_impulse] = in_flight * (
-        y[STATE.flight_lift_impulse] + h * y[STATE.film_lift]
-    )
-    return (
-        y[STATE.flight_duration] > airborne_duration
-        and y[STATE.flight_lift_impulse]
-        > airborne_lift_share * constants.weight * y[STATE.flight_duration]
-    )
-
-
-@kernel
-def record_flight(flights, flight, flying, gap_before, gap, t, h):
+def record_flight(
+    flights: np.ndarray,
+    flight: int,
+    flying: bool,
+    gap_before: float,
+    gap: float,
+    t: float,
+    h: float,
+) -> tuple[bool, int]:
     """Record the opening or closing of the gap in a step that starts at time t.
 
     Returns True if the gap is open, and the index of the current flight.

@@ -37,12 +37,12 @@ class Window:
     drop: float | None
 
     @property
-    def shows_end(self):
+    def shows_end(self) -> bool:
         """True if the power drops after the window."""
         return self.drop is not None
 
     @property
-    def min_ratio(self):
+    def min_ratio(self) -> float:
         """Minimum ratio of the last to the first rate of a disk."""
         if self.shows_end:
             return SETTLING.rate_ratios[0]
@@ -54,12 +54,12 @@ class Window:
         return self.first < other.end + margin and other.first < self.end + margin
 
     @property
-    def frames(self):
+    def frames(self) -> slice:
         """Slice of the frames of the window."""
         return slice(self.first, self.stop)
 
     @property
-    def seconds(self):
+    def seconds(self) -> float:
         """Length of the window [s]."""
         return (self.stop - self.first) / FRAME_RATE
 
@@ -80,14 +80,14 @@ class Candidate:
     components: float = 1.0
 
     @property
-    def end_of_law(self):
+    def end_of_law(self) -> int:
         """Frame at which the rate of the law diverges."""
         window = self.window
         left = distance_to_end(self.law.shape.ratio, self.law.shape.exponent)
         return window.stop + round(left * window.seconds * FRAME_RATE)
 
     @property
-    def score(self):
+    def score(self) -> float:
         """Score Q, by which candidates are ranked and detected."""
         return single_component_score(
             score_of(self.scores), self.components, self.law.harmonics
@@ -148,7 +148,12 @@ def windows_before_end(end: int, drop: float | None) -> list[Window]:
     return [Window(end - count, end, end, drop) for count in frames if end >= count]
 
 
-def _best_candidates(onsets: OnsetStrength, broadband, every, ends):
+def _best_candidates(
+    onsets: OnsetStrength,
+    broadband: np.ndarray,
+    every: np.ndarray,
+    ends: list[tuple[int, float | None]],
+) -> list[Candidate]:
     """Return the refined candidates of the best windows of a block in the channels
     `every`, before `ends`, each with its drop [dB].
 
@@ -178,22 +183,22 @@ def _best_candidates(onsets: OnsetStrength, broadband, every, ends):
         # the likelihoods of rivals only increase with the density of their shapes
         if score_of({**best, "disk": likelihood[0]}) < min_score:
             continue
-        estimate = _estimate(onsets, window, channel)
+        estimate = _estimate_window_score(onsets, window, channel)
         promising.append(estimate)
         if estimate[0] >= min_score:
             promising += [
-                _estimate(onsets, earlier, channel)
+                _estimate_window_score(onsets, earlier, channel)
                 for earlier in _earlier_windows(window, len(onsets.values[channel]))
             ]
     promising.sort(key=lambda entry: -entry[0])
     return [
-        _refined(onsets, broadband, *others)
-        for score, *others in promising[:refined_window_count]
+        _refined_candidate(onsets, broadband, window, channel, starts)
+        for score, window, channel, starts in promising[:refined_window_count]
         if score >= min_score
     ]
 
 
-def _earlier_windows(window, component_count):
+def _earlier_windows(window: Window, component_count: int) -> list[Window]:
     """Return a window shifted to earlier times by 40 ms, and by 80 ms for channels of
     several components, in which a last knock may follow the end."""
     seconds = (0.04,) if component_count == 1 else (0.04, 0.08)
@@ -205,7 +210,9 @@ def _earlier_windows(window, component_count):
     ]
 
 
-def _loudest_channels(onsets, window, distance, channels):
+def _loudest_channels(
+    onsets: OnsetStrength, window: Window, distance: float, channels: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return channels (c,) in order of decreasing log likelihood of a disk, and these
     likelihoods (c,)."""
     disk = families(distance, "disk", window.min_ratio)
@@ -221,7 +228,9 @@ def _loudest_channels(onsets, window, distance, channels):
     return channels[order], best[order]
 
 
-def _rough_likelihoods(onsets, window, channel):
+def _rough_likelihoods(
+    onsets: OnsetStrength, window: Window, channel: int
+) -> dict[str, float]:
     """Return the largest log likelihoods of each family in a coarse search of a window
     in a channel."""
     shapes = families(SETTLING.coarse_distance, None, window.min_ratio)
@@ -230,7 +239,9 @@ def _rough_likelihoods(onsets, window, channel):
     return dict(zip(shapes.names, best.tolist(), strict=True))
 
 
-def _estimate(onsets, window, channel):
+def _estimate_window_score(
+    onsets: OnsetStrength, window: Window, channel: int
+) -> tuple[float, Window, int, dict[str, list[Law]]]:
     """Return a first estimate of the score of a window, with the window, the channel
     and the best laws."""
     values = onsets.values[channel][:, window.frames]
@@ -247,16 +258,22 @@ def tone_candidates(
     that end at the frame `stop`, the best first."""
     power = np.square(waveform)
 
-    def refined(window):
-        _, *estimate = _estimate(onsets, window, 0)
-        return _refined(onsets, power, *estimate)
+    def refined(window: Window) -> Candidate:
+        _, searched, channel, starts = _estimate_window_score(onsets, window, 0)
+        return _refined_candidate(onsets, power, searched, channel, starts)
 
     with ThreadPoolExecutor() as pool:  # the compiled loops release the lock of Python
         found = pool.map(refined, windows_before_end(stop, 0.0))
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
-def _refined(onsets, power, window, channel, starts):
+def _refined_candidate(
+    onsets: OnsetStrength,
+    power: np.ndarray,
+    window: Window,
+    channel: int,
+    starts: dict[str, list[Law]],
+) -> Candidate:
     """Return the candidate of a window after refinement of its laws.
 
     The pulse levels are those of a power (frames,)."""

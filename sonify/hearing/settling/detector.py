@@ -117,20 +117,25 @@ class SettlingRun:
         """Remaining time [s] at which the rate is `rate_at_1s`."""
         return self.region.reference_time
 
-    def turns_left(self, time: np.ndarray) -> np.ndarray:
+    @property
+    def _known_rate(self) -> float:
+        assert self.rate_at_1s.value is not None, "only an end can be missing"
+        return self.rate_at_1s.value
+
+    def turns_left(self, time: float | np.ndarray) -> np.ndarray:
         """Return the number of turns (or bursts) between times [s] and the end."""
         reference = self.reference_time
         left = np.maximum(self.region.best_end - np.asarray(time), 1e-6) / reference
-        turns = self.rate_at_1s.value * reference
+        turns = self._known_rate * reference
         exponent = self.region.best_exponent
         if abs(exponent - 1) < 1e-3:
             return turns * np.log(left * 1e6)
         return turns * left ** (1 - exponent) / (1 - exponent)
 
-    def rate(self, time: np.ndarray) -> np.ndarray:
+    def rate(self, time: float | np.ndarray) -> np.ndarray:
         """Return the rate [Hz] of the law at times before the end [s]."""
         left = (self.region.best_end - np.asarray(time)) / self.reference_time
-        return self.rate_at_1s.value * left**-self.region.best_exponent
+        return self._known_rate * left**-self.region.best_exponent
 
     def later(self, seconds: float) -> "SettlingRun":
         """Return the run shifted to later times by `seconds`."""
@@ -154,7 +159,8 @@ def strongest_tone(sound: AudioSource) -> SettlingRun | None:
         found = tones(samples, sound.sample_rate, span, known_disk=True)
         events += [run.later(begin) for run in found]
 
-    def explained_octaves(event):
+    def explained_octaves(event: SettlingRun) -> float:
+        assert event.ridge is not None, "a tone has a ridge"
         return event.ridge.law[1] * event.ridge.octaves
 
     return max(events, key=explained_octaves, default=None)
@@ -235,7 +241,7 @@ def _searched_pieces(
             break
 
 
-def _loudest_channel(sound):
+def _loudest_channel(sound: AudioSource) -> int:
     """Return the index of the channel with the largest energy."""
     energy = 0.0
     for block in sound.blocks():
@@ -271,7 +277,9 @@ def tones(
     """
     ridge = tone_ridge(samples, rate)
     can_be_cut = math.isinf(span[1]) and not known_disk
-    run = _tone_run(samples, rate, ridge, known_disk, can_be_cut) if ridge else None
+    if ridge is None:
+        return []
+    run = _tone_run(samples, rate, ridge, known_disk, can_be_cut)
     if run is None:
         return []
     end = ridge.law[0]
@@ -290,7 +298,13 @@ def tones(
     return found
 
 
-def _tone_run(samples, rate, ridge, known_disk, can_be_cut):
+def _tone_run(
+    samples: np.ndarray,
+    rate: float,
+    ridge: ToneRidge,
+    known_disk: bool,
+    can_be_cut: bool,
+) -> SettlingRun | None:
     """Return the run of a ridge, or None if it is not sufficient evidence of a disk.
 
     If it `can_be_cut`, the end of the law may be missing in the samples."""
@@ -370,7 +384,7 @@ def is_bouncing(candidate: Candidate) -> bool:
     return is_steep and min_slope <= candidate.slope <= max_slope
 
 
-def _is_near_bouncing_body(candidate, bouncing):
+def _is_near_bouncing_body(candidate: Candidate, bouncing: list[Candidate]) -> bool:
     """Return True if a bouncing candidate of higher score overlaps a candidate or is
     close to it."""
     max_distance = 0.4  # s
@@ -395,7 +409,9 @@ def _groups_of_overlapping(candidates: list[Candidate]) -> list[list[Candidate]]
     return groups
 
 
-def _run_of_group(group: list[Candidate], frames: Frames, onsets: OnsetStrength):
+def _run_of_group(
+    group: list[Candidate], frames: Frames, onsets: OnsetStrength
+) -> SettlingRun | None:
     """Return the run of a group of candidates, or None if its law is not admissible."""
     best = group[0]
     near = [
@@ -410,7 +426,7 @@ def _run_of_group(group: list[Candidate], frames: Frames, onsets: OnsetStrength)
     power = frames.power.sum(axis=1)
     stop = last.end
     if last.shows_end:
-        stop = min(knee(power, last.end), _end_before_drop(near))
+        stop = int(min(knee(power, last.end), _end_before_drop(near)))
     region = joint_region(onsets, best.channel, stop, not last.shows_end)
     if region is None:
         return None
@@ -419,7 +435,7 @@ def _run_of_group(group: list[Candidate], frames: Frames, onsets: OnsetStrength)
     return run if begins_slowly or best.score > SETTLING.min_clear_score else None
 
 
-def _end_before_drop(candidates):
+def _end_before_drop(candidates: list[Candidate]) -> float:
     """Return the mean end of the laws of candidates [frames] if all of them end clearly
     before the drop of the best one, which is then that of another sound; otherwise
     infinity."""
@@ -429,7 +445,12 @@ def _end_before_drop(candidates):
     return round(np.mean(ends)) if max(ends) < drop - min_gap else math.inf
 
 
-def _run_of_candidates(candidates, onsets, region, ridge=None):
+def _run_of_candidates(
+    candidates: list[Candidate],
+    onsets: OnsetStrength,
+    region: JointRegion,
+    ridge: ToneRidge | None = None,
+) -> SettlingRun:
     """Return the run of candidates of one end, the best first."""
     best = candidates[0]
     exponent, t_end, rate = region.estimates() if ridge is None else region.limits()
@@ -449,7 +470,7 @@ def _run_of_candidates(candidates, onsets, region, ridge=None):
     )
 
 
-def _is_certain(group):
+def _is_certain(group: list[Candidate]) -> bool:
     """Return True if a score, or the mean score of two windows of different length,
     exceeds the scores of sounds without a disk."""
     min_agreeing_score = 13.0

@@ -2,6 +2,7 @@
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
+from scipy.signal import find_peaks
 
 from sonify.hearing.settling.onset_strength import TINY_POWER, Frames
 
@@ -32,7 +33,7 @@ def power_drop(power: np.ndarray, power_floor: float) -> np.ndarray:
     count = len(power)
     place = np.arange(count)
 
-    def mean(first, last):
+    def mean(first: np.ndarray, last: np.ndarray) -> np.ndarray:
         first = np.clip(first, 0, count)
         last = np.clip(last, 0, count)
         return (cumulative[last] - cumulative[first]) / np.maximum(last - first, 1)
@@ -48,17 +49,8 @@ def power_drop(power: np.ndarray, power_floor: float) -> np.ndarray:
 def drop_peaks(drop: np.ndarray, min_drop: float) -> np.ndarray:
     """Return the frames of peaks of at least `min_drop` dB and 40 frames apart, highest
     first."""
-    separation = 40
-    inner = drop[1:-1]
-    peaks = (
-        np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= min_drop))
-        + 1
-    )
-    kept: list[int] = []
-    for place in peaks[np.argsort(-drop[peaks], kind="stable")]:
-        if all(abs(place - other) >= separation for other in kept):
-            kept.append(int(place))
-    return np.array(kept, dtype=int)
+    peaks, _ = find_peaks(drop, height=min_drop, distance=40)
+    return peaks[np.argsort(-drop[peaks], kind="stable")]
 
 
 def knee(power: np.ndarray, end: int) -> int:

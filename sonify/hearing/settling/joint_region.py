@@ -19,6 +19,8 @@ from sonify.hearing.settling.rate_laws import Shape, ShapeSet
 from sonify.hearing.settling.refinement import laws_near
 from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import (
+    SearchResult,
+    TabulatedWarps,
     phase_step_count,
     search,
     tabulated_warps,
@@ -107,17 +109,23 @@ class JointRegion:
         rate_resolution = 0.006  # relative
         last_time = 0.02 / self.reference_time
         last_interval = last_time**self.best_exponent / self.best_rate
-        exponent = _widened(
+        exponent = _estimate_with_widened_range(
             self.best_exponent, self.exponents, SETTLING.exponent_resolution
         )
-        end = _widened(self.best_end, self.ends, end_resolution + last_interval)
-        rate = _widened(self.best_rate, self.rates, rate_resolution * self.best_rate)
+        end = _estimate_with_widened_range(
+            self.best_end, self.ends, end_resolution + last_interval
+        )
+        rate = _estimate_with_widened_range(
+            self.best_rate, self.rates, rate_resolution * self.best_rate
+        )
         if exponent.high - exponent.low > SETTLING.max_exponent_interval:
             exponent = replace(exponent, value=None)
         return exponent, self._observed_end(end), rate
 
 
-def region_of_law(law, errors, start, stop=None) -> JointRegion:
+def region_of_law(
+    law: np.ndarray, errors: np.ndarray, start: float, stop: float | None = None
+) -> JointRegion:
     """Return the laws within two standard errors, and the resolution, of a law (3,) of
     end [s], exponent and log2 of the rate one second before the end [Hz].
 
@@ -145,7 +153,9 @@ def region_of_law(law, errors, start, stop=None) -> JointRegion:
     )
 
 
-def _widened(value, values, resolution):
+def _estimate_with_widened_range(
+    value: float, values: np.ndarray, resolution: float
+) -> Estimate:
     """Return an estimate with the range of `values`, widened by a resolution and by a
     factor from simulations with known laws."""
     factor = 1.16
@@ -203,7 +213,7 @@ def joint_region(
         return None
     whole = max(surfaces, key=lambda surface: surface.max_likelihood)
     surfaces += _earlier_and_other_surfaces(onsets, channel, knee, is_missing)
-    surfaces, reference = _without_standing(surfaces, whole)
+    surfaces, reference = _without_upright_disk(surfaces, whole)
     max_likelihood = (
         whole.max_likelihood
         if reference is whole
@@ -241,13 +251,15 @@ def joint_region(
         best_rate=best_rate,
         start=reference.start,
         reference_time=best_end - missing_from + span
-        if is_missing
+        if missing_from is not None
         else min(1.0, best_end - reference.start),
         missing_from=missing_from,
     )
 
 
-def _earlier_and_other_surfaces(onsets, channel, knee, is_missing):
+def _earlier_and_other_surfaces(
+    onsets: OnsetStrength, channel: int, knee: int, is_missing: bool
+) -> "list[_LikelihoodSurface]":
     """Return the likelihood surfaces of earlier windows of a channel and of the others."""
     middle_stop = 50  # frames before the knee
     last_stop = 100
@@ -262,13 +274,15 @@ def _earlier_and_other_surfaces(onsets, channel, knee, is_missing):
     return surfaces
 
 
-def _without_standing(surfaces, whole):
+def _without_upright_disk(
+    surfaces: "list[_LikelihoodSurface]", whole: "_LikelihoodSurface"
+) -> "tuple[list[_LikelihoodSurface], _LikelihoodSurface]":
     """Return the likelihood surfaces of a run and that of its best window, without the
     times at which the disk is upright."""
 
     max_deviation = 0.5  # of log rates; larger if half or twice the bursts are counted
 
-    def rate_deviation(surface):
+    def rate_deviation(surface: "_LikelihoodSurface") -> float:
         middle = surface.start + surface.seconds / 2
         return abs(np.log(surface.best_rate(middle) / whole.best_rate(middle)))
 
@@ -299,7 +313,7 @@ def _without_standing(surfaces, whole):
     return surfaces, whole
 
 
-def _merged_surface(surfaces):
+def _merged_surface(surfaces: "list[_LikelihoodSurface]") -> "_LikelihoodSurface":
     """Return the common likelihood surface of windows of one length that stop at
     different times."""
     start = surfaces[0].start
@@ -329,29 +343,35 @@ class _LikelihoodSurface:
     seconds: float
 
     @property
-    def max_likelihood(self):
+    def max_likelihood(self) -> float:
         """Largest log likelihood."""
         return float(self.likelihood.max())
 
-    def rates(self, left):
+    def rates(self, left: float | np.ndarray) -> np.ndarray:
         """Return the rates (admitted,) at a time [s] before the end."""
         return self.first_rates * (left / (self.ends - self.start)) ** -self.exponents
 
-    def remaining(self, span, missing_from):
+    def remaining(self, span: float, missing_from: float | None) -> np.ndarray:
         """Return the times (admitted,) to the ends [s] at which rates are compared: a span
         [s] before the ends, or before the time at which the sound stops [s]."""
         if missing_from is None:
             return np.full(len(self.ends), span)
         return self.ends - missing_from + span
 
-    def best_rate(self, time):
+    def best_rate(self, time: float) -> float:
         """Return the rate of the most likely law at a time [s]."""
         best = np.argmax(self.likelihood)
         left = np.maximum(self.ends[best] - time, 1e-3)
         return self.rates(left)[best]
 
 
-def _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing):
+def _likelihood_surfaces(
+    onsets: OnsetStrength,
+    channel: int,
+    knee: int,
+    before_knee: int,
+    is_missing: bool,
+) -> list[_LikelihoodSurface]:
     """Return the likelihood surfaces of all windows of a channel that stop
     `before_knee` frames before the knee."""
     found = []
@@ -364,7 +384,13 @@ def _likelihood_surfaces(onsets, channel, knee, before_knee, is_missing):
     return found
 
 
-def _certainty(values, scale, warps, found, best):
+def _independent_share_of_likelihood(
+    values: np.ndarray,
+    scale: float,
+    warps: TabulatedWarps,
+    found: SearchResult,
+    best: int,
+) -> float:
     """Return the share of the likelihood of a law that its correlated residuals leave."""
     cuts = warps.index[best] + warps.fraction[best]
     turns = found.turns(best) * np.linspace(0, 1, len(cuts))
@@ -373,7 +399,9 @@ def _certainty(values, scale, warps, found, best):
     return min(1.0, scale / correlation_length(residual))
 
 
-def _likelihood_surface(onsets, channel, first, frames, grid):
+def _likelihood_surface(
+    onsets: OnsetStrength, channel: int, first: int, frames: int, grid: _LawGrid
+) -> _LikelihoodSurface:
     """Return the likelihood surface of the laws that one window admits."""
     max_likelihood_loss = 2.0  # of admitted laws
     values = onsets.values[channel][:, first : first + frames]
@@ -382,14 +410,14 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
     found = search(values, scale, warps)
     best = int(np.argmax(found.likelihood))
     turns = found.turns(best)
-    certainty = _certainty(values, scale, warps, found, best)
+    certainty = _independent_share_of_likelihood(values, scale, warps, found, best)
     start = (grid.left[best], grid.exponents[best], turns)
     left, exponents, rates, likelihood = laws_near(
         values, scale, start, (grid.left[0], grid.left[-1])
     )
     count = len(likelihood)
 
-    def first_rate(i):
+    def first_rate(i: int) -> float:
         if i < count:
             return rates[i] * FRAME_RATE
         cell = i - count
@@ -402,7 +430,7 @@ def _likelihood_surface(onsets, channel, first, frames, grid):
         likelihood=likelihood[admitted],
         ends=(first + frames + left[admitted]) / FRAME_RATE,
         exponents=np.concatenate([exponents, grid.exponents])[admitted],
-        first_rates=np.array([first_rate(i) for i in admitted]),
+        first_rates=np.array([first_rate(int(i)) for i in admitted]),
         start=first / FRAME_RATE,
         seconds=frames / FRAME_RATE,
     )

@@ -53,11 +53,11 @@ class OnsetStrength:
 
 def frames_of(samples: np.ndarray, rate: float) -> Frames:
     """Return the power and the waveform of samples (n,) at `rate` [Hz]."""
-    edges = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]  # Hz
+    limits = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]  # Hz
     narrow_range = (4000.0, 16000.0)  # Hz
     narrow_width = 250.0  # Hz, about the resolution of the window
     highest = SETTLING.max_frequency_per_rate * rate
-    edges = np.array(edges, dtype=float)
+    edges = np.array(limits, dtype=float)
     edges = edges[edges <= highest]
     narrow_limit = max(min(narrow_range[1], highest), narrow_range[0])
     narrow_edges = np.arange(narrow_range[0], narrow_limit + 1, narrow_width)
@@ -73,7 +73,9 @@ def frames_of(samples: np.ndarray, rate: float) -> Frames:
     )
 
 
-def _band_power(samples, rate, window_length, edges):
+def _band_power(
+    samples: np.ndarray, rate: float, window_length: int, edges: np.ndarray
+) -> np.ndarray:
     """Return the power (frames, bands) of samples (n,) in bands with the given edges
     [Hz]."""
     window = np.hanning(window_length + 2)[1:-1]
@@ -108,7 +110,7 @@ def waveform_of(samples: np.ndarray, rate: float) -> np.ndarray:
     return waveform[np.minimum(centres, len(waveform) - 1)].astype(np.float32)
 
 
-def _band_weights(window_length, rate, edges):
+def _band_weights(window_length: int, rate: float, edges: np.ndarray) -> np.ndarray:
     """Return the fraction (bins, bands) of each spectral bin in each band between edges
     [Hz]."""
     spacing = rate / window_length
@@ -151,7 +153,7 @@ def onset_strength(frames: Frames) -> OnsetStrength:
     )
 
 
-def _narrow_components(power):
+def _narrow_components(power: np.ndarray) -> np.ndarray:
     """Return the onset strength (components, frames) of groups of adjacent narrow bands
     with a power (frames, bands)."""
     bands_per_component = 4
@@ -164,7 +166,7 @@ def _narrow_components(power):
     return normalised(np.array([group.mean(axis=0) for group in groups]))
 
 
-def _log_power(power):
+def _log_power(power: np.ndarray) -> np.ndarray:
     """Return the natural logarithm (bands, frames) of a power (frames, bands), above a
     floor of -40 dB relative to its running mean."""
     floor = 1e-4 * uniform_filter1d(power.T, 401, axis=1)
@@ -181,7 +183,7 @@ def tone_strength(waveform: np.ndarray) -> OnsetStrength:
     )
 
 
-def normalised(values):
+def normalised(values: np.ndarray) -> np.ndarray:
     """Return values (..., n) divided by their running rms over 0.3 s, clipped to -3 and
     6."""
     deviation = np.sqrt(

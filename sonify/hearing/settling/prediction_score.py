@@ -32,6 +32,11 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
     Each part of the window `values` (components, frames) is predicted from the other
     parts.
     """
+    return float(part_gains(values, law).sum())
+
+
+def part_gains(values: np.ndarray, law: Law) -> np.ndarray:
+    """Return the contributions (parts,) of the parts of a window to `predicted_gain`."""
     part_count = 5
     count = values.shape[1]
     values = values.T
@@ -43,15 +48,15 @@ def predicted_gain(values: np.ndarray, law: Law) -> float:
     gram = grams.sum(axis=0)
     right = rights.sum(axis=0)
     ridge = 1e-6 * count * np.eye(len(gram))
-    gain = 0.0
-    for part, own_gram, own_right in zip(parts, grams, rights, strict=True):
-        fitted = np.linalg.solve(gram - own_gram + ridge, right - own_right)
-        mean = (right - own_right)[0] / (gram - own_gram)[0, 0]
+    found = np.empty(part_count)
+    for i, part in enumerate(parts):
+        fitted = np.linalg.solve(gram - grams[i] + ridge, right - rights[i])
+        mean = (right - rights[i])[0] / (gram - grams[i])[0, 0]
         residual = np.sum(np.square(values[part] - columns[part] @ fitted), axis=0)
         variance = np.sum(np.square(values[part] - mean), axis=0)
         gains = np.log((variance + 1e-9) / (residual + 1e-9))
-        gain += float(gains.mean()) / (2 * part_count)
-    return gain
+        found[i] = float(gains.mean()) / (2 * part_count)
+    return found
 
 
 def without_harmonics(
@@ -109,7 +114,7 @@ def single_component_score(score: float, components: float, harmonics: int) -> f
     if components <= 1 or score <= 0:
         return score
 
-    def tail(value, degrees):
+    def tail(value: float, degrees: float) -> float:
         return value - degrees * math.log1p(value / degrees)
 
     wanted = tail(score, components * harmonics)

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -33,7 +34,7 @@ class Shape:
     ratio: float
     exponent: float = 0.0
 
-    def phase(self, x):
+    def phase(self, x: float | np.ndarray) -> Any:
         """Return the phase (n,) at relative times x (n,)."""
         x = np.asarray(x, dtype=float)
         ratio = self.ratio
@@ -53,14 +54,14 @@ class Shape:
             return (x + (ratio - 1) * x * x / 2) / ((1 + ratio) / 2)
         return (ratio**x - 1) / (ratio - 1)
 
-    def time(self, phase):
+    def time(self, phase: np.ndarray) -> np.ndarray:
         """Return the relative times (n,) at a phase (n,)."""
         return places(
             FAMILY_CODES[self.family], self.ratio, self.exponent or 0.5, phase
         )
 
     @property
-    def first_rate(self):
+    def first_rate(self) -> float:
         """Ratio of the initial to the mean rate."""
         return (self.phase(1e-6) - self.phase(0.0)) / 1e-6
 
@@ -76,14 +77,14 @@ class Law:
     likelihood: float
 
 
-def distance_to_end(ratio, exponent):
+def distance_to_end(ratio: float, exponent: float) -> float:
     """Return the time from the end of the window to that of the disk, divided by the
     length of the window."""
     return 1 / (ratio ** (1 / exponent) - 1)
 
 
 @njit(cache=True, nogil=True)
-def places(code, ratio, exponent, phases):
+def places(code: int, ratio: float, exponent: float, phases: np.ndarray) -> np.ndarray:
     """Return the relative times (n,), from 0 to 1, at phases (n,)."""
     slowing = code >= 3
     family = code - 3 if slowing else code
@@ -113,7 +114,12 @@ def places(code, ratio, exponent, phases):
     return found
 
 
-def covering_shapes(family: str, ratios, exponents, distance: float) -> list[Shape]:
+def covering_shapes(
+    family: str,
+    ratios: list[float] | np.ndarray,
+    exponents: list[float] | np.ndarray,
+    distance: float,
+) -> list[Shape]:
     """Return a greedy choice of shapes that has a member near every law of a family.
 
     `distance` is the largest rms difference of the phases.
@@ -156,22 +162,29 @@ def families(
     `distance` is their spacing, as in `covering_shapes`, and `min_ratio` the minimum
     ratio of the rates of a disk.
     """
-    high = SETTLING.rate_ratios[1]
-    disk_ratios = np.geomspace(min_ratio, high, 40)
-    exponents = np.linspace(*SETTLING.exponents, 18)
-    rising = np.geomspace(SETTLING.max_steady_ratio, high, 60)
-    steady = np.geomspace(1 / SETTLING.max_steady_ratio, SETTLING.max_steady_ratio, 31)
-    slowing = covering_shapes("slowing disk", disk_ratios, exponents, distance)
-    slowing += covering_shapes("slowing linear", rising, [0.0], distance)
-    slowing += covering_shapes("slowing exponential", rising, [0.0], distance)
-    found = {
-        "disk": covering_shapes("disk", disk_ratios, exponents, distance),
-        "flat": covering_shapes("linear", steady, [0.0], distance),
-        "slowing": slowing,
-        "linear": covering_shapes("linear", rising, [0.0], distance),
-        "exponential": covering_shapes("exponential", rising, [0.0], distance),
-    }
-    names = tuple(found) if only is None else (only,)
-    shapes = [found[name] for name in names]
+    every = ("disk", "flat", "slowing", "linear", "exponential")
+    names = every if only is None else (only,)
+    shapes = [_shapes_of_family(name, distance, min_ratio) for name in names]
     begins = np.cumsum([0, *map(len, shapes[:-1])])
     return ShapeSet(tuple(chain(*shapes)), names, begins)
+
+
+@lru_cache
+def _shapes_of_family(name: str, distance: float, min_ratio: float) -> list[Shape]:
+    """Return the searched shapes of a family; see `families`."""
+    high = SETTLING.rate_ratios[1]
+    steady = SETTLING.max_steady_ratio
+    disk_laws = np.geomspace(min_ratio, high, 40), np.linspace(*SETTLING.exponents, 18)
+    rising_laws = np.geomspace(steady, high, 60), [0.0]
+    if name == "disk":
+        return covering_shapes("disk", *disk_laws, distance)
+    if name == "flat":
+        ratios = np.geomspace(1 / steady, steady, 31)
+        return covering_shapes("linear", ratios, [0.0], distance)
+    if name == "slowing":
+        return [
+            *covering_shapes("slowing disk", *disk_laws, distance),
+            *covering_shapes("slowing linear", *rising_laws, distance),
+            *covering_shapes("slowing exponential", *rising_laws, distance),
+        ]
+    return covering_shapes(name, *rising_laws, distance)

@@ -10,7 +10,9 @@ from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import effective_components
 
 
-def _centred_window(values, scale_ms):
+def _centred_window(
+    values: np.ndarray, scale_ms: float
+) -> tuple[np.ndarray, np.ndarray, float, float]:
     """Return the cumulative sums (frames + 1, components) of a window (components,
     frames) without its means, its length times its energies (components,), and its
     numbers of independent samples and components."""
@@ -24,7 +26,32 @@ def _centred_window(values, scale_ms):
 
 
 @njit(cache=True, nogil=True)
-def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
+def _add_harmonics(
+    sums: np.ndarray, part: np.ndarray, cosine: float, sine: float
+) -> None:
+    """Add the increments (components,) of one step of the phase to the Fourier sums, in
+    place."""
+    real = cosine
+    imaginary = sine
+    for h in range(len(sums)):
+        for c in range(len(part)):
+            sums[h, 0, c] += part[c] * real
+            sums[h, 1, c] += part[c] * imaginary
+        real, imaginary = (
+            real * cosine - imaginary * sine,
+            real * sine + imaginary * cosine,
+        )
+
+
+@njit(cache=True, nogil=True)
+def _harmonic_sums(
+    cumulative: np.ndarray,
+    code: int,
+    ratio: float,
+    exponent: float,
+    turns: float,
+    harmonics: int,
+) -> np.ndarray:
     """Return the Fourier sums (harmonics, 2, components) of a centred window at the phase
     of a law."""
     length = len(cumulative) - 1
@@ -47,16 +74,7 @@ def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
             now = cumulative[i, c] + (cut - i) * step
             part[c] = now - before[c]
             before[c] = now
-        real = cosine
-        imaginary = sine
-        for h in range(harmonics):
-            for c in range(count):
-                sums[h, 0, c] += part[c] * real
-                sums[h, 1, c] += part[c] * imaginary
-            real, imaginary = (
-                real * cosine - imaginary * sine,
-                real * sine + imaginary * cosine,
-            )
+        _add_harmonics(sums, part, cosine, sine)
         cosine, sine = (
             cosine * step_cos - sine * step_sin,
             cosine * step_sin + sine * step_cos,
@@ -65,7 +83,14 @@ def _harmonic_sums(cumulative, code, ratio, exponent, turns, harmonics):
 
 
 @njit(cache=True, nogil=True)
-def _likelihood(window, code, ratio, exponent, turns, harmonics):
+def _likelihood(
+    window: tuple[np.ndarray, np.ndarray, float, float],
+    code: int,
+    ratio: float,
+    exponent: float,
+    turns: float,
+    harmonics: int,
+) -> tuple[float, int]:
     """Return the log likelihood and the best number of harmonics of a law in a
     centred window."""
     cumulative, energy, independent, effective = window
@@ -89,7 +114,7 @@ def _likelihood(window, code, ratio, exponent, turns, harmonics):
 
 
 @njit(cache=True, nogil=True)
-def _first_rate(code, ratio, exponent):
+def _initial_over_mean_rate(code: int, ratio: float, exponent: float) -> float:
     """Return the ratio of the initial to the mean rate of a law."""
     small_phase = np.empty(1)
     small_phase[0] = 1e-5
@@ -97,7 +122,16 @@ def _first_rate(code, ratio, exponent):
 
 
 @njit(cache=True, nogil=True)
-def _climb(window, code, start, bounds, steps, min_turns, min_rate, harmonics):
+def _climb_to_best_law(
+    window: tuple[np.ndarray, np.ndarray, float, float],
+    code: int,
+    start: np.ndarray,
+    bounds: np.ndarray,
+    steps: np.ndarray,
+    min_turns: float,
+    min_rate: float,
+    harmonics: int,
+) -> tuple[np.ndarray, float, int]:
     """Return the law (log ratio, exponent, turns) reached by random uphill steps from
     `start`.
 
@@ -117,7 +151,10 @@ def _climb(window, code, start, bounds, steps, min_turns, min_rate, harmonics):
         ratio = math.exp(tried[0])
         if tried[2] < min_turns:
             continue
-        if tried[2] / seconds * _first_rate(code, ratio, tried[1]) < min_rate:
+        if (
+            tried[2] / seconds * _initial_over_mean_rate(code, ratio, tried[1])
+            < min_rate
+        ):
             continue
         value, harmonic = _likelihood(
             window, code, ratio, tried[1], tried[2], harmonics
@@ -160,7 +197,7 @@ def refine(
     for law in starts:
         shape = law.shape
         start = np.array([math.log(shape.ratio), shape.exponent or 0.5, law.turns])
-        here, likelihood, order = _climb(
+        here, likelihood, order = _climb_to_best_law(
             window,
             FAMILY_CODES[shape.family],
             start,
@@ -177,7 +214,14 @@ def refine(
 
 
 @njit(cache=True, nogil=True)
-def _walk(window, start, left_range, exponent_range, steps, harmonics):
+def _sample_laws_around(
+    window: tuple[np.ndarray, np.ndarray, float, float],
+    start: np.ndarray,
+    left_range: np.ndarray,
+    exponent_range: np.ndarray,
+    steps: np.ndarray,
+    harmonics: int,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return tested laws of a disk (count, 3), their initial rates and log likelihoods
     (count,).
 
@@ -205,7 +249,7 @@ def _walk(window, start, left_range, exponent_range, steps, harmonics):
         tried[k, 1] = exponent
         tried[k, 2] = turns
         values[k], _ = _likelihood(window, 0, ratio, exponent, turns, harmonics)
-        first_rates[k] = turns / length * _first_rate(0, ratio, exponent)
+        first_rates[k] = turns / length * _initial_over_mean_rate(0, ratio, exponent)
         if values[k] > best:
             best = values[k]
             for i in range(3):
@@ -213,7 +257,12 @@ def _walk(window, start, left_range, exponent_range, steps, harmonics):
     return tried, first_rates, values
 
 
-def laws_near(values: np.ndarray, scale_ms: float, start, left_range):
+def laws_near(
+    values: np.ndarray,
+    scale_ms: float,
+    start: tuple[float, float, float],
+    left_range: tuple[float, float],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return laws of a disk close to the starting point `start` (frames from the window
     to the end, exponent, turns).
 
@@ -221,7 +270,7 @@ def laws_near(values: np.ndarray, scale_ms: float, start, left_range):
     likelihoods, each (laws,)."""
     near_end = 200  # frames; the steps grow in proportion to a longer remaining time
     growth = max(start[0] / near_end, 1.0)
-    tried, first_rates, likelihood = _walk(
+    tried, first_rates, likelihood = _sample_laws_around(
         _centred_window(values, scale_ms),
         np.array(start, dtype=float),
         np.array(left_range, dtype=float),

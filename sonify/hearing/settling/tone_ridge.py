@@ -75,16 +75,16 @@ def tone_ridge(samples: np.ndarray, rate: float) -> ToneRidge | None:
         errors=errors,
         time=time,
         frequency=2**pitch,
-        octaves=float(_octaves(seen.peaks, law)),
+        octaves=float(_octaves_with_peaks(seen.peaks, law)),
     )
 
 
-def _best_ridge(seen: LogSpectrogram):
+def _best_ridge(seen: LogSpectrogram) -> np.ndarray:
     """Return times [s] and log2 frequencies (2, r) of the ridge with the most evidence,
     integrated over the octaves that the tone rises."""
     slopes = np.geomspace(0.015, 8.0, 18)  # bins per frame
     bend_penalty = 1.5  # dB octaves per change of the slope
-    back, place = _best_paths(_evidence(seen.contrast), slopes, bend_penalty)
+    back, place = _best_paths(_evidence_per_octave(seen.contrast), slopes, bend_penalty)
     path = np.array(_backtrack(back, *place, slopes))[::-1]
     middle = 2 * path[:, 1] + 0.5
     return np.array(
@@ -95,7 +95,7 @@ def _best_ridge(seen: LogSpectrogram):
     )
 
 
-def _evidence(contrast):
+def _evidence_per_octave(contrast: np.ndarray) -> np.ndarray:
     """Return the evidence per octave [dB] in pairs of bins of the contrast (t, f) [dB].
 
     It is the weighted sum of three harmonics above that of noise."""
@@ -110,20 +110,22 @@ def _evidence(contrast):
 
 
 @njit(cache=True, nogil=True)
-def _shift(slope, frame):
+def _bins_from_previous_frame(slope: float, frame: int) -> int:
     """Return the number of bins from the previous frame to a frame."""
     return int(slope * (frame + 1)) - int(slope * frame)
 
 
 @njit(cache=True, nogil=True)
-def _running_sums(values, sums):
+def _running_sums(values: np.ndarray, sums: np.ndarray) -> None:
     """Write the sums of the first values (n,) to `sums` (n + 1,), after its first zero."""
     for i in range(len(values)):
         sums[i + 1] = sums[i] + values[i]
 
 
 @njit(cache=True, nogil=True)
-def _best_paths(evidence, slopes, bend_penalty):
+def _best_paths(
+    evidence: np.ndarray, slopes: np.ndarray, bend_penalty: float
+) -> tuple[np.ndarray, tuple[int, int, int]]:
     """Return the previous slope (frames, slopes, bins) of the best path through each
     bin, or -1 if it begins there, and frame, slope and bin of the end of the best path.
 
@@ -141,7 +143,7 @@ def _best_paths(evidence, slopes, bend_penalty):
         _running_sums(evidence[frame], sums)
         top = np.float32(0)
         for k in range(len(slopes)):
-            shift = _shift(slopes[k], frame)
+            shift = _bins_from_previous_frame(slopes[k], frame)
             crossed = max(shift, 1)
             weight = np.float32(slopes[k] / crossed)
             for b in range(min(shift, bins)):
@@ -164,7 +166,9 @@ def _best_paths(evidence, slopes, bend_penalty):
 
 
 @njit(cache=True, nogil=True)
-def _best_predecessors(score, k, penalty, best, slope):
+def _best_predecessors(
+    score: np.ndarray, k: int, penalty: np.float32, best: np.ndarray, slope: np.ndarray
+) -> None:
     """Write the score of the best path that reaches each bin with slope k, and its
     previous slope, to `best` and `slope` (n,).
 
@@ -183,19 +187,21 @@ def _best_predecessors(score, k, penalty, best, slope):
 
 
 @njit(cache=True, nogil=True)
-def _backtrack(back, frame, slope, place, slopes):
+def _backtrack(
+    back: np.ndarray, frame: int, slope: int, place: int, slopes: np.ndarray
+) -> list[tuple[int, int]]:
     """Return pairs of frame and bin of a path, from its end to its beginning."""
     path = [(frame, place)]
     while back[frame, slope, place] >= 0:
         previous = back[frame, slope, place]
-        place -= _shift(slopes[slope], frame)
+        place -= _bins_from_previous_frame(slopes[slope], frame)
         frame -= 1
         slope = previous
         path.append((frame, place))
     return path
 
 
-def _initial_curves(ridge, count):
+def _initial_curves(ridge: np.ndarray, count: int) -> list[np.ndarray]:
     """Return the curves near the last part of a ridge (2, r) for 60 ends, the nearest
     `count` for each length of the part.
 
@@ -218,7 +224,9 @@ def _initial_curves(ridge, count):
     return [np.array(curve) for _, *curve in found]
 
 
-def _best_curve(seen, initial_curves):
+def _best_curve(
+    seen: LogSpectrogram, initial_curves: list[np.ndarray]
+) -> tuple[np.ndarray, np.ndarray] | None:
     """Return the rising curve (3,) that explains most octaves of the frequency, of
     those fitted to the peaks that stand out, and its standard errors (3,); None if none
     rises and stands out.
@@ -227,7 +235,8 @@ def _best_curve(seen, initial_curves):
     distance to other curves that explain nearly as many."""
     min_strength = 4.0  # dB; sounds without a disk reach 2 dB
     fitted = [
-        _fit(seen.peaks, initial, FIT_HALF_WIDTHS_OCTAVES) for initial in initial_curves
+        _fit_curve_to_peaks(seen.peaks, initial, FIT_HALF_WIDTHS_OCTAVES)
+        for initial in initial_curves
     ]
     curves = np.array(
         [
@@ -238,24 +247,26 @@ def _best_curve(seen, initial_curves):
     )
     if not len(curves):
         return None
-    explained = np.array([curve[1] * _octaves(seen.peaks, curve) for curve in curves])
+    explained = np.array(
+        [curve[1] * _octaves_with_peaks(seen.peaks, curve) for curve in curves]
+    )
     best = curves[np.argmax(explained)]
     deviation = curves[explained >= 0.85 * explained.max()] - best
     resolution = (0.0005, 0.001, 0.0)  # hop, and curvature of the tone within a window
     square = (
-        _jackknife(seen.peaks, best)
+        _jackknife_variances(seen.peaks, best)
         + np.square(deviation).mean(axis=0)
         + np.square(resolution)
     )
     return _fundamental(seen.peaks, best), np.sqrt(square)
 
 
-def _octaves(peaks, curve):
+def _octaves_with_peaks(peaks: np.ndarray, curve: np.ndarray) -> float:
     """Return the number of octaves of the remaining time in which a curve has peaks."""
     return _normal_equations(peaks, curve, FIT_HALF_WIDTHS_OCTAVES[-1])[2]
 
 
-def _mean_contrast(seen, curve):
+def _mean_contrast(seen: LogSpectrogram, curve: np.ndarray) -> float:
     """Return the mean contrast along a curve [dB], which is 0 outside the spectrogram."""
     left = np.geomspace(*REMAINING_TIME_RANGE_S, 72)
     along = 2 ** (curve[2] - curve[1] * np.log2(left))
@@ -264,16 +275,16 @@ def _mean_contrast(seen, curve):
     return float(np.mean(map_coordinates(seen.contrast, [row, column], order=1)))
 
 
-def _strongest_line(peaks, curve):
+def _strongest_line(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
     """Return the strongest peak (3, r) near the curve in each frame."""
     max_distance = 0.4  # octaves; the nutation is 0.3 octaves below the precession
-    inside = peaks[:, _inside(peaks, curve[0])]
-    near = inside[:, np.abs(_residual(inside, curve)) < max_distance]
+    inside = peaks[:, _peaks_in_range(peaks, curve[0])]
+    near = inside[:, np.abs(_octaves_above_curve(inside, curve)) < max_distance]
     near = near[:, np.lexsort((-near[2], near[0]))]
     return near[:, np.unique(near[0], return_index=True)[1]]
 
 
-def _inside(peaks, end):
+def _peaks_in_range(peaks: np.ndarray, end: float) -> slice:
     """Return the slice of the peaks within REMAINING_TIME_RANGE_S before an end [s]."""
     nearest, farthest = REMAINING_TIME_RANGE_S
     return slice(
@@ -282,12 +293,14 @@ def _inside(peaks, end):
     )
 
 
-def _residual(peaks, curve):
+def _octaves_above_curve(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
     """Return the signed distances (n,) of peaks above a curve [octaves]."""
     return peaks[1] - curve[2] + curve[1] * np.log2(curve[0] - peaks[0])
 
 
-def _fit(peaks, curve, widths):
+def _fit_curve_to_peaks(
+    peaks: np.ndarray, curve: np.ndarray, widths: tuple[float, ...]
+) -> np.ndarray:
     """Return the curve after Gauss-Newton steps, one for each of `widths` [octaves].
 
     Each step changes the end by at most 0.1 s and the exponent by at most 0.2.
@@ -301,15 +314,17 @@ def _fit(peaks, curve, widths):
     return curve
 
 
-def _normal_equations(peaks, curve, width):
+def _normal_equations(
+    peaks: np.ndarray, curve: np.ndarray, width: float
+) -> tuple[np.ndarray, np.ndarray, float]:
     """Return the normal equations (3, 3), (3,) of a robust linear fit around a curve,
     and the number of octaves of the remaining time with peaks.
 
     The residual log2 f - log2 a + p log2(t_end - t) is relative to the nearest of three
     octaves. The weights are Tukey's biweight with the half-width `width` [octaves].
     Each octave of the remaining time has the same total weight."""
-    peaks = peaks[:, _inside(peaks, curve[0])]
-    residual = _residual(peaks, curve)
+    peaks = peaks[:, _peaks_in_range(peaks, curve[0])]
+    residual = _octaves_above_curve(peaks, curve)
     residual -= np.clip(np.round(residual), -1, 1)
     near = np.abs(residual) < width
     residual = residual[near]
@@ -319,7 +334,7 @@ def _normal_equations(peaks, curve, width):
     return (slope * weight) @ slope.T, (slope * weight) @ residual, weight.sum()
 
 
-def _jackknife(peaks, curve):
+def _jackknife_variances(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
     """Return the jackknife variances (3,) for parts of equal log remaining time."""
     part_count = 12
     nearest, farthest = REMAINING_TIME_RANGE_S
@@ -327,20 +342,22 @@ def _jackknife(peaks, curve):
     part = np.floor(part_count * np.log(left / nearest) / np.log(farthest / nearest))
     moved = np.array(
         [
-            _fit(peaks[:, part != one], curve, FIT_HALF_WIDTHS_OCTAVES[-1:])
+            _fit_curve_to_peaks(
+                peaks[:, part != one], curve, FIT_HALF_WIDTHS_OCTAVES[-1:]
+            )
             for one in np.unique(part)
         ]
     )
     return (len(moved) - 1) * moved.var(axis=0)
 
 
-def _fundamental(peaks, curve):
+def _fundamental(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
     """Return the curve of the fundamental, the lowest octave with at least half of the
     largest number of peaks."""
     moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
-    peaks = peaks[:, _inside(peaks, curve[0])]
+    peaks = peaks[:, _peaks_in_range(peaks, curve[0])]
     left = np.abs(curve[0] - peaks[0])
     width = FIT_HALF_WIDTHS_OCTAVES[-1]
-    near = [np.abs(_residual(peaks, one)) < width for one in moved]
+    near = [np.abs(_octaves_above_curve(peaks, one)) < width for one in moved]
     count = np.array([np.sum(each / left) for each in near])
     return moved[np.argmax(count > 0.5 * count.max())]

@@ -41,7 +41,9 @@ def tabulated_warps(family: ShapeSet, length: int, steps: int) -> TabulatedWarps
 
 
 @njit(cache=True, nogil=True)
-def _warp(values, index, fraction, padded):
+def _sum_over_phase_steps(
+    values: np.ndarray, index: np.ndarray, fraction: np.ndarray, padded: np.ndarray
+) -> float:
     """Write sums of a window (frames,) over equal steps of phase into `padded`.
 
     `padded` is (shapes, 2 steps); its second half is unchanged. Returns the length of the
@@ -71,7 +73,9 @@ def _warp(values, index, fraction, padded):
 
 
 @njit(cache=True, nogil=True)
-def _add_explained_share(spectra, scale, share):
+def _add_explained_share(
+    spectra: np.ndarray, scale: np.float32, share: np.ndarray
+) -> None:
     """Add the power of spectra (shapes, bins), with interpolated values between their
     bins, times a scale to a share (shapes, rates) of the variance."""
     inner = np.float32(0.5854)
@@ -99,7 +103,7 @@ def _add_explained_share(spectra, scale, share):
 
 
 @njit(cache=True, nogil=True)
-def _largest_sums(power, first):
+def _largest_sums(power: np.ndarray, first: int) -> np.ndarray:
     """Return the largest sums (4,) of one to four terms of the power at k, 2 k, 3 k,
     4 k, for k >= `first`."""
     largest = np.zeros(4, dtype=np.float32)
@@ -114,7 +118,9 @@ def _largest_sums(power, first):
 
 
 @njit(cache=True, nogil=True)
-def _likelihoods(share, independent, effective, min_turns):
+def _likelihoods(
+    share: np.ndarray, independent: float, effective: float, min_turns: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return log likelihoods and numbers of harmonics of the best rates (shapes,).
 
     `share` (shapes, rates) is the share of the variance that each rate explains,
@@ -134,7 +140,7 @@ def _likelihoods(share, independent, effective, min_turns):
 
 
 @njit(cache=True, nogil=True)
-def turns_of(share, min_turns, harmonics):
+def turns_of(share: np.ndarray, min_turns: float, harmonics: int) -> float:
     """Return the number of turns with the largest share (rates,) of harmonics."""
     top = -1.0
     place = 0
@@ -196,7 +202,7 @@ def search(values: np.ndarray, scale_ms: float, warps: TabulatedWarps) -> Search
     padded = np.zeros((shapes, 2 * (cuts - 1)), dtype=np.float32)
     share = np.zeros((shapes, 2 * cuts - 1), dtype=np.float32)
     for component in values:
-        energy = _warp(component, warps.index, warps.fraction, padded)
+        energy = _sum_over_phase_steps(component, warps.index, warps.fraction, padded)
         spectra = rfft(padded, axis=1)
         _add_explained_share(spectra, np.float32(2 / (energy * count)), share)
     min_turns = np.maximum(
@@ -231,7 +237,7 @@ def strongest_laws(
     warps = tabulated_warps(shapes, length, phase_step_count(length, scale_ms))
     result = search(values, scale_ms, warps)
 
-    def law(i):
+    def law(i: int) -> Law:
         likelihood = float(result.likelihood[i])
         return Law(
             shapes.shapes[i], result.turns(i), int(result.harmonics[i]), likelihood

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import chain, repeat
 from math import ceil, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.signal import oaconvolve, upfirdn
@@ -26,7 +27,20 @@ from sonify.sound.block_overlap import overlapping_blocks
 from sonify.sound.fades import raised_cosine
 from sonify.sound.force import INTERPOLATION_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
-from sonify.sound.sources.protocol import SoundSource, SourceGroup, ignore_energy
+from sonify.sound.sources.film import radiates_above_film
+from sonify.sound.sources.protocol import (
+    Advance,
+    CompositeSource,
+    ElasticDisk,
+    Note,
+    RigidDisk,
+    SoundSource,
+    SourceGroup,
+    ignore_energy,
+)
+
+if TYPE_CHECKING:
+    from sonify.sound.radiation import Listener
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,9 +79,15 @@ class ContactFilter:
     def along(
         cls, motion: Motion, scene: Scene, sample_rate: int, start: float
     ) -> "ContactFilter":
-        """Return the filter of the rough contact of a motion, with its table."""
+        """Return the filter of the rough contact of a motion, with its table.
+
+        Under a motion that was solved without the roughness of the scene, the table
+        yields unless surface.action = 'sound'."""
         plan = motion.plan
         assert plan.tabulated_law is not None  # the contact is elastic
+        yields = plan.filter_is_two_way
+        if plan.scene.roughness != scene.roughness:
+            yields = scene.surface.action != "sound"
         heights = profiles(scene.roughness, scene.disk.radius)
         return cls(
             motion,
@@ -75,8 +95,8 @@ class ContactFilter:
             heights,
             sample_rate,
             start,
-            plan.filter_modes,
-            plan.filter_plate_mobility,
+            plan.surface_modes if yields else None,
+            plan.plate_mobility if yields else 0.0,
         )
 
     @property
@@ -151,7 +171,7 @@ def windowed_sinc_taps(factor: int) -> np.ndarray:
     return weight / weight.sum()
 
 
-def decimate(samples, weight, factor) -> np.ndarray:
+def decimate(samples: np.ndarray, weight: np.ndarray, factor: int) -> np.ndarray:
     """Return every `factor`-th sample after filtering samples (n, c) by the taps
     `weight`.
 
@@ -159,6 +179,19 @@ def decimate(samples, weight, factor) -> np.ndarray:
     skipped = (len(weight) - 1) // factor
     complete = (len(samples) - len(weight)) // factor + 1
     return upfirdn(weight, samples, 1, factor, axis=0)[skipped : skipped + complete]
+
+
+def superposed_part(scene: Scene, motion: Motion) -> Motion | None:
+    """Return the part of a motion on which the vibration of its contact is superposed.
+
+    It is the rolling motion, or its part before a rough contact is handed over to time
+    steps; None if the whole motion includes the vibration."""
+    rolling = motion.rolling
+    if motion.vibration_crossover is None:
+        return rolling
+    first = rolling.parts[0].motion
+    is_handed_over = scene.roughness is not None and first.vibration_crossover is None
+    return first if is_handed_over else None
 
 
 class ContactVibration(SoundSource):
@@ -171,26 +204,29 @@ class ContactVibration(SoundSource):
     channel_ends = np.zeros((0, 2))
     tail_duration = 0.0
 
-    def __init__(self, scene, motion, *moved: SoundSource):
+    def __init__(self, scene: Scene, motion: Motion, *moved: SoundSource) -> None:
+        part = superposed_part(scene, motion) or motion.rolling
         self._motion = motion
         self._filter_from = partial(
-            ContactFilter.along, motion.rolling, scene, scene.audio.sample_rate
+            ContactFilter.along, part, scene, scene.audio.sample_rate
         )
         self._group = SourceGroup(moved)
         self._vibrating = moved[0]
         self.latency = self._group.latency
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return an empty array (k, 0), because the filter provides the force."""
         return np.zeros((len(force), 0))
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the pressure (k, 1) [Pa] of successive
         blocks."""
         pressure = None
         held = np.zeros((0, 1))
 
-        def advance(force):
+        def advance(force: ContactForce) -> np.ndarray:
             nonlocal pressure, held
             if pressure is None:
                 added = self._filter_from(float(force.t[0]))
@@ -203,7 +239,7 @@ class ContactVibration(SoundSource):
 
         return advance
 
-    def _pressure(self, added):
+    def _pressure(self, added: ContactFilter) -> Iterator[np.ndarray]:
         """Yield the pressure (k, 1) [Pa] in the blocks of a ContactFilter."""
         renderers = self._group.simultaneous_renderers(
             np.zeros(len(self._group.channel_ends)),
@@ -219,20 +255,23 @@ class ContactVibration(SoundSource):
             stems = [render(driven) for render in renderers]
             yield np.hstack(stems).sum(axis=1, keepdims=True)
 
-    def _states_and_film(self, t):
+    def _states_and_film(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the states (k, 11) and `Motion.film_loads` (k, 5) at t (k,) [s],
         interpolated from every INTERPOLATION_STRIDE-th time."""
         inside = np.clip(t, 0.0, self._motion.t[-1])
         nodes = np.append(inside[:-1:INTERPOLATION_STRIDE], inside[-1])
         state = self._motion.at(nodes)
         at_nodes = state, self._motion.film_loads(nodes, state)
-        return tuple(
+        state, film = (
             np.column_stack([np.interp(inside, nodes, column) for column in rows.T])
             for rows in at_nodes
         )
+        return state, film
 
 
-def _added_force_blocks(added):
+def _added_force_blocks(
+    added: ContactFilter,
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield times (k + 1,) [s] and additional contact forces (k + 1, 3) [N]
     indefinitely.
 
@@ -248,7 +287,7 @@ def _added_force_blocks(added):
         last = force[-1:]
 
 
-class SolvedContactVibration(SoundSource):
+class SolvedContactVibration(CompositeSource):
     """Sound of a disk whose motion already includes the contact vibration.
 
     The part of each stem above `crossover` [Hz] is moved to the contact stem. If
@@ -261,22 +300,17 @@ class SolvedContactVibration(SoundSource):
         vibrating: SoundSource,
         crossover: float,
         sample_rate: int,
-    ):
+    ) -> None:
         self._is_replaced = vibrating is not rigid
-        sources = [rigid, elastic, vibrating] if self._is_replaced else [rigid, elastic]
-        self._group = SourceGroup(sources)
+        replacing = [vibrating] if self._is_replaced else []
+        names = (*rigid.names, *elastic.names, "contact")
+        super().__init__(names, rigid, elastic, *replacing)
         self._rigid_stems = len(rigid.names)
-        self.names = (*rigid.names, *elastic.names, "contact")
-        self.channel_ends = self._group.channel_ends
         self._weight = windowed_sinc_taps(max(round(sample_rate / (2 * crossover)), 1))
         self.tail_duration = max(rigid.tail_duration, elastic.tail_duration)
-        self.latency = self._group.latency + len(self._weight) // 2
+        self.latency += len(self._weight) // 2
 
-    def input_channels(self, force, state, film):
-        """Return the input channels (k, c) of the disk."""
-        return self._group.input_channels(force, state, film)
-
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, 5) [Pa] of successive blocks.
 
         Before the first block the channels have the values `first` (c,)."""
@@ -286,7 +320,7 @@ class SolvedContactVibration(SoundSource):
         half = len(self._weight) // 2
         extend = overlapping_blocks(2 * half)
 
-        def advance(force):
+        def advance(force: ContactForce) -> np.ndarray:
             stems = extend(np.hstack([render(force) for render in renderers]))
             slow = oaconvolve(stems, self._weight[:, None], "valid", axes=0)
             fast = stems[half : len(stems) - half] - slow
@@ -298,26 +332,70 @@ class SolvedContactVibration(SoundSource):
         return advance
 
 
+class HandedOverContactVibration(CompositeSource):
+    """Sound of a disk whose contact vibration is superposed on the first part of the
+    motion and solved in the rest.
+
+    The superposed force ends with a fade at the hand-over; the table is at rest there
+    under the weight, and the solved vibration rises within some periods."""
+
+    def __init__(
+        self, solved: SolvedContactVibration, superposed: ContactVibration
+    ) -> None:
+        super().__init__(solved.names, solved, superposed)
+
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
+        """Return a function that computes the stems (k, 5) [Pa] of successive blocks.
+
+        Before the first block the channels have the values `first` (c,)."""
+        notes = [note, ignore_energy]
+        solved, superposed = self._group.simultaneous_renderers(first, notes)
+
+        def advance(force: ContactForce) -> np.ndarray:
+            stems = solved(force)
+            stems[:, -1:] += superposed(force)
+            return stems
+
+        return advance
+
+
+def vibrating_disk(
+    scene: Scene, motion: Motion, listener: "Listener", rigid: RigidDisk
+) -> VibratingDisk | RigidDisk:
+    """Return the sound source of the vibration of the disk as a rigid body.
+
+    It is `rigid` itself where no film of air, closed or open, is under the disk."""
+    is_over_film = radiates_above_film(motion)
+    if motion.rim_modes is not None:  # the open film under a rattling disk
+        is_over_film = scene.air.pressure > 0
+    return VibratingDisk(scene, listener) if is_over_film else rigid
+
+
 def contact_sources(
-    scene, motion, listener, rigid, elastic, *below
+    scene: Scene,
+    motion: Motion,
+    listener: "Listener",
+    rigid: RigidDisk,
+    elastic: ElasticDisk,
+    *below: SoundSource,
 ) -> list[SoundSource]:
     """Return the sound sources of a disk, including its vibration on an elastic
     contact.
 
-    The vibration is superposed on a rigid motion, or extracted from a motion that
-    includes it. If superposed, it also drives the table sources `below`."""
+    The vibration is superposed on a rigid motion, extracted from a motion that includes
+    it, or both in turn. If superposed, it also drives the table sources `below`."""
     if scene.contact.law == "rigid":
         return [rigid, elastic]
-    is_over_film = motion.plan.film is not None
-    if motion.rim_modes is not None:  # the open film under a rattling disk
-        is_over_film = scene.air.pressure > 0
-    vibrating = VibratingDisk(scene, listener) if is_over_film else rigid
-    if motion.vibration_crossover is None:
-        superposed = ContactVibration(scene, motion, vibrating, elastic, *below)
-        return [rigid, elastic, superposed]
+    vibrating = vibrating_disk(scene, motion, listener, rigid)
+    sources: list[SoundSource] = [rigid, elastic]
     crossover = motion.vibration_crossover
-    return [
-        SolvedContactVibration(
-            rigid, elastic, vibrating, crossover, scene.audio.sample_rate
-        )
-    ]
+    superposed = None
+    if superposed_part(scene, motion) is not None:
+        superposed = ContactVibration(scene, motion, vibrating, elastic, *below)
+        if crossover is None:
+            return [*sources, superposed]
+    assert crossover is not None
+    solved = SolvedContactVibration(
+        rigid, elastic, vibrating, crossover, scene.audio.sample_rate
+    )
+    return [HandedOverContactVibration(solved, superposed) if superposed else solved]

@@ -1,6 +1,7 @@
 """Compute the sound of a disk vibrating as a rigid body above its air film."""
 
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.fft import irfft, next_fast_len, rfft
@@ -18,7 +19,11 @@ from sonify.sound.modal_forcing import (
     rigid_acceleration,
 )
 from sonify.sound.radiation import Listener
-from sonify.sound.sources.protocol import SoundSource
+from sonify.sound.sources.protocol import Advance, Note, SoundSource
+
+if TYPE_CHECKING:
+    from sonify.scene import Scene
+    from sonify.sound.force import ContactForce
 
 COSINE_ORDERS = np.arange(MAX_RIM_ORDER + 1)
 SINE_ORDERS = np.arange(1, MAX_RIM_ORDER + 1)
@@ -35,7 +40,7 @@ class VibratingDisk(SoundSource):
     names = ("vibration",)
     channel_ends = np.array([[0.0, 0.0]] * 3 + [[np.nan, 0.0]] * 3)
 
-    def __init__(self, scene, listener: Listener):
+    def __init__(self, scene: "Scene", listener: Listener) -> None:
         disk = scene.disk
         air = scene.air
         rate = scene.audio.sample_rate
@@ -81,7 +86,9 @@ class VibratingDisk(SoundSource):
         )
         self._filters: dict[int, np.ndarray] = {}
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return the input channels (k, 6); the first three are linear in the force.
 
         The columns are the acceleration of the centre along the axis of the disk, the
@@ -99,7 +106,7 @@ class VibratingDisk(SoundSource):
             ]
         )
 
-    def _accelerations(self, force, inclination):
+    def _accelerations(self, force: np.ndarray, inclination: np.ndarray) -> np.ndarray:
         moved = in_patch_frame(force, inclination) @ rigid_acceleration(
             np.eye(3), self._disk
         )
@@ -108,7 +115,7 @@ class VibratingDisk(SoundSource):
         )
 
     def mean_square_pressure(
-        self, inclination: float, frequency, mean_gap: float | None = None
+        self, inclination: float, frequency: np.ndarray, mean_gap: float | None = None
     ) -> np.ndarray:
         """Return the mean-square pressure (k,) [Pa^2/N^2] per squared normal force at
         frequencies (k,) [Hz].
@@ -133,7 +140,7 @@ class VibratingDisk(SoundSource):
             @ mean_of_wave
         )
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the pressure (k, 1) [Pa] of successive
         blocks.
 
@@ -143,7 +150,7 @@ class VibratingDisk(SoundSource):
         ready = np.zeros(hop)
         tail = np.zeros(self._size)
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             nonlocal waiting, ready, tail
             samples = force.samples[:-1]
             waiting = np.vstack([waiting, self._wave_amplitudes(samples)])
@@ -164,7 +171,7 @@ class VibratingDisk(SoundSource):
 
         return advance
 
-    def _wave_amplitudes(self, samples):
+    def _wave_amplitudes(self, samples: np.ndarray) -> np.ndarray:
         """Return the products of accelerations and azimuthal waves, and the log gap.
 
         The log gap is the last column."""
@@ -174,7 +181,7 @@ class VibratingDisk(SoundSource):
             [heave * wave.real, tilt * wave.real, roll * wave.imag[:, 1:], gap]
         )
 
-    def _filter_spectra(self, gap):
+    def _filter_spectra(self, gap: float) -> np.ndarray:
         """Return the filter spectra (bins, channels) at a log gap, rounded to a grid."""
         log_gap_step = 0.05
         inside = np.log(TABULATED_MEAN_GAPS[[0, -1]])

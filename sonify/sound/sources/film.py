@@ -8,6 +8,7 @@ wedge (dynamics/film/reynolds.py) at the instantaneous inclination."""
 
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.linalg import expm
@@ -17,19 +18,29 @@ from dynamics.film.wedge import rotation_number
 from dynamics.numba_kernels import njit
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import (
+    FluidLoadedModes,
     GapTunedOscillators,
     fluid_loaded_modes,
     raised_disk_pressure_ratios,
 )
 from sonify.sound.modal_forcing import listener_azimuth, turning_acceleration
 from sonify.sound.radiation import Listener
-from sonify.sound.radiators import NearRim, RigidFace
+from sonify.sound.radiators import KnotTimes, NearRim, RigidFace
 from sonify.sound.sources.protocol import (
+    Advance,
     ElasticDisk,
+    Note,
     RigidDisk,
+    SoundSource,
     SourcePair,
 )
 from sonify.sound.sources.rattling import RattlingModes
+
+if TYPE_CHECKING:
+    from dynamics.motion import Motion
+    from modal.modes import Modes
+    from sonify.scene import Scene
+    from sonify.sound.force import ContactForce
 
 _RIM_FLOW = np.loadtxt(Path(__file__).with_name("rim_flow.csv"), delimiter=",")
 RIM_FLOW_COMPRESSIBILITY = _RIM_FLOW[:, 0]
@@ -69,15 +80,20 @@ cos(theta) ds / int q ds is 0.4288 for the open wedge."""
 
 
 def disk_sources(
-    scene, motion, modes, chosen, listener: Listener, face: RigidFace
+    scene: "Scene",
+    motion: "Motion",
+    modes: "Modes",
+    chosen: np.ndarray,
+    listener: Listener,
+    face: RigidFace,
 ) -> tuple[RigidDisk, ElasticDisk]:
-    """Return the sources of the rigid disk and of its modes, which include the film if
-    it is active."""
+    """Return the sources of the rigid disk and of its modes, above the film if it is
+    active."""
     elastic: type[ElasticDisk]
     if motion.rim_modes is not None:
         rigid = RigidDisk(scene, face, listener.azimuth, comes_to_rest(motion))
         elastic = RattlingModes
-    elif motion.plan.film is None:
+    elif not radiates_above_film(motion):
         rigid = RigidDisk(scene, face, listener.azimuth, comes_to_rest(motion))
         elastic = ElasticDisk
     else:
@@ -87,13 +103,19 @@ def disk_sources(
     return rigid, elastic(scene, motion, modes, chosen, listener, face.reach)
 
 
-def comes_to_rest(motion) -> bool:
+def radiates_above_film(motion: "Motion") -> bool:
+    """Return whether the disk radiates above a film of air; the sound of a ring is modelled
+    as if there were none."""
+    return motion.plan.film is not None and motion.disk.shape == "solid"
+
+
+def comes_to_rest(motion: "Motion") -> bool:
     """Return whether a motion was solved until nothing moves, so that it needs no fade."""
     last = motion.landing or motion
     return last.rolling_outcome is Outcome.AT_REST
 
 
-def rim_flow_shares(Lam) -> np.ndarray:
+def rim_flow_shares(Lam: np.ndarray) -> np.ndarray:
     """Return the harmonics g1 and g2 (2, k) of the rim flow, divided by the tilt
     dipole, at Lam (k,).
 
@@ -115,7 +137,9 @@ class RigidDiskOverFilm(RigidDisk):
     If the film is part of the motion, its pressure also accelerates the disk.
     """
 
-    def __init__(self, scene, motion, face: RigidFace, listener: Listener):
+    def __init__(
+        self, scene: "Scene", motion: "Motion", face: RigidFace, listener: Listener
+    ) -> None:
         super().__init__(scene, face, listener.azimuth, comes_to_rest(motion))
         self._listener = listener
         self._air = scene.air
@@ -133,7 +157,7 @@ class RigidDiskOverFilm(RigidDisk):
         self._transitions = self._heave_transitions(tabulated)
 
     @property
-    def channel_ends(self):
+    def channel_ends(self) -> np.ndarray:
         """Rest values and fade times: accelerations fade to zero, the gap and the
         cosines hold their last values."""
         fades = [0.0, self._fade]
@@ -141,7 +165,9 @@ class RigidDiskOverFilm(RigidDisk):
         second = [] if self._second_ear is None else [fades, fades, stays]
         return np.array([fades, fades, fades, stays, stays, *second])
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return the input channels, (k, 5 or 8).
 
         The columns are heave, tilt and second harmonic of the rim flow as radiated
@@ -153,7 +179,7 @@ class RigidDiskOverFilm(RigidDisk):
             self._b1 * second * self._second_harmonic_acceleration(state[:, 1], rate)
         )
 
-        def towards(azimuth):
+        def towards(azimuth: np.ndarray) -> list[np.ndarray]:
             wave = _conjugate_phasor(azimuth)
             return [(tilt * wave).real, (second * wave**2).real, wave.real]
 
@@ -164,7 +190,9 @@ class RigidDiskOverFilm(RigidDisk):
             columns += towards(azimuth + self._second_ear)
         return np.column_stack(columns)
 
-    def _accelerations(self, force, state, film):
+    def _accelerations(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Return heave (k,) and complex tilt of the rim (k,) [m/s^2], precession rate
         [rad/s], and the shares of the first and second harmonic of the rim flow."""
         disk = self._disk
@@ -177,7 +205,9 @@ class RigidDiskOverFilm(RigidDisk):
         shares.imag *= np.sign(rate)
         return heave, disk.radius * (1j * turn[:, 0] - turn[:, 1]), rate, *shares
 
-    def _second_harmonic_acceleration(self, inclination, rate):
+    def _second_harmonic_acceleration(
+        self, inclination: np.ndarray, rate: np.ndarray
+    ) -> np.ndarray:
         """Return the acceleration [m/s^2] of a piston equivalent to the second harmonic
         of the rim flow.
 
@@ -195,19 +225,19 @@ class RigidDiskOverFilm(RigidDisk):
         )
         return near * radius * np.sin(inclination) * rate**2
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, s) [Pa] of successive blocks.
 
         Before the first block the channels have the values `first` (c,)."""
         still = first[:2] * [self._a0 - self._b0, 1.0]
         relaxed = resting_heave(first[0])
         radiate_face = self._face.make_block_radiator(still)
-        radiate_rim = self._face.make_block_radiator([first[2], 0.0])
+        radiate_rim = self._face.make_block_radiator(np.array([first[2], 0.0]))
         radiate_second_ear = self._face.make_block_radiator(
-            [still[0] + first[-2], first[-3]]
+            np.array([still[0] + first[-2], first[-3]])
         )
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             heave, tilt, second, gap, cosine, *second_ear = force.samples.T
             knots = force.knots
             jump = force.jump[:, :2].copy()
@@ -230,14 +260,16 @@ class RigidDiskOverFilm(RigidDisk):
 
         return advance
 
-    def _relax(self, heave, gap, knots, state):
+    def _relax(
+        self, heave: np.ndarray, gap: np.ndarray, knots: KnotTimes, state: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return the part (k + 1,) of the heave (k + 1,) that leaves at the rim, and
         the share (j,) of each jump that leaves within one sample."""
         out = relaxed_heave(heave, gap, self._lowest, self._transitions, state)
         left = self._heave_transitions(gap[knots[0]])[:, :, 0, 0]
         return out, (1 - left) @ HEAVE_RELAXATION_WEIGHTS
 
-    def _heave_transitions(self, gap):
+    def _heave_transitions(self, gap: np.ndarray) -> np.ndarray:
         """Return the transitions (k, r, 2, 2) over one sample at log gaps (k,).
 
         A term obeys b y'' + a y' + y = x. The transition maps y - x and h y' from the
@@ -269,15 +301,17 @@ class NearDiskOverFilm(RigidDiskOverFilm):
     """
 
     @property
-    def channel_ends(self):
+    def channel_ends(self) -> np.ndarray:
         """Rest values and fade times, as those of a distant listener."""
         return np.array([[0.0, self._fade]] * 4 + [[np.nan, 0.0]] * 2)
 
-    def with_second_ear(self, other, turn):
+    def with_second_ear(self, other: SoundSource, turn: float) -> SoundSource:
         """Return both sources; each ear has its own near field."""
         return SourcePair(self, other)
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return the input channels (k, 6).
 
         The columns are heave, tilt of the face, first and second harmonic of the rim
@@ -297,7 +331,7 @@ class NearDiskOverFilm(RigidDiskOverFilm):
             ]
         )
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, s) [Pa] of successive blocks.
 
         Before the first block the channels have the values `first` (c,)."""
@@ -308,7 +342,7 @@ class NearDiskOverFilm(RigidDiskOverFilm):
             first[[0, 0, 2, 3]] * [-1.0, DIPOLE_PER_HEAVE * first[5], -1.0, 1.0]
         )
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             heave, tilt, outflow, second, gap, cosine = force.samples.T
             knots = force.knots
             jump = force.jump[:, [0, 0, 2, 3]] * [-1.0, 0.0, -1.0, 0.0]
@@ -329,7 +363,15 @@ class ElasticDiskOverFilm(ElasticDisk):
     """Elastic modes with damping, detuning and radiation that depend on the gap of the
     film."""
 
-    def __init__(self, scene, motion, modes, chosen, listener: Listener, latency: int):
+    def __init__(
+        self,
+        scene: "Scene",
+        motion: "Motion",
+        modes: "Modes",
+        chosen: np.ndarray,
+        listener: Listener,
+        latency: int,
+    ) -> None:
         super().__init__(scene, motion, modes, chosen, listener, latency)
         azimuth_ends, mode_ends = np.split(self.channel_ends, [2])
         self.channel_ends = np.vstack([azimuth_ends, [[np.nan, 0.0]], mode_ends])
@@ -351,34 +393,36 @@ class ElasticDiskOverFilm(ElasticDisk):
         )
 
     @cached_property
-    def _loaded_modes(self):
+    def _loaded_modes(self) -> FluidLoadedModes:
         return fluid_loaded_modes(self._modes, self._scene, self._smallest_gap)
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return (k, 3 + m): cosine and sine of the azimuth, logarithm of the mean gap
         [m], modal forces."""
         own = super().input_channels(force, state, film)
         return np.hstack([own[:, :2], np.log(film[:, :1]), own[:, 2:]])
 
-    def _response(self, first):
+    def _response(self, first: np.ndarray) -> Advance:
         oscillators = GapTunedOscillators(
             self._loaded_modes, self._scene.audio.sample_rate, first[3:], first[2]
         )
-        return lambda force: oscillators.advance(
+        return lambda force: oscillators.advance_at_gap(
             force.channels(slice(3, None)), _log_gap_channel(force)
         )
 
-    def _radiating(self, ringing, force):
+    def _radiating(self, ringing: np.ndarray, force: "ContactForce") -> np.ndarray:
         return self._loaded_modes.apply_gain(ringing, _log_gap_channel(force)[:-1])
 
 
-def _log_gap_channel(force):
+def _log_gap_channel(force: "ContactForce") -> np.ndarray:
     """Return the logarithm of the mean gap (k + 1,) from the channels of
     ElasticDiskOverFilm."""
     return force.channels(slice(2, 3)).samples[:, 0]
 
 
-def _conjugate_phasor(angle):
+def _conjugate_phasor(angle: np.ndarray) -> np.ndarray:
     """Return exp(-i angle) (k,), twice as fast as the complex exponential."""
     wave = np.empty(len(angle), complex)
     wave.real = np.cos(angle)
@@ -386,7 +430,7 @@ def _conjugate_phasor(angle):
     return wave
 
 
-def mean_gaps(motion) -> np.ndarray:
+def mean_gaps(motion: "Motion") -> np.ndarray:
     """Return the mean gap (n,) [m] under the disk at the breakpoints of a motion."""
     return motion.film_loads(motion.t, motion.state)[:, 0]
 
@@ -399,7 +443,13 @@ def resting_heave(x: float) -> np.ndarray:
 
 
 @njit(cache=True)
-def relaxed_heave(x, gap, lowest, transitions, state):
+def relaxed_heave(
+    x: np.ndarray,
+    gap: np.ndarray,
+    lowest: float,
+    transitions: np.ndarray,
+    state: np.ndarray,
+) -> np.ndarray:
     """Return the part (k + 1,) of samples x (k + 1,) that leaves at the rim.
 
     The last value belongs to the next block and is 0. The `state` (r, 2) of the terms,

@@ -6,22 +6,35 @@ m'')/(1 - (k/k_B)^4 sin^4 theta), where theta is measured from the normal, (k/k_
 (w/w_c)^2 and w_c = c^2 sqrt(m''/B). The point mobility is 1/(8 sqrt(B m'')). Below
 coincidence the radiated power is rho F^2/(2 pi c m''^2)."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from dynamics.compliant.law.table_receptance import bending_stiffness
 from dynamics.contact_geometry import contact_position
-from sonify.sound.force import lagrange_weights
+from dynamics.surface import InfiniteSurface
+from sonify.sound.force import ContactForce, lagrange_weights
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.radiation import Listener
-from sonify.sound.sources.protocol import FADE_OUT, MODAL_FORCE_FADE, SoundSource
+from sonify.sound.sources.protocol import (
+    FADE_OUT,
+    MODAL_FORCE_FADE,
+    Advance,
+    Note,
+    SoundSource,
+)
 from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable
+
+if TYPE_CHECKING:
+    from modal.tabletop.record import SurfaceModes
+    from sonify.scene import Scene
 
 LAGRANGE_NODES = np.arange(-2, 4)  # samples
 """Offsets from an arrival time over which Lagrange interpolation distributes the
 arriving force."""
 
 
-def coincidence_frequency(surface, listener: Listener) -> float:
+def coincidence_frequency(surface: "InfiniteSurface", listener: Listener) -> float:
     """Return the frequency [Hz] above which bending waves reach the listener before the
     direct sound."""
     inertia = surface.density * surface.thickness / bending_stiffness(surface)
@@ -32,7 +45,7 @@ def coincidence_frequency(surface, listener: Listener) -> float:
     )
 
 
-def pressure_per_force(surface, listener: Listener) -> float:
+def pressure_per_force(surface: "InfiniteSurface", listener: Listener) -> float:
     """Return rho/(2 pi r m'') [1/m^2], the pressure at the listener per force far below
     coincidence."""
     return listener.air.density / (
@@ -52,12 +65,16 @@ class InfiniteTable(SoundSource):
 
     names = ("table",)
 
-    def __init__(self, scene, listener: Listener):
+    def __init__(self, scene: "Scene", listener: Listener) -> None:
         self._scene = scene
         self._rate = scene.audio.sample_rate
-        self._strength = pressure_per_force(scene.surface, listener)
+        surface = scene.surface
+        if not isinstance(surface, InfiniteSurface):
+            raise TypeError(f"surface.kind = {surface.kind!r}: must be 'infinite'")
+        self._loss_factor = surface.loss_factor
+        self._strength = pressure_per_force(surface, listener)
         self._direction = listener.position / listener.distance
-        self._coincidence = coincidence_frequency(scene.surface, listener)
+        self._coincidence = coincidence_frequency(surface, listener)
         self._air = listener.air
         self.channel_ends = np.array(
             [[scene.disk.weight, MODAL_FORCE_FADE], [np.nan, MODAL_FORCE_FADE]]
@@ -68,7 +85,9 @@ class InfiniteTable(SoundSource):
         self.tail_duration = 4 * FADE_OUT
         self.latency = ARRIVAL_MARGIN + int(self._max_advance)
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return (k, 2): force of contact and film [N] and lead of its sound over sound from the
         centre [samples]."""
         disk = self._scene.disk
@@ -82,7 +101,7 @@ class InfiniteTable(SoundSource):
             ]
         )
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the pressure (k, 1) [Pa] of successive
         blocks.
 
@@ -94,7 +113,7 @@ class InfiniteTable(SoundSource):
         in_flight = np.zeros(2 * latency + len(LAGRANGE_NODES))
         in_flight[: int(latency - first[1])] = first[0]
 
-        def advance(force):
+        def advance(force: ContactForce) -> np.ndarray:
             nonlocal in_flight
             count = len(force.t) - 1
             sent, earlier = force.samples[:-1].T
@@ -117,15 +136,17 @@ class InfiniteTable(SoundSource):
 
         return advance
 
-    def _coincidence_pole(self):
+    def _coincidence_pole(self) -> tuple[np.ndarray, np.ndarray]:
         """Return frequency and decay rate of the pole pair; empty arrays if it is above
         the Nyquist frequency."""
         sampled = self._coincidence < self._rate / 2
         frequency = np.array([self._coincidence] if sampled else [])
-        return frequency, np.pi * frequency * self._scene.surface.loss_factor
+        return frequency, np.pi * frequency * self._loss_factor
 
 
-def table_sources(scene, modes, listener: Listener) -> list[SoundSource]:
+def table_sources(
+    scene: "Scene", modes: "SurfaceModes | None", listener: Listener
+) -> list[SoundSource]:
     """Return the sound sources of the table; `modes` are those of an elastic table, or
     None."""
     if scene.surface.kind == "infinite":

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from copy import copy
 from functools import cached_property, partial
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,6 +23,16 @@ from sonify.sound.radiation import Listener
 from sonify.sound.radiators import ElasticFace, RigidFace
 from sonify.sound.response import DrivenModes
 
+if TYPE_CHECKING:
+    from dynamics.motion import Motion
+    from modal.modes import Modes
+    from modal.tabletop.record import SurfaceModes
+    from sonify.scene import Scene
+    from sonify.sound.force import ContactForce
+
+Note = Callable[[np.ndarray, np.ndarray], None]
+"""Function that receives the modal energy (e,) [J] at times (e,) [s]."""
+
 FADE_IN = 0.02  # s
 """Length of the raised-cosine fade at the start of a sound; the support of the disk
 before the release is not modelled."""
@@ -36,7 +46,7 @@ not settle.
 A fall ends in an impact that is not modelled, with a force that grows to many times the
 weight within microseconds."""
 
-Advance = Callable[[Any], np.ndarray]
+Advance = Callable[["ContactForce"], np.ndarray]
 """Function that converts a ContactForce of a source's channels to its stems (k, s)
 [Pa]."""
 
@@ -70,7 +80,7 @@ class SoundSource(ABC):
         columns (k, 5) of `Motion.film_loads`."""
 
     @abstractmethod
-    def make_block_renderer(self, first: np.ndarray, note) -> Advance:
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, s) [Pa] of successive blocks of
         a ContactForce.
 
@@ -93,7 +103,7 @@ class TwoEarSource(SoundSource):
     _second_ear: float | None = None
     """Azimuth [rad] from the first ear to the second, if there is one."""
 
-    def with_second_ear(self, other, turn):
+    def with_second_ear(self, other: SoundSource, turn: float) -> SoundSource:
         """Return the source with an additional column for a second ear, rotated by
         `turn` [rad]."""
         source = copy(self)
@@ -107,7 +117,9 @@ class RigidDisk(TwoEarSource):
     names = ("heave", "tilt")
     tail_duration = 2 * FADE_OUT
 
-    def __init__(self, scene, face: RigidFace, azimuth: float, comes_to_rest: bool):
+    def __init__(
+        self, scene: "Scene", face: RigidFace, azimuth: float, comes_to_rest: bool
+    ) -> None:
         self._fade = MODAL_FORCE_FADE if comes_to_rest else FADE_OUT
         self._disk = scene.disk
         self._face = face
@@ -115,24 +127,26 @@ class RigidDisk(TwoEarSource):
         self.latency = face.reach
 
     @property
-    def channel_ends(self):
+    def channel_ends(self) -> np.ndarray:
         """Rest values and fade times: every channel fades to zero."""
         return np.array([[0.0, self._fade]] * (2 if self._second_ear is None else 3))
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return (k, 2 or 3) [m/s^2]: the heave and the tilt towards each ear."""
         ears = [self._azimuth]
         if self._second_ear is not None:
             ears.append(self._azimuth + self._second_ear)
         return heave_and_tilt_accelerations(force, state, film, self._disk, *ears)
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, s) [Pa] of successive blocks.
 
         Before the first block the accelerations have the values `first` (c,)."""
         radiate = self._face.make_block_radiator(first)
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             pressure = radiate(force.samples, force.knots, force.jump)
             pressure[:, 2:] += pressure[
                 :, :1
@@ -148,7 +162,15 @@ class ElasticDisk(TwoEarSource):
 
     names = ("ringing_smooth", "ringing_jumps")
 
-    def __init__(self, scene, motion, modes, chosen, listener: Listener, latency: int):
+    def __init__(
+        self,
+        scene: "Scene",
+        motion: "Motion",
+        modes: "Modes",
+        chosen: np.ndarray,
+        listener: Listener,
+        latency: int,
+    ) -> None:
         self._scene = scene
         self._motion = motion
         self._modes = modes
@@ -180,7 +202,9 @@ class ElasticDisk(TwoEarSource):
             ring_down_time(self._modes, self._scene, self.ringing.decay_rate) + FADE_OUT
         )
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return (k, 2 + m): cosine and sine of the listener's azimuth, and modal
         forces."""
         turning_with_body = self._scene.support.kind == "free"
@@ -193,7 +217,7 @@ class ElasticDisk(TwoEarSource):
             ]
         )
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, s) [Pa] of successive blocks.
 
         Before the first block the channels have the values `first` (2 + m,). The
@@ -202,7 +226,7 @@ class ElasticDisk(TwoEarSource):
         radiate = self._face.make_block_radiator(first[:2], self._second_ear)
         respond = self._response(first)
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             ringing = respond(force)
             note(
                 *windowed_energy_peaks(force.t, ringing.sum(axis=0), self._modes, rate)
@@ -212,7 +236,7 @@ class ElasticDisk(TwoEarSource):
 
         return advance
 
-    def _response(self, first):
+    def _response(self, first: np.ndarray) -> Advance:
         """Return a function that computes the modal accelerations (s, k, m) due to
         successive blocks of the channels."""
         driven = DrivenModes(
@@ -223,7 +247,7 @@ class ElasticDisk(TwoEarSource):
         )
         return lambda force: driven.advance(force.channels(slice(2, None)))
 
-    def _radiating(self, ringing, force):
+    def _radiating(self, ringing: np.ndarray, force: "ContactForce") -> np.ndarray:
         """Return the accelerations (s, k, m) that radiate the same pressure above a
         closed film."""
         return ringing
@@ -242,7 +266,7 @@ class SourceGroup:
         Largest latency [samples] and longest tail [s].
     """
 
-    def __init__(self, sources: Sequence[SoundSource]):
+    def __init__(self, sources: Sequence[SoundSource]) -> None:
         self._sources = sources
         self.channel_ends = np.vstack([source.channel_ends for source in sources])
         bounds = np.cumsum([0, *(len(source.channel_ends) for source in sources)])
@@ -250,55 +274,67 @@ class SourceGroup:
         self.latency = max(source.latency for source in sources)
         self.tail_duration = max(source.tail_duration for source in sources)
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return the input channels (k, c) of all sources."""
         return np.hstack(
             [source.input_channels(force, state, film) for source in self._sources]
         )
 
-    def block_renderers(self, first, notes) -> list[Advance]:
+    def simultaneous_renderers(
+        self, first: np.ndarray, notes: Sequence[Note]
+    ) -> list[Advance]:
         """Return for each source a function that computes its stems from the force of
-        all channels; `first` (c,) and `notes` are those of `make_block_renderer`."""
+        all channels, delayed so that all sources have the same latency.
 
-        def render_part(part, advance, force):
+        `first` (c,) and `notes` are those of `make_block_renderer`."""
+
+        def render_part(
+            part: slice, advance: Advance, force: "ContactForce"
+        ) -> np.ndarray:
             return advance(force.channels(part))
 
         return [
-            partial(render_part, part, source.make_block_renderer(first[part], note))
+            delay_output(
+                partial(
+                    render_part, part, source.make_block_renderer(first[part], note)
+                ),
+                self.latency - source.latency,
+            )
             for source, part, note in zip(self._sources, self.parts, notes, strict=True)
         ]
 
-    def simultaneous_renderers(self, first, notes) -> list[Advance]:
-        """Return the functions of `block_renderers`, with all stems delayed by
-        `latency`."""
-        return [
-            delay_output(advance, self.latency - source.latency)
-            for source, advance in zip(
-                self._sources, self.block_renderers(first, notes), strict=True
-            )
-        ]
 
-
-def ignore_energy(t, energy):
+def ignore_energy(t: np.ndarray, energy: np.ndarray) -> None:
     """Do not report the modal energy."""
 
 
-class SourcePair(SoundSource):
+class CompositeSource(SoundSource):
+    """Source with the channels of several others side by side."""
+
+    def __init__(self, names: tuple[str, ...], *sources: SoundSource) -> None:
+        self._group = SourceGroup(sources)
+        self.names = names
+        self.channel_ends = self._group.channel_ends
+        self.tail_duration = self._group.tail_duration
+        self.latency = self._group.latency
+
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
+        """Return the input channels (k, c) of all sources."""
+        return self._group.input_channels(force, state, film)
+
+
+class SourcePair(CompositeSource):
     """One source at two ears; the stems at the second ear are summed into an additional
     column."""
 
-    def __init__(self, source: SoundSource, other: SoundSource):
-        self._group = SourceGroup([source, other])
-        self.channel_ends = self._group.channel_ends
-        self.names = source.names
-        self.tail_duration = source.tail_duration
-        self.latency = self._group.latency
+    def __init__(self, source: SoundSource, other: SoundSource) -> None:
+        super().__init__(source.names, source, other)
 
-    def input_channels(self, force, state, film):
-        """Return the input channels of the first ear, then those of the second."""
-        return self._group.input_channels(force, state, film)
-
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the stems (k, s + 1) [Pa] of successive
         blocks.
 
@@ -306,7 +342,7 @@ class SourcePair(SoundSource):
         source reports its energy."""
         own, other = self._group.simultaneous_renderers(first, [note, ignore_energy])
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             second = other(force).sum(axis=1, keepdims=True)
             return np.hstack([own(force), second])
 
@@ -318,14 +354,19 @@ def delay_output(advance: Advance, samples: int) -> Advance:
     silent."""
     extend = overlapping_blocks(samples, first=0.0)
 
-    def delayed(force):
+    def delayed(force: "ContactForce") -> np.ndarray:
         out = advance(force)
         return extend(out)[: len(out)]
 
     return delayed
 
 
-def windowed_energy_peaks(t, acceleration, modes, sample_rate):
+def windowed_energy_peaks(
+    t: np.ndarray,
+    acceleration: np.ndarray,
+    modes: "Modes | SurfaceModes",
+    sample_rate: float,
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the times (e,) [s] of windows and the maximum modal energy (e,) [J] in
     each window.
 

@@ -2,7 +2,7 @@
 motion."""
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,11 +11,16 @@ from modal import Modes
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import fluid_loaded_modes
 from sonify.sound.response import SolvedModes
-from sonify.sound.sources.protocol import ElasticDisk
+from sonify.sound.sources.protocol import Advance, ElasticDisk
+
+if TYPE_CHECKING:
+    from dynamics.rattling.rattling_motion import RattlingMotion
 
 
 class RattlingModes(ElasticDisk):
     """Elastic modes of a rattling disk, damped by the air film after the motion."""
+
+    _motion: "RattlingMotion"
 
     @cached_property
     def ringing(self) -> RingDown:
@@ -31,7 +36,7 @@ class RattlingModes(ElasticDisk):
             gap=float(gap),
         )
 
-    def _response(self, first):
+    def _response(self, first: np.ndarray) -> Advance:
         vibration = RimVibration(self._motion, self._modes)
         chosen = np.arange(len(self._modes))
         return SolvedModes(vibration, chosen, self.ringing).advance
@@ -44,7 +49,7 @@ class RimVibration:
     the sound without a counterpart in the motion is at rest.
     """
 
-    def __init__(self, motion: Motion, modes: Modes):
+    def __init__(self, motion: Motion, modes: Modes) -> None:
         self.t = motion.t
         self._motion = motion
         self._share = mode_shares(motion.rim_modes, modes)

@@ -2,11 +2,13 @@
 baffle."""
 
 from math import ceil
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
 
 from dynamics.contact_geometry import contact_position
+from dynamics.motion import FILM_COLUMNS
 from modal.tabletop.record import SurfaceModes
 from sonify.sound.audible_modes import (
     MAX_RING_TIME,
@@ -18,17 +20,27 @@ from sonify.sound.radiation import Listener, listeners_of
 from sonify.sound.sources.protocol import (
     FADE_OUT,
     MODAL_FORCE_FADE,
+    Advance,
+    Note,
     SoundSource,
     windowed_energy_peaks,
 )
 from sonify.sound.unbaffled import UnbaffledRatio
 
+if TYPE_CHECKING:
+    from sonify.scene import Scene
+    from sonify.sound.force import ContactForce
+
+LIFT, MOMENT = (FILM_COLUMNS.index(name) for name in ("lift", "moment_1"))
+"""Columns of the loads of the film."""
 ARRIVAL_MARGIN = 12  # samples
 """Margin before the first and after the last arrival, in which the band-limited kernels
 decay."""
 
 
-def shapes_at_contact(modes: SurfaceModes, state, scene) -> np.ndarray:
+def shapes_at_contact(
+    modes: SurfaceModes, state: np.ndarray, scene: "Scene"
+) -> np.ndarray:
     """Return the shapes w (k, m) [kg^-1/2] of the table at the contact, for states (k,
     11)."""
     if (
@@ -52,7 +64,7 @@ class ElasticTable(SoundSource):
 
     names = ("table",)
 
-    def __init__(self, scene, modes: SurfaceModes, listener: Listener):
+    def __init__(self, scene: "Scene", modes: SurfaceModes, listener: Listener) -> None:
         self._scene = scene
         self._modes = modes
         self._rate = scene.audio.sample_rate
@@ -67,13 +79,27 @@ class ElasticTable(SoundSource):
         )
         self.tail_duration = FADE_OUT + max(FADE_OUT, audible)
 
-    def input_channels(self, force, state, film):
+    def input_channels(
+        self, force: np.ndarray, state: np.ndarray, film: np.ndarray
+    ) -> np.ndarray:
         """Return the modal forces (k, m) [N kg^-1/2].
 
-        They are minus the normal force times the shapes at the contact."""
-        return -force[:, 2:] * shapes_at_contact(self._modes, state, self._scene)
+        They are minus the normal force times the shapes at the contact. The lift of the film,
+        which presses on the table as well, is replaced by forces at the contact and below the
+        centre of the disk with the same resultant and moment about e_1.
+        """
+        contact = shapes_at_contact(self._modes, state, self._scene)
+        lift, moment = film[:, LIFT], film[:, MOMENT]
+        if not lift.any() and not moment.any():
+            return -force[:, 2:] * contact
+        near = moment / self._scene.disk.radius
+        if self._scene.surface.kind == "modes":  # shapes are known at the contact only
+            near = lift
+        at_contact = (force[:, 2] + near)[:, None] * contact
+        below_centre = self._modes.at(*(self._modes.place + state[:, 3:5]).T)
+        return -at_contact - (lift - near)[:, None] * below_centre
 
-    def make_block_renderer(self, first, note):
+    def make_block_renderer(self, first: np.ndarray, note: Note) -> Advance:
         """Return a function that computes the pressure (k, 1) [Pa] of successive
         blocks.
 
@@ -83,7 +109,7 @@ class ElasticTable(SoundSource):
         past = len(self._kernels) - 1
         moved = np.zeros((past, len(self._modes)))
 
-        def advance(force):
+        def advance(force: "ContactForce") -> np.ndarray:
             nonlocal moved
             count = len(force.t) - 1
             # Reuse memory, because allocation would take longer than the steps.
@@ -146,7 +172,7 @@ def radiation_kernels(
 
 
 def table_radiation(
-    modes: SurfaceModes, listener: Listener, frequency, baffle: bool = True
+    modes: SurfaceModes, listener: Listener, frequency: np.ndarray, baffle: bool = True
 ) -> np.ndarray:
     """Return the pressure (f, m) [Pa] of the table per unit modal acceleration at
     frequencies (f,) [Hz].
@@ -180,7 +206,7 @@ def table_radiation(
     return pressure
 
 
-def convolve_kernels(accelerations, kernels) -> np.ndarray:
+def convolve_kernels(accelerations: np.ndarray, kernels: np.ndarray) -> np.ndarray:
     """Return the convolutions of accelerations (j - 1 + k, m) with kernels (j, m),
     summed over modes (k,).
 
@@ -201,7 +227,7 @@ def convolve_kernels(accelerations, kernels) -> np.ndarray:
     return out
 
 
-def _path_lengths(modes, listener):
+def _path_lengths(modes: SurfaceModes, listener: Listener) -> np.ndarray:
     """Return the distances (p,) [m] of the listener from the points of the top face;
     for a near listener the disk's centre is half a thickness above the table."""
     below = np.full(len(modes.points), -listener.face_height)
@@ -209,7 +235,9 @@ def _path_lengths(modes, listener):
     return np.linalg.norm(listener.position - points, axis=1)
 
 
-def response_to_unit_jump(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.ndarray]:
+def response_to_unit_jump(
+    modes: SurfaceModes, scene: "Scene"
+) -> tuple[np.ndarray, np.ndarray]:
     """Return loudness (m,) [Pa^2 s] and energy (m,) [J] of the modes after a force jump
     of 1 N.
 

@@ -7,9 +7,13 @@ const sliderSteps = 1000;
 let controls = [];
 let changed = {};
 let abort = null; // of the running request
+let analysis = null; // of the request that analyses a recording
+let takesAbort = null; // of the request that writes takes
 let view = null; // the workbench
 let shown = { a: null, b: null }; // places of the runs in the workbench
+let former = null; // place of the run that was shown as A before the present one
 let recording = null; // data of the recording
+let began = 0; // time of the start of the running request [ms]
 let displays = 0; // number of calls of display()
 
 const rounded = (value) => Number(value.toPrecision(4));
@@ -67,6 +71,7 @@ function aligned(other, run) {
 /** Show run `a` and, if given, run `b` or the recording; keep position and settings unless given. */
 async function display(places, { position, plays } = {}) {
   const number = ++displays;
+  if (shown.a !== null && shown.a !== places.a) former = shown.a;
   shown = { a: places.a, b: places.b ?? null };
   const named = async (place) => ({ ...(await dataOf(place)), name: rowOf(place)?.dataset.name ?? "toy" });
   const given = [await named(shown.a)];
@@ -82,6 +87,8 @@ async function display(places, { position, plays } = {}) {
   const row = rowOf(shown.a);
   $("run-name").textContent = given[0].name;
   $("run-headline").textContent = row?.dataset.headline ?? given[0].headline ?? "";
+  $("comparison").textContent = shown.b === null ? "" : comparison(row, rowOf(shown.b));
+  offerComparison();
   markChoice();
   store({ a: shown.a, b: shown.b });
   const made = (view = window.showRuns(given));
@@ -91,6 +98,31 @@ async function display(places, { position, plays } = {}) {
   if (isTrueScale) document.querySelector("#natural").click();
   if (position) await made.player.seek(position);
   if (plays) await made.player.play();
+}
+
+/** Return sentences on length and loudness of run B relative to run A, from their rows in the list. */
+function comparison(a, b) {
+  const value = (row, name) => (row?.dataset[name] ? Number(row.dataset[name]) : NaN);
+  const [end, other] = [value(a, "end"), value(b, "end")];
+  const seconds = other - end;
+  const louder = Math.round(value(b, "level") - value(a, "level"));
+  const parts = [];
+  if (Math.abs(seconds) < 0.005 * end) parts.push(`lasts ${rounded3(other)} s, as long as A`);
+  else if (seconds) parts.push(`lasts ${rounded3(other)} s, ${rounded3(Math.abs(seconds))} s ${seconds > 0 ? "longer" : "shorter"} than A`);
+  if (louder === 0) parts.push("is as loud as A");
+  else if (louder) parts.push(`is ${Math.abs(louder)} dB ${louder > 0 ? "louder" : "quieter"} than A at the listener`);
+  if (!parts.length) return "";
+  const hint = louder ? " To hear the difference in loudness, tick “as loud as it is”." : "";
+  return `B ${parts.join(", and ")}.${hint}`;
+}
+
+const rounded3 = (value) => Number(value.toPrecision(3));
+
+/** Offer to compare run A with the run that was shown before it. */
+function offerComparison() {
+  const name = former !== null && rowOf(former)?.dataset.name;
+  $("compare-box").hidden = shown.b !== null || !name || former === shown.a;
+  if (name) $("compare").textContent = `Compare with ${name}`;
 }
 
 function attempt(promise) {
@@ -113,6 +145,8 @@ $("run-list").addEventListener("change", ({ target }) => {
 $("run-list").addEventListener("click", ({ target }) => {
   if (target.name === "b" && target.value === shown.b) attempt(display({ a: shown.a })); // a second click removes B
 });
+
+$("compare").addEventListener("click", () => attempt(display({ a: shown.a, b: former })));
 
 async function refreshList() {
   const answer = await fetch("list");
@@ -195,7 +229,10 @@ function choiceField(control) {
     list.append(element("option", { value: choice, textContent: choiceText(control, choice) }));
   }
   list.value = control.key in changed ? changed[control.key] : control.value;
-  list.addEventListener("change", () => change(control, list.value));
+  list.addEventListener("change", () => {
+    change(control, list.value);
+    if (control.key === "surface") showRemarks(list.value ? ["Friction and roughness remain those of the scene; change them, too, if another table has others."] : []);
+  });
   return [label, list];
 }
 
@@ -260,6 +297,8 @@ function progressText(status) {
 
 function showProgress(status) {
   $("doing").textContent = progressText(status);
+  const seconds = Math.round((performance.now() - began) / 1000);
+  $("elapsed").textContent = status.expected ? `${seconds} s so far; about ${status.expected} in all on two idle cores` : "";
   if (status.share === null || status.share === undefined) $("progress").removeAttribute("value");
   else $("progress").value = status.share;
 }
@@ -268,6 +307,7 @@ function busy(on) {
   $("run").disabled = on;
   $("stop").hidden = !on;
   $("progress-box").hidden = !on;
+  if (on) began = performance.now();
   if (on) showProgress({ line: "", share: null });
 }
 
@@ -334,8 +374,12 @@ async function runScene(event) {
 async function writeTakes(event) {
   event.preventDefault();
   const state = $("takes-state");
+  if (takesAbort) return;
+  takesAbort = new AbortController();
   $("takes-files").replaceChildren();
   $("takes-write").disabled = true;
+  $("takes-stop").hidden = false;
+  state.textContent = "starting";
   try {
     const last = $("takes-last").value;
     const body = JSON.stringify({
@@ -345,7 +389,7 @@ async function writeTakes(event) {
       last: last === "" ? null : Number(last),
       audible: $("takes-audible").checked,
     });
-    const response = await fetch("takes", { method: "POST", body });
+    const response = await fetch("takes", { method: "POST", body, signal: takesAbort.signal });
     if (!response.ok) {
       state.textContent = (await response.json()).error;
       return;
@@ -353,14 +397,24 @@ async function writeTakes(event) {
     for await (const status of linesOf(response)) {
       state.textContent = status.error ?? (status.done ? `Written into the folder ${status.place}:` : progressText(status));
       if (!status.done) continue;
-      const links = status.result.files.map((name) => element("a", { href: `runs/${path(status.place)}/${encodeURIComponent(name)}`, download: name, textContent: name }));
-      $("takes-files").replaceChildren(...links.map((link) => element("li", {}, link)));
+      $("takes-files").replaceChildren(...status.result.files.map((name) => takeItem(`runs/${path(status.place)}/${encodeURIComponent(name)}`, name)));
     }
-  } catch {
-    state.textContent = "The studio does not respond; is it still running?";
+  } catch (error) {
+    state.textContent = error.name === "AbortError" ? "The takes were cancelled." : "The studio does not respond; is it still running?";
   } finally {
+    takesAbort = null;
     $("takes-write").disabled = false;
+    $("takes-stop").hidden = true;
   }
+}
+
+/** Return a list item with a link to a file and, for a sound, a player. */
+function takeItem(href, name) {
+  const link = element("a", { href, download: name, textContent: name });
+  if (!name.endsWith(".wav")) return element("li", {}, link);
+  const player = element("audio", { controls: true, preload: "none", src: href });
+  player.setAttribute("aria-label", `Play ${name}`);
+  return element("li", {}, player, link);
 }
 
 // Recordings
@@ -404,6 +458,9 @@ async function analyse(file, span = {}) {
   $("drop").scrollIntoView({ block: "nearest" });
   $("recording").replaceChildren();
   state.textContent = "reading the recording";
+  analysis?.abort();
+  const { signal } = (analysis = new AbortController());
+  $("recording-stop").hidden = false;
   try {
     const body = await decoded(file);
     const query = new URLSearchParams({
@@ -415,7 +472,7 @@ async function analyse(file, span = {}) {
       const value = span[end] ?? $(end).value;
       if (value !== "") query.set(end, value);
     }
-    const response = await fetch(`recordings?${query}`, { method: "POST", body });
+    const response = await fetch(`recordings?${query}`, { method: "POST", body, signal });
     if (response.status === 413) {
       state.textContent = await response.text();
       return;
@@ -426,16 +483,25 @@ async function analyse(file, span = {}) {
       showFault(status.error, status.key);
       return;
     }
+    let summary = null; // the one that is shown; the fit may change it
     for await (const status of linesOf(response)) {
-      state.textContent = status.error ?? (status.done ? "" : progressText(status));
-      if (status.done) await showRecording(status, file, span);
+      const doing = status.found ? `First results; next: ${progressText(status)}` : progressText(status);
+      state.textContent = status.error ?? (status.done ? "" : doing);
+      const result = status.result ?? status.found;
+      if (!result || (!status.done && result.summary.join() === summary)) continue;
+      await showRecording({ result, folder: status.folder, isFirst: summary === null }, file, span);
+      summary = result.summary.join();
     }
   } catch {
-    state.textContent = "The studio does not respond; is it still running?";
+    if (!signal.aborted) state.textContent = "The studio does not respond; is it still running?";
+    else if (signal === analysis.signal) state.textContent = "The analysis was stopped.";
+  } finally {
+    if (signal === analysis.signal) $("recording-stop").hidden = true;
   }
 }
 
-async function showRecording({ result, folder }, file, span) {
+/** Show results of a recording, the first ones or those after its fit, and play it as B. */
+async function showRecording({ result, folder, isFirst }, file, span) {
   const parts = result.summary.map((line) => element("p", { textContent: line }));
   if (result.runs.length > 1) {
     const inOrder = [...result.runs].sort((one, other) => one.start - other.start);
@@ -460,7 +526,9 @@ async function showRecording({ result, folder }, file, span) {
   if (!result.runs.length) return;
   const answer = await fetch(`${folder}recording.json`);
   if (!answer.ok) return;
-  recording = await answer.json();
+  const heard = await answer.json();
+  if (!isFirst && recording?.source_end === heard.source_end) return;
+  recording = heard;
   attempt(display({ a: shown.a ?? OPENING }));
 }
 
@@ -534,7 +602,9 @@ function addForm() {
   $("scene-form").addEventListener("submit", runScene);
   $("stop").addEventListener("click", () => abort?.abort());
   $("takes-form").addEventListener("submit", writeTakes);
+  $("takes-stop").addEventListener("click", () => takesAbort?.abort());
   $("record").addEventListener("click", toggleRecording);
+  $("recording-stop").addEventListener("click", () => analysis?.abort());
   $("file").addEventListener("change", () => $("file").files[0] && analyse($("file").files[0]));
   document.addEventListener("dragover", (event) => {
     event.preventDefault();

@@ -136,7 +136,7 @@ function addTransport(player, timeline, all) {
   $('#end').addEventListener('click', () => loopEnd(1))
   $('#slow').addEventListener('click', () => loopEnd(SLOW_SPEED))
   $('#landing').addEventListener('click', () => loopEnd(LANDING_SPEED, LANDING_SPAN))
-  const showLanding = () => ($('#landing').hidden = !all[player.run].lands)
+  const showLanding = () => ($('#landing').hidden = !all[player.run].landing)
   player.onChange(showLanding)
   showLanding()
   $('#loop').addEventListener('click', () => timeline.setLooping(!timeline.looping))
@@ -203,9 +203,8 @@ async function addSpectrograms(view) {
   for (const [i, run] of all.entries()) {
     const stems = await player.samples(i, 'true')
     if (!view.open) return
-    const mix = () => {
+    const sum = (heard) => {
       const samples = new Float32Array(stems[0].channels[0].length)
-      const heard = stems.filter(({ name }) => player.sounds(name))
       for (const { channels } of heard) for (let n = 0; n < samples.length; n++) samples[n] += channels[0][n]
       return samples
     }
@@ -221,18 +220,19 @@ async function addSpectrograms(view) {
     const axis = element('div', { className: 'times', ariaHidden: 'true' })
     $('#loading').before(element('p', { className: 'caption' }, title, key), panel, axis)
     makeTimeSlider(panel, `${run.seen} ${key.textContent}`, player)
-    const spectrogram = new Spectrogram($('canvas', panel), mix(), {
+    const spectrogram = new Spectrogram($('canvas', panel), sum(stems), {
       sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.full_scale, start: run.start,
     })
     spectrogram.onScale = (words) => $('#levels')?.append(' ', words)
-    const audible = () => player.names.filter((name) => player.sounds(name)).join()
-    let shown = audible()
-    player.onChange(() => {
-      if (shown === (shown = audible())) return
-      spectrogram.mix = mix()
-    })
     view.spectrograms.push(spectrogram)
     timeline.add(spectrogram)
+    let shown = player.names.join()
+    const showUnmuted = () => {
+      if (shown === (shown = player.names.filter((name) => player.sounds(name)).join())) return
+      spectrogram.mix = sum(stems.filter(({ name }) => player.sounds(name)))
+    }
+    player.onChange(showUnmuted)
+    showUnmuted()
     $('#lines').addEventListener('change', (event) => {
       spectrogram.showLines = event.target.checked
       spectrogram.show(...timeline.span)
@@ -280,9 +280,10 @@ function addCurves(all, timeline) {
       () => new Curves(panel(), `${who}Inclination [degrees]`, t, [{ unit: 'degrees', values: run.motion.inclination.map((b) => (b * 180) / Math.PI), colour: theme('--first') }]),
       () => new Curves(panel(), `${who}Normal force [N]`, t, [{ unit: 'N', values: run.motion.normal, colour: theme('--third') }]),
       () => new Curves(panel(), `${who}Energy [mJ]`, t, [{ unit: 'mJ', values: run.motion.energy.map((e) => 1e3 * e), colour: theme('--second') }]),
+      run.landing && (() => new Curves(panel(), `${who}Gap under the rim as the disk lands [µm]`, run.landing.t.map((time) => time + run.delay), [{ unit: 'µm', values: run.landing.gap, colour: theme('--third') }])),
     ]
   })
-  const made = makers[0].flatMap((_, k) => makers.map((of) => of[k]())) // put panels to be compared next to each other
+  const made = makers[0].flatMap((_, k) => makers.flatMap((of) => of[k]?.() ?? [])) // put panels to be compared next to each other
   made.forEach((one) => timeline.add(one))
   return made
 }

@@ -13,7 +13,7 @@ const WORK_TIME = 12 // [ms], of computation between two screen refreshes
 
 export class Spectrogram {
   /** `samples` Float32Array, 1.0 is `fullScale` [Pa]; `colours`: 256 x 3 bytes; `lines` drawn over it: [{name, t, f, style}].
-   * The first picture determines the colour scale of all others; `onScale(text)` receives its description. */
+   * The picture of these samples determines the colour scale of all others; `onScale(text)` receives its description. */
   constructor(canvas, samples, { sampleRate, colours, lines, delay, fullScale, start }) {
     Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay, fullScale, start })
     this.element = canvas.parentElement
@@ -39,7 +39,7 @@ export class Spectrogram {
   show(from, to) {
     this.span = [from, to]
     this.#drawAxis(from, to)
-    const job = (this.job = {}) // other jobs stop, unless they determine the colour scale
+    const job = (this.job = { samples: this.samples }) // other jobs stop, unless they determine the colour scale
     this.first ??= this.#draw(job, from, to)
     this.done = this.first.then(() => this.#draw(job, from, to))
   }
@@ -61,7 +61,7 @@ export class Spectrogram {
     for (let column = 0; column < width; column++) {
       const time = from + ((column + 0.5) / width) * (to - from)
       for (let row = 0; row < height; row++) level[row * width + column] = 0 // the bands are added with their weights
-      for (const band of bands) band.read(this.samples, (time - this.start) * this.sampleRate, level, column, width)
+      for (const band of bands) band.read(job.samples, (time - this.start) * this.sampleRate, level, column, width)
       if (performance.now() - rest > WORK_TIME) {
         await new Promise(requestAnimationFrame)
         if (this.scale && job !== this.job) return

@@ -1,0 +1,1 @@
+"""A scene on every model that applies, from the cheapest to the most complete one."""
