@@ -26,6 +26,8 @@ STORED_DIGITS = 6
 """Significant digits of a stored value."""
 CURVE_DIGITS = 4
 """Significant digits of a stored point of a curve."""
+SOLUTION_ERROR = 1e-10
+"""Values are equal if they differ by this: errors of a solution depend on the processor."""
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NAME = re.compile(r"\[\[([a-z0-9][A-Za-z0-9_.+-]*)(?:\|([^\]]+))?\]\]")
@@ -73,7 +75,7 @@ class Number:
             + other.margin
             + scatter * max(abs(self.value), abs(other.value))
         )
-        return abs(self.value - other.value) <= allowed + 1e-12
+        return abs(self.value - other.value) <= allowed + SOLUTION_ERROR
 
     @property
     def verdict(self) -> str:

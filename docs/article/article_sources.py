@@ -66,6 +66,8 @@ CHAOTIC = {
 """Scenes whose last milliseconds are chaotic."""
 CHAOTIC_SCATTER = 0.1
 """Relative difference of their numbers on another processor."""
+SINGLE_EVENTS = {"first_flight", "longest_flight", "highest_flight", "last_inclination"}
+"""Numbers of one flight, or of the last one: in a chaotic motion another processor has others."""
 MOTION_VARIANTS = {
     "contour": ("dissipation", ()),
     "boundary_layer": (
@@ -347,11 +349,13 @@ def motion_record(name: str) -> Record:
     base, changes = MOTION_VARIANTS[name]
     scene, plan = solvable_scene(load_scene(base).replace(*changes), None)
     motion = solve_motion(plan).rolling
-    exponents = (
-        [rate_follows_unevenness(scene.roughness.exponent, motion)]
-        if "rattling" in motion.finding_groups
-        else []
-    )
+    numbers = numbers_of_motion(motion)
+    if "rattling" in motion.finding_groups:
+        exponent = rate_follows_unevenness(scene.roughness.exponent, motion)
+        numbers |= numbers_of_findings([exponent])
+        numbers = {
+            key: number for key, number in numbers.items() if key not in SINGLE_EVENTS
+        }
     heights = (
         {"rms": Number(value=float(scene.roughness.rms), unit="m")}
         if scene.roughness
@@ -363,7 +367,7 @@ def motion_record(name: str) -> Record:
         inputs=scene_digest(scene.document),
         version=version(),
         scatter=CHAOTIC_SCATTER,
-        numbers=numbers_of_motion(motion) | numbers_of_findings(exponents) | heights,
+        numbers=numbers | heights,
         curves={"rate": rate_curve(motion)},
         words={"outcome": motion.rolling_outcome.name},
     )
