@@ -11,6 +11,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormatter
+from numpy.lib.stride_tricks import sliding_window_view
 from PIL import Image
 
 from sonify.runtime.files import readable_text
@@ -120,20 +121,17 @@ def running_range(
     mere trend does not produce a band; they never exceed the range of y within the
     window.
     """
-    # slow to import
-    from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
-
     column_count = 1000
-    window: dict[str, Any] = {
-        "size": max(round(share * len(y)), 1),
-        "mode": "nearest",  # the end samples are repeated
-    }
-    mean = uniform_filter1d(y, **window)
-    lowest, highest = (
-        mean + limit(y - mean, **window)
-        for limit in (minimum_filter1d, maximum_filter1d)
-    )
-    lower = np.maximum(lowest, minimum_filter1d(y, **window))
-    upper = np.minimum(highest, maximum_filter1d(y, **window))
+    size = max(round(share * len(y)), 1)
+    padded = np.pad(y, (size // 2, size - 1 - size // 2), mode="edge")
+    sums = np.concatenate([[0.0], np.cumsum(padded)])
+    mean = (sums[size:] - sums[:-size]) / size
+    deviation = np.pad(y - mean, (size // 2, size - 1 - size // 2), mode="edge")
     every = slice(None, None, max(len(y) // column_count, 1))
-    return mean[every], lower[every], upper[every]
+    values, deviations = (
+        sliding_window_view(samples, size)[every] for samples in (padded, deviation)
+    )
+    mean = mean[every]
+    lower = np.maximum(mean + deviations.min(axis=1), values.min(axis=1))
+    upper = np.minimum(mean + deviations.max(axis=1), values.max(axis=1))
+    return mean, lower, upper
