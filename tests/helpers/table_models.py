@@ -6,6 +6,7 @@ import numpy as np
 from contact_scenes import slope_of_contact, steady_precession_rate
 from scipy.interpolate import CubicSpline
 
+from dynamics.compliant.law.table_receptance import ModalReceptance
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import energy
@@ -81,6 +82,19 @@ def assert_never_gained(model, state, first):
     assert energy_error(model, state, first) < 1e-10
     gained = np.diff(np.append(first, energy(model, state)))
     assert gained.max() < 1e-12 * first
+
+
+def one_mode(frequency, square, decay=0.0, order=0):
+    """Return the receptance of one mode, or of a pair, on the contact circle."""
+    angle = 2 * np.pi * np.arange(64) / 64
+    if order == 0:
+        shapes = np.full((64, 1), np.sqrt(square))
+    else:
+        shapes = np.sqrt(square) * np.column_stack(
+            [np.cos(order * angle), np.sin(order * angle)]
+        )
+    count = shapes.shape[1]
+    return ModalReceptance(shapes, np.full(count, frequency), np.full(count, decay))
 
 
 MODE = "{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}"
