@@ -137,7 +137,8 @@ def test_a_thick_disk_that_leans_a_little_stands_up_and_stays_on_its_edge():
     ("axial_rate", "arm"), [(12.0, 3e-5), (-12.0, 3e-5), (12.0, 0.0)]
 )
 def test_a_disk_upright_on_both_rims_rolls_straight_on(axial_rate, arm):
-    """A cylinder that rolls slows down at k_2 W/(m R^2 + C), or never."""
+    """A cylinder that rolls slows down at k_2 W/(m R^2 + C), or never; test_straight_rolling.py has
+    its path and its energy."""
     model = model_of(friction=RimFriction(0.3, (0.0, arm, 1e-4)))
     upright = tilted(DISK, np.pi / 2)._replace(
         axis_z=0.0, speed_y=DISK.radius * axial_rate, axial_rate=axial_rate
@@ -146,24 +147,9 @@ def test_a_disk_upright_on_both_rims_rolls_straight_on(axial_rate, arm):
     found = solve_landing(model, upright, limit)
     assert found.steps < 5000
     slowing = arm * DISK.weight / (1.5 * DISK.mass * DISK.radius**2)
-    end = found.path(found.path.x[-1])
-    if arm:
-        stop = abs(axial_rate) / slowing
-        assert found.end is LandingEnd.REST
-        assert found.path.x[-1] == pytest.approx(stop, rel=1e-3)
-        assert abs(end[9]) == pytest.approx(
-            DISK.radius * stop * abs(axial_rate) / 2, rel=1e-3
-        )
-    else:
-        assert found.end is LandingEnd.TIME_LIMIT
-        assert end[13] == pytest.approx(axial_rate, rel=1e-3)
-    t = np.linspace(0, found.path.x[-1], 300)
-    states = found.path(t)
-    energy = np.array([model.energy(y) for y in states.tolist()])
-    assert np.ptp(energy + states[:, LOSSES].sum(axis=1)) < 1e-5 * energy[0]
-    assert states[:, 9] == pytest.approx(
-        DISK.radius * states[:, 12], abs=1e-3 * abs(end[9])
-    )
+    assert found.end is (LandingEnd.REST if arm else LandingEnd.TIME_LIMIT)
+    end = abs(axial_rate) / slowing if arm else limit
+    assert found.path.x[-1] == pytest.approx(end, rel=1e-3)
 
 
 @pytest.mark.slow

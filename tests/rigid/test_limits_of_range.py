@@ -25,7 +25,7 @@ from dynamics import ImpossibleContactError, Outcome, regime, switching
 from dynamics.equations import DiskConstants
 from dynamics.hybrid import Arc
 from dynamics.integrators.codegen import compile_branch
-from dynamics.observables import nutation_frequency
+from dynamics.observables import nutation_frequency, slip_start_times
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 from sonify import load_scene
@@ -158,9 +158,7 @@ def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
 def test_equal_coefficients_slide_without_a_jump_of_the_force():
     """With mu_static = mu_dynamic a slide starts without acceleration or jump of the force."""
     motion = roll(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
-    starts = [
-        s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")
-    ]
+    starts = slip_start_times(motion)
     assert len(starts) > 10
     jumps = motion.jumps
     for t in starts:
