@@ -2,11 +2,9 @@
 the resulting resonances.
 
 Source: Johnson, Contact Mechanics (1985), ch. 4 and 7; Mindlin (1949); Kalker (1990), table E3.
-Oracle: half-space integrals; spheres; the energy; values of an independent prototype; a dense
-eigenproblem.
+Oracle: elliptic integrals in 30 digits; half-space integrals of the tractions; spheres; values of an
+independent prototype; a dense eigenproblem.
 """
-
-from itertools import pairwise
 
 import mpmath as mp
 import numpy as np
@@ -183,6 +181,7 @@ def test_any_fillet_material_and_inclination_in_thirty_digits(fillet, table):
                 q * a,
                 mp.pi * a * modulus / K,
                 *(2 * mp.pi * a / y for y in yields),
+                3 * load * K / (2 * mp.pi * a * modulus),
             ]
             springs = contact.springs(np.array([beta]), load)
             found = [
@@ -190,53 +189,11 @@ def test_any_fillet_material_and_inclination_in_thirty_digits(fillet, table):
                 springs.kn,
                 springs.k1,
                 springs.k2,
+                contact.approach(np.array([beta]), load),
             ]
             assert np.ravel(found) == pytest.approx(
                 np.array(exact, dtype=float), rel=gamma(100)
             )
-
-
-@pytest.mark.parametrize("beta", [0.57, 0.01, 1e-6])
-def test_pressure_fits_the_gap(beta):
-    """Hertz's pressure gives delta - A x^2 - B y^2 at the centre and at both ends of the ellipse.
-
-    The displacement at a point is an integral over all lines through it; along each line the
-    pressure is a half-circle.
-    """
-    contact = granite()
-    load = 4.3
-    (a, b) = contact.semi_axes(beta, load)
-    delta = contact.approach(beta, load)
-
-    def displaced(x, y):
-        peak = 3 * load / (2 * np.pi * a * b)
-
-        def line(phi):
-            c = np.cos(phi) / a
-            s = np.sin(phi) / b
-            square = c * c + s * s
-            cross = x / a * c + y / b * s
-            return (
-                np.pi
-                / 2
-                * (1 - (x / a) ** 2 - (y / b) ** 2 + cross**2 / square)
-                / square**0.5
-            )
-
-        side = np.append(
-            0, np.geomspace(b / a / 10, np.pi / 2, 16)
-        )  # the integrand of a long ellipse is narrow
-        ends = np.concatenate([-side[:0:-1], side])
-        parts = [quad(line, lo, hi, epsrel=1e-12)[0] for lo, hi in pairwise(ends)]
-        return peak / (np.pi * contact.modulus) * sum(parts)
-
-    assert displaced(0, 0) == pytest.approx(delta, rel=1e-7)
-    assert delta - displaced(a, 0) == pytest.approx(
-        contact.curvature(beta) * a * a, rel=1e-6
-    )
-    assert delta - displaced(0, b) == pytest.approx(
-        b * b / (2 * contact.fillet), rel=1e-6
-    )
 
 
 def test_slope_is_that_of_the_stiffness():
@@ -321,27 +278,6 @@ def test_creep_of_a_steadily_rolling_ellipse(ratio):
     x, _, dx, dy, grown = elliptical_elements(ratio, 32 if ratio == 1 else 20)
     found = np.linalg.solve(grown, np.full(len(x), dx)).sum() * dx * dy / ratio
     assert found == pytest.approx(creep_coefficients(ratio, 0.0)[0], rel=0.04)
-
-
-def test_modes_know_what_a_body_yields():
-    """A truncated mode with w >> k enters as a residual 1/w^2, to the order of the truncation."""
-    contact = granite()
-    beta = np.array([0.1])
-    stiffness = stiffness_matrix(contact.springs(beta, 4.3))
-    rigid = rigid_mode_shapes(contact.disk, beta)
-    extra = np.array([0.3, -0.7, 1.6])
-    w2 = (2 * np.pi * 30e3) ** 2
-    full = on_springs(
-        np.concatenate([rigid, extra[None, :, None]], axis=2),
-        stiffness,
-        np.array([0.0] * 6 + [w2]),
-    )
-    reduced = on_springs(rigid, stiffness, residual=np.outer(extra, extra) / w2)
-    shift = full[0, 5] / on_springs(rigid, stiffness)[0, 5] - 1
-    assert reduced[0, 3:] == pytest.approx(
-        full[0, 3:6], rel=3 * (2000 / 30e3) ** 2 * abs(shift)
-    )
-    assert shift < -1e-4
 
 
 @pytest.mark.parametrize(

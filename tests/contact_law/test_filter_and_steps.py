@@ -85,6 +85,12 @@ def solved(scene, modes):
     )
 
 
+def assert_same_loud_bands(linear, steps):
+    loud = linear.bands > linear.bands.max() - 20
+    assert loud.sum() >= 3
+    assert steps.bands[loud] == pytest.approx(linear.bands[loud], abs=2.0)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("inclination", "thickness", "allowed"),
@@ -113,9 +119,7 @@ def test_filter_and_steps_agree(inclination, thickness, allowed):
     assert not steps.motion.contact_losses
     assert steps.level == pytest.approx(linear.level, abs=allowed)
     assert steps.rms == pytest.approx(linear.rms, rel=0.06)
-    loud = linear.bands > linear.bands.max() - 20
-    assert loud.sum() >= 3
-    assert steps.bands[loud] == pytest.approx(linear.bands[loud], abs=2.0)
+    assert_same_loud_bands(linear, steps)
     if (inclination, thickness) == (0.01, 0.006):
         assert steps.rms == pytest.approx(0.053, rel=0.05)
         assert steps.level == pytest.approx(55.5, abs=1.0)
@@ -136,9 +140,7 @@ def test_filter_and_steps_agree_beyond_the_limit_of_the_filter(inclination):
     assert steps.motion.plan.contact.kind == "full"
     assert 0 < sum(loss.duration for loss in steps.motion.contact_losses) < 1e-3
     assert steps.level == pytest.approx(linear.level, abs=1.0)
-    loud = linear.bands > linear.bands.max() - 20
-    assert loud.sum() >= 3
-    assert steps.bands[loud] == pytest.approx(linear.bands[loud], abs=2.0)
+    assert_same_loud_bands(linear, steps)
 
 
 def predicted_losses(scene, modes, inclination):

@@ -11,7 +11,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from arithmetic import gamma
-from contact_scenes import REFERENCE, granite, prototype, steady_block, steady_speed
+from contact_scenes import (
+    REFERENCE,
+    granite,
+    middle,
+    prototype,
+    steady_block,
+    steady_speed,
+)
 from scipy.integrate import solve_ivp, trapezoid
 from scipy.signal import welch
 
@@ -303,15 +310,8 @@ def test_the_carrier_is_in_the_force_and_rises(motion):
         )
         peaks.append([middle(f[1:], p) for p in (power[1:], expected)])
     found, theory = np.transpose(peaks)
-    print(found / theory)
     assert found == pytest.approx(theory, rel=0.025)
     assert found[-1] > 2 * found[0]
-
-
-def middle(f, power):
-    """Return the mean frequency [Hz] above 800 Hz, where the power exceeds 1/3 of its peak."""
-    high = (f > 800) & (power > power[f > 800].max() / 3)
-    return np.average(f[high], weights=power[high])
 
 
 def test_too_stiff_for_the_rate():

@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from table_models import one_mode
 
 from dynamics import plan_motion, simulate
-from dynamics.compliant.law.table_receptance import ModalReceptance
 from dynamics.compliant.model_selection import steady_precession_rate
 from dynamics.compliant.rough_table import bent_table_ratio, linear_range
 from modal import surface_modes
@@ -128,18 +128,10 @@ def test_an_infinite_plate_yields_by_its_mobility():
     assert rigid.plate_mobility == 0.0
 
 
-def one_pair(order, frequency, square, decay=0.0):
-    angle = 2 * np.pi * np.arange(64) / 64
-    waves = np.column_stack([np.cos(order * angle), np.sin(order * angle)])
-    return ModalReceptance(
-        np.sqrt(square) * waves, np.full(2, frequency), np.full(2, decay)
-    )
-
-
 def test_the_filter_ends_where_the_contact_is_as_fast_as_the_waves(mirror_modes):
     plan = mirror_plan(mirror_modes, 30e-9)
     assert plan.rough_table.linear_until == 0.0
-    slow = one_pair(2, 150.0, 1e-6)
+    slow = one_mode(150.0, 1e-6, order=2)
     inclination = np.geomspace(0.2, 1e-3, 200)
     found, limit = linear_range(plan, slow, inclination)
     assert 2 * steady_precession_rate(plan.scene, found) == pytest.approx(
@@ -151,7 +143,7 @@ def test_the_filter_ends_where_the_contact_is_as_fast_as_the_waves(mirror_modes)
 def test_the_filter_ends_where_the_table_is_bent_like_the_rim(mirror_modes):
     plan = mirror_plan(mirror_modes, 30e-9)
     order, frequency, square, rate = 3, 2000.0, 1e3, 300.0
-    pair = one_pair(order, frequency, square)
+    pair = one_mode(frequency, square, order=order)
     stiff = (2 * np.pi * frequency) ** 2 - (order * rate) ** 2
     curvature = order**2 * plan.scene.disk.weight * square / stiff
     found = bent_table_ratio(plan, pair, 0.01, rate)

@@ -181,17 +181,6 @@ def test_the_edge_has_its_rms_in_the_waves_that_fit_it(exponent, radius):
     )
 
 
-def test_wrong_files(tmp_path):
-    file = tmp_path / "x.csv"
-    for text in (
-        "",
-        "length, height\n",
-        "0,0\n1,1\n",
-        "\n".join(f"{i},nan" for i in range(9)),
-        "\n".join("1,2" for _ in range(9)),
-    ):
-        file.write_text(text)
-        with pytest.raises(ValueError, match="must have"):
-            profile_from_csv(file)
+def test_an_edge_that_no_wave_fits_is_refused():
     with pytest.raises(ValueError, match="no wave"):
         edge_profile(Roughness(rms=1e-8, shortest=0.5, longest=1.0), 0.03755)

@@ -7,13 +7,9 @@ additional iterations.
 
 import numpy as np
 import pytest
-from contact_scenes import (
-    granite,
-    slope_of_contact,
-    steady_precession_rate,
-    steady_speed,
-)
+from contact_scenes import granite, middle, steady_speed
 from scipy.signal import welch
+from table_models import GRIPS, steady
 
 from dynamics.compliant.law.linear_response import predicted_spectrum
 from dynamics.compliant.law.roughness import edge_profile, table_profile
@@ -26,7 +22,6 @@ from dynamics.compliant.law.statistical_linearisation import (
 from dynamics.compliant.law.tabulated import TabulatedLaw
 from dynamics.compliant.state_conversion import preloaded_compliant_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.disk import Friction
 
 TABULATED_LAW, ROUGHNESS = TabulatedLaw(law=granite()), Roughness(rms=1e-7)
 DISK = TABULATED_LAW.law.disk
@@ -51,16 +46,14 @@ def test_the_full_motion_rings_as_low():
     """Steady rolling on 0.1 um rms: a linear contact overestimates the frequency by 5 %."""
     beta = 0.02
     power = 0.0
-    w3 = steady_precession_rate(TABULATED_LAW.law, beta) * np.sin(beta)
-    w2 = w3 * slope_of_contact(TABULATED_LAW.law, beta)
     speed = steady_speed(TABULATED_LAW.law, beta)
-    start = np.array([0.0, beta, 0, 0, 0, 0, w2, w3, 0, 0, 0])
+    start, _ = steady(TABULATED_LAW.law, beta)
     for seed in (0, 1):
         rough = Roughness(rms=1e-7, seed=seed)
         profiles = table_profile(rough), edge_profile(rough, DISK.radius)
         model = CompliantModel(
             tabulated_law=TABULATED_LAW,
-            friction=Friction(mu_static=10.0, mu_dynamic=10.0),
+            friction=GRIPS,
             profiles=profiles,
             rate=2e5,
         )
@@ -87,12 +80,6 @@ def test_the_full_motion_rings_as_low():
     found = middle(f[1:], power[1:])
     assert found == pytest.approx(soft, rel=0.025)
     assert linear / soft > 1.04
-
-
-def middle(f, power):
-    """Return the mean frequency [Hz] above 800 Hz, where the power exceeds 1/3 of its peak."""
-    high = (f > 800) & (power > power[f > 800].max() / 3)
-    return np.average(f[high], weights=power[high])
 
 
 def test_so_many_rounds_are_enough():

@@ -4,13 +4,12 @@ ambient pressure at both of its edges.
 Source: Reynolds' equation, incompressible and quasi-steady; the hole stays under the centre of the
 disk.
 Oracle: the closed form of a level disk; finite volumes in polar coordinates, which share no code
-with the finite elements; the logarithmic limit of a small hole; the equation of a sinking disk.
+with the finite elements; the logarithmic limit of a small hole.
 """
 
 import numpy as np
 import pytest
-from scenes import smooth_toy
-from scipy.integrate import solve_ivp
+from scenes import energy_spread, smooth_toy
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import splu
 
@@ -27,7 +26,7 @@ from dynamics.film.forces import (
     film_moment_parts,
     moment_parts_over_hole,
 )
-from dynamics.film.tilted_film import TiltedFilm, tabulated_resistance
+from dynamics.film.tilted_film import tabulated_resistance
 from dynamics.film.wedge import (
     ROTATION_POWER_COEFFICIENT,
     film_in_si_units,
@@ -55,16 +54,6 @@ def test_a_level_disk_has_the_closed_form_of_a_ring(hole):
     assert found.heave == pytest.approx(level_heave(hole), rel=3e-3)
     assert found.coupling == pytest.approx(0, abs=1e-10)
     assert found.along == pytest.approx(found.across, rel=3e-3)
-
-
-def test_the_force_on_a_level_disk_is_that_of_an_annular_squeeze_film():
-    """F = -3 pi mu z'/(2 h^3) (b^4 - a^4 - (b^2 - a^2)^2/ln(b/a))."""
-    mu, gap, b = 1.82e-5, 30e-6, 0.03595
-    film = TiltedFilm(mu, b, hole=0.04)
-    a = 0.02
-    ring = b**4 - a**4 - (b**2 - a**2) ** 2 / np.log(b / a)
-    expected = 3 * np.pi * mu / (2 * gap**3) * ring
-    assert film.resistance(gap, 0.0).heave == pytest.approx(expected, rel=0.01)
 
 
 def finite_volume_matrix(hole, tilt, depth, shape):
@@ -161,22 +150,6 @@ def test_the_compiled_film_is_that_of_the_formulas():
     assert found == pytest.approx(film_forces(sine, nutation, rate, film), rel=1e-12)
 
 
-def test_a_level_disk_sinks_faster_over_a_hole():
-    """The time is that of the equation dz/dt = -W/(resistance to heave)."""
-    film = TiltedFilm(1.82e-5, FLAT_RADIUS, depth=1e-5, hole=0.05)
-    gap, final = 20e-6, 5e-6
-    time = film.sink_time(gap, final, TOY.weight)
-    assert time < film._replace(hole=0.0).sink_time(gap, final, TOY.weight) / 10
-    found = solve_ivp(
-        lambda t, z: [-film.sink_rate(z[0], TOY.weight)],
-        (0, time),
-        [gap],
-        rtol=1e-8,
-        atol=1e-14,
-    )
-    assert found.y[0, -1] == pytest.approx(final, rel=1e-3)
-
-
 def test_the_disk_turns_faster_over_a_hole_before_the_film_carries_it():
     """The film over the hole takes less power and lifts less, so the disk lasts longer and falls
     further; the energy is balanced."""
@@ -187,8 +160,7 @@ def test_the_disk_turns_faster_over_a_hole_before_the_film_carries_it():
     )
     for motion in (whole, open_):
         assert motion.rolling_outcome is Outcome.AIRBORNE
-        total = motion.energy(motion.t) + motion.state[:, 10]
-        assert np.ptp(total) < 1e-9 * total[0]
+        assert energy_spread(motion) < 1e-9
     assert open_.t[-1] > whole.t[-1]
     assert open_.state[-1, 1] < 0.8 * whole.state[-1, 1]
 
@@ -198,7 +170,6 @@ def test_the_disk_turns_faster_over_a_hole_before_the_film_carries_it():
     [
         ("toy", ["surface.hole=0.0719"], "surface.hole = 0.0719: must not reach"),
         ("toy", ["surface.hole=-0.01"], "surface.hole = -0.01: must be greater than"),
-        ("published", ["surface.hole=0.0751"], "surface.hole = 0.0751: must not reach"),
         ("coin", ["surface.hole=0.01"], "hole"),
     ],
 )

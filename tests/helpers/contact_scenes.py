@@ -68,20 +68,23 @@ def prototype(law, beta):
     )
 
 
-def on_springs(shapes, stiffness, squared=0.0, residual=0.0):
-    """Return frequencies (k, m) [Hz], ascending, of a body with modes of unit mass held by springs
-    at one point.
+def on_springs(shapes, stiffness, residual=0.0):
+    """Return frequencies (k, m) [Hz], ascending, of a body with rigid modes of unit mass held by
+    springs at one point.
 
-    `shapes` (k, 3, m) [kg^-1/2] are the modes at that point and `squared` (m,) [1/s^2] their own
-    w^2, 0 if rigid; `stiffness` (k, 3, 3) [N/m]. What left-out modes yield, `residual` (3, 3)
-    [m/N], lies in series with the springs."""
+    `shapes` (k, 3, m) [kg^-1/2] are the modes at that point; `stiffness` (k, 3, 3) [N/m].
+    What left-out modes yield, `residual` (3, 3) [m/N], lies in series with the springs."""
     held = np.linalg.solve(
         np.eye(3) + stiffness @ np.broadcast_to(residual, stiffness.shape), stiffness
     )
-    matrix = shapes.swapaxes(1, 2) @ held @ shapes + np.broadcast_to(
-        squared, shapes.shape[-1:]
-    ) * np.eye(shapes.shape[-1])
+    matrix = shapes.swapaxes(1, 2) @ held @ shapes
     return np.sqrt(np.maximum(np.linalg.eigvalsh(matrix), 0.0)) / (2 * np.pi)
+
+
+def middle(f, power):
+    """Return the mean frequency [Hz] above 800 Hz, where the power exceeds 1/3 of its peak."""
+    high = (f > 800) & (power > power[f > 800].max() / 3)
+    return np.average(f[high], weights=power[high])
 
 
 def steady_block(t, beta, load, path, edge=None):

@@ -49,19 +49,10 @@ class FlatMotion(NamedTuple):
         Times [s].
     state : ndarray, (n, 6)
         Height [m], tilt along x and y [m], and their rates.
-    force : ndarray, (n,)
-        Normal force [N].
-    lost : ndarray, (n,)
-        Energy [J] that the contact has dissipated.
-    stored : ndarray, (n,)
-        Elastic energy [J] of the contact.
     """
 
     t: np.ndarray
     state: np.ndarray
-    force: np.ndarray
-    lost: np.ndarray
-    stored: np.ndarray
 
     def inclination(self, radius):
         """Return the inclination (n,) [rad]."""
@@ -126,10 +117,9 @@ def simulate_flat(case, start, duration, step, every, last=0.0):
     """
     steps = round(duration / step)
     rows = steps // every + 1
-    out = np.zeros((rows, 10))
+    out = np.zeros((rows, 7))
     done = run_flat(case, start, steps, step, every, last, out)
-    out = out[:done]
-    return FlatMotion(out[:, 0], out[:, 1:7], out[:, 7], out[:, 8], out[:, 9])
+    return FlatMotion(out[:done, 0], out[:done, 1:])
 
 
 @kernel
@@ -180,7 +170,6 @@ def run_flat(case, start, steps, step, every, last, out):
             phase[j, i, 0] = modes.shape[j] * np.cos(modes.order[j] * cell * i)
             phase[j, i, 1] = modes.shape[j] * np.sin(modes.order[j] * cell * i)
     patch_mass = disk.mass / (1 + 1 / disk.gyration)
-    lost = 0.0
     pull = np.zeros((k, 2))
     rows = 0
     for n in range(steps + 1):
@@ -193,7 +182,6 @@ def run_flat(case, start, steps, step, every, last, out):
         total = 0.0
         torque_x = 0.0
         torque_y = 0.0
-        stored = 0.0
         pull[:] = 0.0
         if room > 0:
             beta = max(tilt / disk.radius, 1e-6)
@@ -228,14 +216,11 @@ def run_flat(case, start, steps, step, every, last, out):
                         speed -= phase[j, i, 0] * q[j, 2] + phase[j, i, 1] * q[j, 3]
                     depth_sum += depth
                     speed_sum += depth * speed
-                    stored += 0.5 * per_cell * depth * depth
                 elif points:
                     stiffness = per_cell * points
                     dashpot = 2 * disk.ratio * sqrt(patch_mass * stiffness)
                     speed = speed_sum / depth_sum
-                    elastic = per_cell * depth_sum
-                    push = max(elastic + dashpot * speed, 0.0)
-                    lost += (push - elastic) * speed * step
+                    push = max(per_cell * depth_sum + dashpot * speed, 0.0)
                     total += push
                     for l in range(left, left + points):
                         i = l % count
@@ -257,9 +242,6 @@ def run_flat(case, start, steps, step, every, last, out):
             out[rows, 4] += step * total / (2 * disk.mass)
             out[rows, 5] += step * torque_x / (2 * disk.gyration * disk.mass)
             out[rows, 6] += step * torque_y / (2 * disk.gyration * disk.mass)
-            out[rows, 7] = total
-            out[rows, 8] = lost
-            out[rows, 9] = stored
             rows += 1
             if tilt < last * disk.radius:
                 break

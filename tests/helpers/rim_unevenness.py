@@ -1,31 +1,10 @@
-"""Random heights around a rim, the depth of its contact, and the restitution of an impact."""
+"""The depth of the contact of a rim, and the restitution of an impact."""
 
 from functools import cache
-from math import pi, sqrt
+from math import sqrt
 
-import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-
-
-def random_amplitudes(rms, slope, highest_order, seed):
-    """Return complex amplitudes (highest_order + 1,) [m] of a rim profile of orders 2 and above.
-
-    The height is the real part of the sum of amplitude[n] exp(i n theta). The amplitude of order n
-    varies as n^-(1/2 + slope), and the profile has this root mean square [m].
-    """
-    order = np.arange(2, highest_order + 1)
-    size = order ** -(0.5 + slope)
-    size *= rms / sqrt(np.sum(size**2) / 2)
-    phase = np.random.default_rng(seed).uniform(0, 2 * pi, len(order))
-    return np.concatenate([[0, 0], size * np.exp(1j * phase)])
-
-
-def rim_heights(amplitudes, count):
-    """Return the heights (count,) [m] at equidistant angles from their complex amplitudes."""
-    waves = np.zeros(count // 2 + 1, complex)
-    waves[: len(amplitudes)] = amplitudes
-    return np.fft.irfft(waves, count) * count / 2
 
 
 def contact_depth(weight, modulus, radius, fillet, inclination):

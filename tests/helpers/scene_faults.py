@@ -168,5 +168,14 @@ FAULTS = [
         "support.inclination_deg=3",
         "inclination_deg = 3: allowed only with kind = 'contact', not 'patch'",
     ),
+    ("air.viscosity=0", "air.viscosity = 0"),
+    ("air.viscosity=-1e-5", "air.viscosity = -1e-05"),
+    (
+        "air={pressure=0, film='acts'}",
+        "requires air, but pressure = 0 (vacuum)",
+    ),
+    ("air.pressure=-1", "air.pressure = -1"),
+    ("air.film=thick", "air.film"),
+    ("surface.hole=0.0751", "surface.hole = 0.0751: must not reach"),
     ("release.omega=[1.0, 2.0", "release.omega = '[1.0, 2.0': invalid TOML"),
 ]

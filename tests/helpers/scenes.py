@@ -109,6 +109,12 @@ class Attitudes(MotionBase):
         return self.film_loads(self.t, self.state)
 
 
+def energy_spread(motion) -> float:
+    """Return by how much energy and dissipated work together change, relative to the first energy."""
+    total = motion.energy(motion.t) + motion.state[:, 10]
+    return np.ptp(total) / total[0]
+
+
 def rolling_motion(scene: MotionScene, **options) -> Motion:
     """Return the motion of a scene up to the loss of the rolling contact."""
     return roll(scene, **options).rolling

@@ -6,10 +6,12 @@ import numpy as np
 from contact_scenes import slope_of_contact, steady_precession_rate
 from scipy.interpolate import CubicSpline
 
+from dynamics.compliant.law.table_receptance import ModalReceptance
 from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedLaw
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import energy
 from dynamics.compliant.stepping.model import CompliantModel
+from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES
 from dynamics.disk import Friction
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal import surface_modes
@@ -66,6 +68,33 @@ def run(model, y, every, stop):
         [loss for p in pieces for loss in p.losses],
         pieces[-1].end_reason,
     )
+
+
+def energy_error(model, state, first):
+    """Return the largest deviation of energy and losses in states (n, s) from a first energy, relative
+    to it."""
+    total = energy(model, state) + state[:, ENERGY_LOSSES].sum(axis=1)
+    return np.abs(total - first).max() / first
+
+
+def assert_never_gained(model, state, first):
+    """Assert that no energy is lost without a cause, and that none is gained in any step."""
+    assert energy_error(model, state, first) < 1e-10
+    gained = np.diff(np.append(first, energy(model, state)))
+    assert gained.max() < 1e-12 * first
+
+
+def one_mode(frequency, square, decay=0.0, order=0):
+    """Return the receptance of one mode, or of a pair, on the contact circle."""
+    angle = 2 * np.pi * np.arange(64) / 64
+    if order == 0:
+        shapes = np.full((64, 1), np.sqrt(square))
+    else:
+        shapes = np.sqrt(square) * np.column_stack(
+            [np.cos(order * angle), np.sin(order * angle)]
+        )
+    count = shapes.shape[1]
+    return ModalReceptance(shapes, np.full(count, frequency), np.full(count, decay))
 
 
 MODE = "{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}"

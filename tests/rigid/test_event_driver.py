@@ -1,15 +1,12 @@
 """Claim: the event-driven driver, which contains no mechanics, finds every event of a system in
 order and at the correct time.
 
-Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1; the rimless wheel, McGeer
-(1990), section 2. Oracle: closed forms. The intervals between the ball's impacts form a geometric
-sequence with a finite sum; the wheel's speed after each step follows a linear map and converges to
-its fixed point.
+Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1. Oracle: closed forms. The
+intervals between the ball's impacts form a geometric sequence with a finite sum.
 """
 
 import numpy as np
 import pytest
-from scipy.integrate import quad, solve_ivp
 
 from dynamics.hybrid import EVENT_CASCADE, Arc, Switch, run_events
 
@@ -105,78 +102,3 @@ def test_what_is_integrated_ahead_is_the_path_that_is_integrated_in_turn(span):
         [event.t for event in plain.crossings], rel=1e-14
     )
     assert sum(n for _, n in path.regimes) == sum(map(len, path.coefficients))
-
-
-HALF_ANGLE, SLOPE = 0.3, 0.08
-"""Half the angle between two spokes of the wheel, and the angle of the slope [rad]."""
-
-
-class Wheel:
-    """A rimless wheel: theta'' = sin(theta) about the spoke on the ground; states (theta, rate)."""
-
-    def begin(self, y):
-        return Switch("stance", y)
-
-    def advance(self, y, regime, span):
-        def falls(t, y):
-            return SLOPE + HALF_ANGLE - y[0]
-
-        falls.terminal = True
-        rates = lambda t, y: [y[1], np.sin(y[0])]  # noqa: E731
-        solved = solve_ivp(
-            rates, (0, span), y, "DOP853", events=falls, rtol=1e-13, atol=1e-13
-        )
-        theta, rate = solved.y[:, :-1]
-        series = np.array([[theta, rate], [rate, np.sin(theta)]]).transpose(2, 0, 1)
-        return Arc(
-            solved.t[1:],
-            series,
-            list(solved.y[:, -1]),
-            "spoke falls" if solved.status == 1 else None,
-        )
-
-    def switch(self, y, regime, guard):
-        assert guard == "spoke falls"
-        return Switch(regime, [SLOPE - HALF_ANGLE, np.cos(2 * HALF_ANGLE) * y[1]])
-
-
-def rates_after(rate, n):
-    """Return the rates after the first n steps.
-
-    An impact multiplies the rate by cos(2 alpha); a step adds 4 sin(alpha) sin(gamma) to its
-    square.
-    """
-    rates = []
-    for _ in range(n):
-        rate = np.cos(2 * HALF_ANGLE) * np.sqrt(
-            rate**2 + 4 * np.sin(HALF_ANGLE) * np.sin(SLOPE)
-        )
-        rates.append(rate)
-    return np.array(rates)
-
-
-def stance(rate):
-    """Return the time that the wheel spends on a spoke with initial rate `rate`."""
-    first = SLOPE - HALF_ANGLE
-    return quad(
-        lambda a: (rate**2 + 2 * (np.cos(first) - np.cos(a))) ** -0.5,
-        first,
-        SLOPE + HALF_ANGLE,
-        epsabs=1e-13,
-    )[0]
-
-
-def test_a_rimless_wheel_steps_as_its_map_says_and_reaches_the_cycle():
-    start = 0.9
-    n = 30
-    path, ended = run_events(Wheel(), [SLOPE - HALF_ANGLE, start], 40.0)
-    assert ended is None
-    assert len(path.crossings) >= n
-    after = [block[0, 0, 1] for block in path.coefficients[1:]]
-    rates = rates_after(start, len(after))
-    assert after == pytest.approx(rates, rel=1e-11)
-    times = np.cumsum([stance(rate) for rate in [start, *rates[:-1]]])
-    assert [event.t for event in path.crossings] == pytest.approx(times, rel=1e-11)
-    cycle = 2 * np.sqrt(np.sin(HALF_ANGLE) * np.sin(SLOPE)) / np.tan(2 * HALF_ANGLE)
-    left = np.cos(2 * HALF_ANGLE) ** (2 * len(after)) * abs(start**2 - cycle**2)
-    assert after[-1] ** 2 == pytest.approx(cycle**2, abs=2 * left + 1e-10)

@@ -78,16 +78,6 @@ def test_products_and_sums_are_not_fused():
     assert LOOSE.findall(loose_llvm)  # the pattern detects loose arithmetic
 
 
-def test_a_sum_is_rounded_in_the_order_in_which_it_is_written():
-    """The strict sum of 1 and 999 terms of 2^-53 is 1; a sum in several lanes differs."""
-    x = np.full(1000, 2.0**-53)
-    y = np.ones(1000)
-    x[0] = 1.0
-    strict = outermost(kernel(product_and_sum).py_func)(x, y, np.zeros(1000))
-    assert strict == 1.0
-    assert np.sum(x) > 1.0  # NumPy sums in lanes
-
-
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_what_was_compiled_before(tmp_path):
     """Compiling the portable integrator first once changed the last bits of a motion.

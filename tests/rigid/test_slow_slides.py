@@ -19,6 +19,7 @@ from dynamics.integrators.gauss_collocation import (
     INTEGRAL_WEIGHTS,
     ORDER,
 )
+from dynamics.observables import slip_start_times
 from dynamics.rolling import RollingDisk
 from sonify import load_scene
 
@@ -58,9 +59,7 @@ def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
     """A parabola extrapolates the slip direction from later instants to the start; its error is of
     third order."""
     motion = roll(equal("published", 4.0, ratio))
-    starts = [
-        e.t for e in motion.transitions if e.before == "roll" and e.after == "slide"
-    ]
+    starts = slip_start_times(motion)
     assert len(starts) > 10
     later = 1e-3 * np.array([1.0, 2.0, 4.0])
     for start in starts:

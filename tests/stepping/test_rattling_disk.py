@@ -7,13 +7,18 @@ exponent (2 - H)/(4 - H) of the rate, the energy balance from states, and number
 the flat limit with its own stepper.
 """
 
-from dataclasses import replace
 from functools import cache
 from math import pi, sin, sqrt
 
 import numpy as np
 import pytest
-from flat_rattle import FlatCase, FreeModes, flat_disk, simulate_flat
+from flat_rattle import (
+    FlatCase,
+    FreeModes,
+    flat_disk,
+    rolling_start,
+    simulate_flat,
+)
 from rattling_coin import (
     CIRCUMFERENCE,
     RADIUS,
@@ -24,7 +29,7 @@ from rattling_coin import (
     settle,
     wave,
 )
-from scipy.integrate import solve_ivp
+from scenes import energy_spread
 from scipy.signal import welch
 
 from dynamics import plan_motion, simulate
@@ -99,16 +104,31 @@ def test_hop_of_a_kicked_rim_lasts_as_long_as_a_free_flight():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("ratio", "open_share", "tolerance"),
-    [(1, 0.01, 0.01), (2, 0.09, 0.03), (5, 0.34, 0.04), (20, 0.62, 0.05)],
+    ("modulus", "ratio", "open_share", "tolerance"),
+    [
+        (40e9, 1, 0.01, 0.01),
+        (40e9, 2, 0.09, 0.03),
+        (40e9, 5, 0.34, 0.04),
+        (40e9, 20, 0.62, 0.05),
+        (4e9, 1, 0.01, 0.01),
+        (4e9, 2, 0.06, 0.03),
+        (4e9, 5, 0.25, 0.04),
+        (4e9, 20, 0.47, 0.05),
+    ],
 )
 def test_share_of_time_without_contact_grows_with_the_unevenness(
-    ratio, open_share, tolerance
+    modulus, ratio, open_share, tolerance
 ):
-    depth = static_depth(0.0085 * GRAVITY, 40e9, RADIUS, 0.5e-3, 0.1)
-    scene = coin(rms=ratio * depth, inclination=0.105)
-    motion = settle(model_of(scene), scene, 0.095, 0.25)
-    assert motion.open_share == pytest.approx(open_share, abs=tolerance)
+    """On hard and soft tables; means of four seeds on the soft one, of which one is enough on the
+    hard one."""
+    depth = static_depth(0.0085 * GRAVITY, modulus, RADIUS, 0.5e-3, 0.1)
+    shares = []
+    for seed in range(1 if modulus == 40e9 else 4):
+        scene = coin(ratio * depth, 1.0, 0.5, seed, 0.105)
+        model = model_of(scene)
+        model = model._replace(constants=model.constants._replace(modulus=modulus))
+        shares.append(settle(model, scene, 0.095, 0.25).open_share)
+    assert np.mean(shares) == pytest.approx(open_share, abs=tolerance)
 
 
 @pytest.mark.parametrize("modes", ["rigid", "elastic"])
@@ -172,6 +192,14 @@ def test_columns_describe_the_steady_motion_of_the_release():
     assert np.linalg.norm(state[AXIS]) == pytest.approx(1.0)
 
 
+def on_rigid_contact(scene):
+    """Return the scene of a coin on a rigid, smooth contact."""
+    document = scene.document
+    document["contact"] = {"law": "rigid", "fillet": 5e-4}
+    document["numerics"]["contact"] = "auto"
+    return from_document(document)
+
+
 @pytest.mark.parametrize(
     ("mu", "nutation", "count"), [(0.05, 3.0, 3), (0.1, 5.0, 0), (0.1, 10.0, 1)]
 )
@@ -183,10 +211,7 @@ def test_it_slides_when_a_disk_on_a_rigid_contact_does(mu, nutation, count):
     _, axial, in_plane = scene.release.omega
     scene = scene.replace(f"release.omega={[nutation, axial, in_plane]}")
     motion = settle(model_of(scene, np.zeros(8192)), scene, 0.0, 0.1)
-    document = scene.document
-    document["contact"] = {"law": "rigid", "fillet": 5e-4}
-    document["numerics"]["contact"] = "auto"
-    reference = simulate(from_document(document))
+    reference = simulate(on_rigid_contact(scene))
     t = np.linspace(0.0, motion.t[-1], 2000)
     slides = motion.regime(t) == "slide"
     expected = np.char.startswith(reference.regime(t), "slide")
@@ -246,11 +271,6 @@ def test_what_cannot_rattle_is_refused_in_one_line(change, message):
     assert "\n" not in str(refused.value)
 
 
-def test_a_rattling_scene_is_read_again_from_its_values():
-    scene = coin()
-    assert from_document(replace(scene).document).diff(scene) == {}
-
-
 @pytest.mark.parametrize("restitution", [0.05, 0.1, 0.3, 0.65, 0.8, 0.95])
 @pytest.mark.parametrize("speed", [1e-3, 0.1])
 def test_a_disk_rebounds_with_the_restitution_of_its_scene(restitution, speed):
@@ -302,10 +322,9 @@ def test_a_disk_on_crests_comes_to_rest_on_them():
         assert motion.inclination(motion.t[-1:])[0] * RADIUS < crest
 
 
-@pytest.mark.parametrize(("body", "restitution"), [("rigid", 0.8), ("elastic", 0.5)])
-def test_the_effective_restitution_is_that_of_the_flat_limit(body, restitution):
-    """A kicked rim on a flat table without gravity; the modes change its rebound, by 0.2 for 0.5."""
-    scene = coin(1e-6, 1.0, restitution, 0, 0.05, f"contact.body={body}")
+def test_the_effective_restitution_is_that_of_the_flat_limit():
+    """A kicked rim on a flat table without gravity; the modes change its rebound by 0.2."""
+    scene = coin(1e-6, 1.0, 0.5, 0, 0.05, "contact.body=elastic")
     model = model_of(scene)
     rim = model.rim
     own = rim.phase == 0
@@ -315,18 +334,15 @@ def test_the_effective_restitution_is_that_of_the_flat_limit(body, restitution):
         rim.decay[own],
         np.abs(rim.axial[own]),
     )
-    disk = flat_disk(RADIUS, 2.2e-3, 8.5e-3, 40e9, 0.5e-3, restitution)
+    disk = flat_disk(RADIUS, 2.2e-3, 8.5e-3, 40e9, 0.5e-3, 0.5)
     start = np.array([RADIUS * 0.05, -RADIUS * 0.05, 0.0, 0.0, 0.0, 0.0])
     start[3] = -0.01 * disk.gyration / (1 + disk.gyration)
     start[4] = -0.01 / (1 + disk.gyration)
-    heights = np.zeros(8192)
-    case = FlatCase(disk, heights, modes, gravity=0.0)
+    case = FlatCase(disk, np.zeros(8192), modes, gravity=0.0)
     flat = simulate_flat(case, start, 1e-3, 2e-7, 100)
     expected = (flat.state[-1, 3] + flat.state[-1, 4]) / 0.01
     found = effective_restitution(model, 0.05, 0.01)
     assert found == pytest.approx(expected, abs=0.03)
-    if body == "rigid":
-        assert found == pytest.approx(restitution, abs=0.02)
 
 
 def test_an_upright_disk_ends_with_a_name():
@@ -377,11 +393,7 @@ def test_the_film_slows_a_rolling_disk_as_it_does_with_a_rigid_contact():
     scene = coin(1e-6, 1.0, 0.5, 0, 0.03, "air.film=acts")
     model = model_of(scene, np.zeros(8192))
     motion = settle(model, scene, 0.0, 0.2)
-    document = scene.document
-    document["contact"] = {"law": "rigid", "fillet": 5e-4}
-    document["numerics"]["contact"] = "auto"
-    document["friction"]["mu_dynamic"] = 0.3
-    reference = simulate(from_document(document))
+    reference = simulate(on_rigid_contact(scene).replace("friction.mu_dynamic=0.3"))
     assert reference.rolling_outcome is Outcome.AIRBORNE
     (lifted, duration, _) = motion.contact_losses[-1]
     assert lifted + duration == pytest.approx(motion.t[-1], abs=1e-3)  # no re-contact
@@ -402,9 +414,9 @@ def test_the_film_slows_a_rolling_disk_as_it_does_with_a_rigid_contact():
     assert motion.inclination(half) == pytest.approx(
         reference.inclination(half), rel=0.01
     )
-    total = motion.energy(motion.t) + motion.state[:, -1]
-    assert np.abs(total / total[0] - 1).max() < 1e-6
-    assert motion.energy_lost(motion.t[-1:])["film"][0] > 0.8 * total[0]
+    assert energy_spread(motion) < 1e-6
+    film = motion.energy_lost(motion.t[-1:])["film"][0]
+    assert film > 0.8 * motion.energy(0.0)[0]
 
 
 def test_the_table_presses_where_the_film_pulls():
@@ -527,37 +539,6 @@ def test_a_bouncy_contact_opens_earlier_on_waves(order):
         )
 
 
-@pytest.mark.parametrize("order", [3, 5])
-def test_a_rigid_disk_in_the_flat_limit_loses_contact_in_a_valley(order):
-    """The exact equations of a rigid contact at the angle theta, from the Lagrangian
-    (1 + eps) z'^2/2 + eps (q theta')^2/2 - g z with q = z + (n^2 - 1) a cos(n theta): when q first
-    vanishes, R beta/(n^2 a) is 1. Height and q are in units of (n^2 - 1) a, time in their unit.
-    """
-    resistance = 1e-2  # of the weight, at the radius
-
-    def rates(t, y):
-        z, climb, theta, turn = y
-        q = z + np.cos(order * theta)
-        slope = -order * np.sin(order * theta)
-        lift = (GYRATION * q * turn**2 - 1) / (1 + GYRATION)
-        spin = -(2 * climb * turn + slope * turn**2) / q
-        spin -= resistance / (GYRATION * max(q, 0.3) ** 2)
-        return [climb, lift, turn, spin]
-
-    def opens(t, y):
-        return y[0] + np.cos(order * y[2]) - 0.01
-
-    opens.terminal = True
-    start = [2.5, 0.0, 0.0, 1 / sqrt(2.5 * GYRATION)]
-    options = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-12, "events": opens}
-    end = solve_ivp(rates, (0.0, 1e5), start, **options).y[:, -1]
-    amplitude = 1 / (order**2 - 1)
-    height = amplitude * np.cos(order * end[2])
-    slope = -order * amplitude * np.sin(order * end[2])
-    found = np.hypot(end[0] - height, slope) / (order**2 * amplitude)
-    assert found == pytest.approx(1.0, abs=0.05)
-
-
 def test_a_polygon_loses_the_energy_of_its_crests():
     """30 um cos(32 angle), e = 0.05: 0.0434 s from 0.05 to 0.025 rad; 0.0453 s in closed form."""
     scene = coin(1e-6, 1.0, 0.05, 0, 0.05)
@@ -618,22 +599,34 @@ def test_contacts_shift_and_damp_the_lines_of_the_free_modes(
         assert decays[0] < np.mean(damped) < decays[1]
 
 
+def fall_rate(t, inclination):
+    """Return the mean rate [rad/s] at which the inclination (n,) falls below 0.18 rad."""
+    late = inclination < 0.18
+    return -np.polyfit(t[late], inclination[late], 1)[0]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("restitution", "k"), [(0.1, 0.83), (0.37, 0.785), (0.523, 0.68), (0.793, 0.44)]
 )
 def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
-    """d beta/dt = -k sqrt(g s)/R for H = 0, from 0.18 to 0.006 rad; k is the mean of seeds."""
+    """d beta/dt = -k sqrt(g s)/R for H = 0, from 0.18 to 0.006 rad; k is the mean of seeds, in three
+    dimensions and in the flat limit on the same heights."""
     rates = []
+    disk = flat_disk(RADIUS, 2.2e-3, 8.5e-3, 40e9, 0.5e-3, restitution)
     for seed in range(4):
         scene = coin(3e-6, 1.0, restitution, seed, 0.2)
-        motion = settle(model_of(scene), scene, 0.006)
+        model = model_of(scene)
+        motion = settle(model, scene, 0.006)
         t = np.arange(0, motion.t[-1], 1e-3)
-        inclination = motion.inclination(t)
-        late = inclination < 0.18
-        fall = -np.polyfit(t[late], inclination[late], 1)[0]
-        rates.append(fall * RADIUS / sqrt(GRAVITY * 3e-6))
-    assert np.mean(rates) == pytest.approx(k, rel=0.08)
+        case = FlatCase(disk, model.heights)
+        start = rolling_start(disk, 0.2)
+        start[0] += case.heights[0]
+        flat = simulate_flat(case, start, 3.0, 1e-6, 100, last=0.006)
+        both = (t, motion.inclination(t)), (flat.t, flat.inclination(RADIUS))
+        rates.append([fall_rate(*samples) for samples in both])
+    k_of_means = np.mean(rates, axis=0) * RADIUS / sqrt(GRAVITY * 3e-6)
+    assert k_of_means == pytest.approx([k, k], rel=0.08)
 
 
 @pytest.mark.slow
@@ -693,6 +686,13 @@ def test_half_the_step_and_twice_the_points_give_the_same_loss():
     assert means[1:] == pytest.approx([means[0], means[0]], rel=0.04)
 
 
+def turn_rates(motion, left, window):
+    """Return the mean turns per second in windows [s] about times [s] before the end."""
+    middle = motion.t[-1] - np.array(left)
+    before, after = (motion.precession(middle + s * window / 2) for s in (-1, 1))
+    return (after - before) / (2 * pi * window)
+
+
 @cache
 def solved_coin(seed):
     """Return the result of the shipped coin with a seed of the heights."""
@@ -711,10 +711,7 @@ def test_the_shipped_coin_turns_like_a_recorded_one():
     rates = []
     for seed in range(8):
         motion = simulate(load_scene("coin").replace(f"roughness.seed={seed}"))
-        left = np.array([0.785, 0.465, 0.165])
-        middle = motion.t[-1] - left
-        before, after = (motion.precession(middle + shift) for shift in (-0.02, 0.02))
-        rates.append((after - before) / 0.04 / (2 * pi))
+        rates.append(turn_rates(motion, [0.785, 0.465, 0.165], 0.04))
     assert np.mean(rates, axis=0) == pytest.approx([12.75, 16.7, 28.0], rel=0.15)
 
 
@@ -786,9 +783,7 @@ def test_the_detector_hears_the_shipped_coin_come_to_rest():
             end = found.motion.t[-1]
             if run.t_end.value is not None:  # the sound contains the end
                 assert run.t_end.value == pytest.approx(end, abs=0.15)
-            around = end - 0.465 + np.array([-0.05, 0.05])
-            before, after = found.motion.precession(around)
-            turns = (after - before) / 0.1 / (2 * pi)
+            turns = turn_rates(found.motion, 0.465, 0.1)
             bursts = float(run.rate(end - 0.465)) / turns
             assert bursts == pytest.approx(1 if bursts < 1.5 else 2, rel=0.25)
     assert heard >= 2
@@ -876,10 +871,7 @@ def test_another_recorded_coin_is_predicted_with_its_table_alone():
             f"roughness.seed={seed}",
         )
         motion = simulate(scene)
-        left = np.array([1.165, 0.65, 0.265])
-        at = motion.t[-1] - left
-        before, after = (motion.precession(at + shift) for shift in (-0.03, 0.03))
-        rates.append((after - before) / 0.06 / (2 * pi))
+        rates.append(turn_rates(motion, [1.165, 0.65, 0.265], 0.06))
     mean = np.mean(rates, axis=0)
     assert mean == pytest.approx([14.1, 18.8, 29.0], rel=0.1)
     assert mean[2] / mean[0] == pytest.approx(29.0 / 14.1, rel=0.12)

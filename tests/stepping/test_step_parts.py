@@ -160,18 +160,6 @@ def test_a_force_does_the_work_that_a_table_mode_stores_and_loses():
     assert last - first + lost == pytest.approx(work, rel=1e-12)
 
 
-def test_a_steady_force_holds_a_table_mode_at_its_static_deflection():
-    modes = table_modes.modes_at_rest(table_mode(), STEP, NO_RIM_MODES)
-    modes.shape_before[:] = 0.7
-    modes.shape_after[:] = 0.7
-    static = -4.0 * 0.7 / modes.stiffness
-    modes.amplitude[:] = static
-    table_modes.predict_free_motion(modes, STEP)
-    table_modes.advance_modes(modes, 4.0, STEP)
-    assert modes.amplitude == pytest.approx(static)
-    assert modes.velocity == pytest.approx(0, abs=1e-12)
-
-
 def test_the_film_holds_a_table_mode_at_the_static_deflection_of_the_contact(
     model, state
 ):
@@ -462,32 +450,33 @@ def test_springs_do_the_work_that_their_energy_loses_over_a_step(depth):
     assert mean == pytest.approx((first**2 + last**2) / 2)
 
 
+def resisted(plan, beta, load, angular, **moments):
+    """Return the torque that resists an angular velocity (3,) under a load, and the diametral
+    inertia."""
+    none = {"arms": (0.0,) * 3, "contour_moment": 0.0, "spin_friction": (0.0,) * 15}
+    constants = rattling_model(plan).constants._replace(**none | moments)
+    s, c = np.sin(beta), np.cos(beta)
+    axis = np.array([0.0, s, c])
+    rim = SimpleNamespace(axis=axis, sine=s, upright=c, inclination=beta)
+    force = np.zeros((5, 3))
+    force[layout.ELASTIC, 2] = load
+    contacts = SimpleNamespace(force=force, torque=np.zeros((5, 3)))
+    velocity = SimpleNamespace(angular=angular)
+    pressed = SimpleNamespace(disk=constants, contacts=contacts)
+    resistance.add_resistance(pressed, rim, velocity, 0.0, 4.3, STEP)
+    return contacts.torque[layout.RESISTANCE], constants.diametral_inertia
+
+
 @pytest.mark.parametrize("arm", ["nutation", "rolling", "pivoting"])
 @pytest.mark.parametrize("load", [4.0, 1e9])
 def test_the_arms_of_a_rattling_disk_are_coulombs_moments(plan, arm, load):
     """Each opposes its rotation with the arm times the normal force, or stops it in the step."""
     place = ("nutation", "rolling", "pivoting").index(arm)
-    beta = 0.3
-    axis = np.array([0.0, np.sin(beta), np.cos(beta)])
-    direction = np.array([[1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]])[place]
-    constants = rattling_model(plan).constants
-    arms = [0.0, 0.0, 0.0]
-    arms[place] = 1e-5
-    constants = constants._replace(
-        arms=tuple(arms), contour_moment=0.0, spin_friction=(0.0,) * 15
-    )
-    rim = SimpleNamespace(
-        axis=axis, sine=np.sin(beta), upright=np.cos(beta), inclination=beta
-    )
-    force = np.zeros((5, 3))
-    force[layout.ELASTIC, 2] = load
-    contacts = SimpleNamespace(force=force, torque=np.zeros((5, 3)))
-    velocity = SimpleNamespace(angular=3.0 * direction)
-    pressed = SimpleNamespace(disk=constants, contacts=contacts)
-    resistance.add_resistance(pressed, rim, velocity, 0.0, 4.3, STEP)
-    stops = 3.0 * constants.diametral_inertia / STEP
-    expected = -min(1e-5 * load, stops) * direction
-    assert contacts.torque[layout.RESISTANCE] == pytest.approx(expected)
+    direction = np.eye(3)[place]
+    arms = tuple(1e-5 * direction)
+    torque, inertia = resisted(plan, 0.3, load, 3.0 * direction, arms=arms)
+    expected = -min(1e-5 * load, 3.0 * inertia / STEP) * direction
+    assert torque == pytest.approx(expected)
 
 
 @pytest.mark.parametrize("load", [-4.3, 4.3, 1e9])
@@ -497,23 +486,9 @@ def test_the_contour_moment_takes_its_power_at_the_rate_of_the_contact(plan, loa
     A contact that pulls has no moment, and no moment reverses the rotation in a step.
     """
     beta = 0.1
-    e3 = np.array([0.0, -np.cos(beta), np.sin(beta)])
-    constants = rattling_model(plan).constants._replace(
-        arms=(0.0,) * 3, contour_moment=2e-5, spin_friction=(0.0,) * 15
-    )
-    rim = SimpleNamespace(
-        axis=np.array([0.0, np.sin(beta), np.cos(beta)]),
-        sine=np.sin(beta),
-        upright=np.cos(beta),
-        inclination=beta,
-    )
-    force = np.zeros((5, 3))
-    force[layout.ELASTIC, 2] = load
-    contacts = SimpleNamespace(force=force, torque=np.zeros((5, 3)))
-    velocity = SimpleNamespace(angular=7.0 * e3)
-    pressed = SimpleNamespace(disk=constants, contacts=contacts)
-    resistance.add_resistance(pressed, rim, velocity, 0.0, 4.3, STEP)
-    power = contacts.torque[layout.RESISTANCE] @ velocity.angular
+    angular = 7.0 * np.array([0.0, -np.cos(beta), np.sin(beta)])
+    torque, inertia = resisted(plan, beta, load, angular, contour_moment=2e-5)
+    power = torque @ angular
     unbounded = 2e-5 * max(load, 0.0) / 4.3 * 7.0 / np.sin(beta)
-    stops = constants.diametral_inertia * 7.0**2 / STEP
+    stops = inertia * 7.0**2 / STEP
     assert power == pytest.approx(-min(unbounded, stops))
