@@ -65,10 +65,6 @@ def test_below_40_khz_every_mode_is_within_1e_6_of_a_larger_basis(modes):
     assert modes.frequency == pytest.approx(exact.frequency, rel=1e-6)
 
 
-def test_three_modes_in_two_frequencies_below_20_khz(modes):
-    assert modes.order[modes.frequency < 20e3].tolist() == [2, 2, 0]
-
-
 def test_pairs_are_exact_and_partners_are_a_quarter_wave_apart(modes):
     for i, j in enumerate(modes.partner):
         if j >= 0:
@@ -124,24 +120,6 @@ def test_first_torsion_is_the_root_of_j2():
     assert exact == pytest.approx(68297.79982, rel=1e-9)
 
 
-@pytest.mark.parametrize("edge", ["free", "supported", "clamped"])
-def test_thin_plates_tend_to_kirchhoffs(edge):
-    """At a clamped edge, an edge layer makes the error proportional to h instead of h^2."""
-    thickness = 5e-3
-    thin = Plate(
-        radius=1.0, thickness=thickness, material=STEEL, density=DENSITY, edge=edge
-    )
-    modes = plate_modes(thin, 150.0, "draft")
-    for n in range(4):
-        exact = thin_plate_frequencies(n, 3, 1.0, thickness, 195e9, 0.28, DENSITY, edge)
-        exact = exact[exact < 145]
-        found = modes.frequency[(modes.order == n) & (np.array(modes.parity) == "even")]
-        assert len(exact) > 0
-        assert found[: len(exact)] == pytest.approx(
-            exact, rel=1e-2 if edge == "clamped" else 2e-3
-        )
-
-
 def test_disks_down_to_a_thousandth_as_thick_tend_to_kirchhoffs_with_the_square_of_the_thickness():
     """Bending eigenvalues are 1e-12 of the shear ones; careless arithmetic would lose them."""
     error = []
@@ -174,22 +152,6 @@ def test_modal_mass_is_one_on_the_face_grid_of_a_thin_plate():
     mean_square = (modes.face_shape**2).mean(axis=(1, 3))
     mass = DENSITY * thin.thickness * 2 * pi * mean_square @ modes.face_weight
     assert mass == pytest.approx(np.ones(len(modes)), rel=2e-3)
-
-
-def test_a_stiff_ring_under_the_rim_is_a_simple_support():
-    """An elastic ring raises frequencies monotonically to those of the simply supported plate."""
-    plate = {"radius": 0.12, "thickness": 0.004, "material": STEEL, "density": DENSITY}
-    rings = [
-        Plate(**plate, ring_radius=0.12, ring_stiffness=k) for k in (2e4, 1e6, 1e10)
-    ]
-    lowest = np.array(
-        [plate_modes(ring, 1000.0, "draft").frequency[0] for ring in rings]
-    )
-    assert (np.diff(lowest) > 0).all()
-    supported = plate_modes(Plate(**plate, edge="supported"), 1000.0, "draft").frequency
-    assert lowest[-1] == pytest.approx(supported[0], rel=0.01)
-    heave = (2e4 * 2 * pi * 0.12 / Plate(**plate).mass) ** 0.5 / (2 * pi)
-    assert lowest[0] == pytest.approx(heave, rel=0.02)
 
 
 def test_a_disk_too_small_to_be_heard_has_no_modes_and_that_is_no_error():
