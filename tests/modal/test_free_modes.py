@@ -6,7 +6,6 @@ Source: Ritz's method with a basis that is smooth on the axis. Oracle: three fre
 """
 
 from math import pi
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,6 +17,7 @@ from modal.elements.elastic import estimated_mode_count
 from modal.spectral.axisymmetric import plate_modes
 from modal.spectral.basis import Plate, ritz_problem
 from modal.spectral.p_refinement import solve_problem
+from sonify import load_scene
 
 RADIUS, THICKNESS, DENSITY = 0.03755, 0.0128, 7737.27
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
@@ -25,21 +25,12 @@ DISK = Plate(radius=RADIUS, thickness=THICKNESS, material=STEEL, density=DENSITY
 KNOWN = [(2, 10602.6917), (0, 16997.7117), (3, 22210.5353)]
 
 
-def scene(accuracy="standard"):
-    mass = DENSITY * pi * RADIUS**2 * THICKNESS
-    return SimpleNamespace(
-        disk=SimpleNamespace(
-            radius=RADIUS, thickness=THICKNESS, mass=mass, shape="solid"
-        ),
-        material=STEEL,
-        support=Support(kind="free"),
-        numerics=SimpleNamespace(accuracy=accuracy),
-    )
+FREE = load_scene("published").replace("support.kind=free")
 
 
 @pytest.fixture(scope="module")
 def modes():
-    return eigenmodes(scene(), below=40e3)
+    return eigenmodes(FREE, below=40e3)
 
 
 @pytest.mark.parametrize(("order", "frequency"), KNOWN)
@@ -52,15 +43,15 @@ def test_known_frequencies(modes, order, frequency):
 
 
 def test_a_held_disk_has_its_free_modes_for_the_asking(modes):
-    held = SimpleNamespace(**vars(scene()) | {"support": Support()})
+    held = load_scene("published")
     assert (
-        eigenmodes(held, 40e3, Support(kind="free")).frequency.tolist()
+        eigenmodes(held, 40e3, FREE.support).frequency.tolist()
         == modes.frequency.tolist()
     )
 
 
 def test_below_40_khz_every_mode_is_within_1e_6_of_a_larger_basis(modes):
-    exact = eigenmodes(scene("reference"), below=40e3)
+    exact = eigenmodes(FREE.replace("numerics.accuracy=reference"), below=40e3)
     assert modes.order.tolist() == exact.order.tolist()
     assert modes.frequency == pytest.approx(exact.frequency, rel=1e-6)
 
@@ -137,7 +128,7 @@ def test_disks_down_to_a_thousandth_as_thick_tend_to_kirchhoffs_with_the_square_
 
 def test_finite_elements_agree_from_above():
     below = 23e3
-    spectral = eigenmodes(scene(), below=below)
+    spectral = eigenmodes(FREE, below=below)
     elements = held.held_modes(DISK, Support(kind="free"), below, "reference")
     ratio = elements.frequency / spectral.frequency
     assert ratio.min() > 1 - 1e-6
@@ -159,15 +150,11 @@ def test_a_disk_too_small_to_be_heard_has_no_modes_and_that_is_no_error():
         radius=RADIUS / 10, thickness=THICKNESS / 10, material=STEEL, density=DENSITY
     )
     assert len(plate_modes(small, 24e3)) == 0
-    disk = SimpleNamespace(
-        radius=RADIUS / 40,
-        thickness=THICKNESS / 40,
-        mass=small.mass / 64,
-        shape="solid",
-    )
     held_disk = eigenmodes(
-        SimpleNamespace(
-            disk=disk, material=STEEL, support=Support(), numerics=scene().numerics
+        load_scene("published").replace(
+            f"disk.radius={RADIUS / 40}",
+            f"disk.thickness={THICKNESS / 40}",
+            f"disk.mass={FREE.disk.mass / 64000}",
         )
     )
     assert held_disk.rim_shape.shape == (0, 128, 3)
