@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scenes import smooth_toy
+from scenes import bare_toy
 
 from sonify.fitting.decay_model import DecayModel
 from sonify.fitting.least_squares import (
@@ -33,11 +33,7 @@ FOLDERS = 40
 
 @pytest.fixture(scope="module")
 def decay():
-    """Return the decay of the toy, slowed by contour friction and air alone."""
-    arms = [
-        f"friction.{arm}=0" for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")
-    ]
-    return DecayModel(smooth_toy(*arms, "air.film=acts"))
+    return DecayModel(bare_toy())
 
 
 def rates_of_take(decay, first, last, noise, random):

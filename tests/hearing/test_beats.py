@@ -6,10 +6,10 @@ here with known phases, rates and depths.
 
 import numpy as np
 import pytest
+from tracks import track
 
 from sonify.hearing.audible_levels import audible_levels
 from sonify.hearing.beats import detectable_depth, find_beats, find_bursts
-from sonify.sound.pressure import Track
 
 RATE = 48000
 SECONDS = 8.0
@@ -24,14 +24,6 @@ def turns(time):
 
 def rate(time):
     return 10.0 / np.sqrt(END - time)
-
-
-def track(samples):
-    return Track(
-        sample_rate=RATE,
-        columns=np.asarray(samples, np.float32)[:, None],
-        column=0,
-    )
 
 
 def beating(depth, per_turn, phase=turns, level=0.02):

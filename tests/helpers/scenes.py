@@ -29,6 +29,16 @@ def smooth_toy(*changes):
     return load_scene("toy").replace(dict.fromkeys(sections), *changes)
 
 
+def bare_toy():
+    """Return the smooth toy, slowed by contour friction and air alone."""
+    arms = ("arm_nutation", "arm_rolling", "arm_pivoting")
+    return smooth_toy(
+        *(f"friction.{arm}=0" for arm in arms),
+        "dissipation.contour_moment=1e-5",
+        "air.film='acts'",
+    )
+
+
 def roll(moved, loads=None, watch=lambda t, inclination, doing: None) -> Motion:
     """Return the motion of a scene until the rolling contact is lost for the first time."""
     plan = plan_motion(moved)

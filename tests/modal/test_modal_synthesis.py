@@ -2,7 +2,8 @@
 
 Source: free modes with residual flexibility (component mode synthesis after MacNeal and Rubin);
 finite elements. Oracle: each method for the other; for +-5 degrees also high-degree elements of an
-independent program, converged to 3e-5.
+independent program, converged to 3e-5; for a foil the thickness, to which the frequencies of a thin
+plate are proportional.
 """
 
 from dataclasses import replace
@@ -47,20 +48,6 @@ def test_synthesis_converges_with_its_richness():
     assert error[0] > 2 * error[1] > 4 * error[2]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("half_angle_deg", [0.5, 2, 10, 25, 45, 90, 130])
-def test_finite_elements_lie_above_synthesis_within_their_own_estimate(
-    free_disk, half_angle_deg
-):
-    support = Support(half_angle_deg=half_angle_deg)
-    frequency = free_disk.frequencies(support, below=20e3)
-    elements = held_modes(DISK, support, 21e3, "standard")
-    error = elements.frequency[: len(frequency)] / frequency - 1
-    assert error.min() > -1e-3
-    assert error.max() < 0.02
-    assert (error <= elements.error[: len(frequency)]).mean() >= 0.9
-
-
 TWO = ("tangential", "axial")
 OTHERS = {
     "nearly incompressible": (0.45, 0.34, Support()),
@@ -74,23 +61,32 @@ OTHERS = {
     "hinged at a small patch": (0.28, 0.34, Support(half_angle_deg=2, held=TWO)),
     "hinged at a wide patch": (0.28, 0.34, Support(half_angle_deg=30, held=TWO)),
 }
+WIDE = {"narrow": 0.5, "45 degrees": 45, "60 degrees": 60, "130 degrees": 130}
+MORE = {"2 degrees": 2, "10 degrees": 10, "25 degrees": 25, "90 degrees": 90}
+CASES = OTHERS | {
+    name: (0.28, 0.34, Support(half_angle_deg=angle))
+    for name, angle in (WIDE | MORE).items()
+}
+
+
+def disk_of(poisson, aspect):
+    """Return a disk and the limit [Hz] of the frequencies at which it is compared."""
+    material = Material(young=195e9, poisson=poisson)
+    thickness = aspect * RADIUS
+    disk = Plate(radius=RADIUS, thickness=thickness, material=material, density=DENSITY)
+    return disk, min(20e3, 60e3 * aspect)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", OTHERS)
-def test_other_disks_are_right_to_2_percent_too(name):
-    """Synthesis converges within 1.3e-3 with richer bases for all these disks."""
-    poisson, aspect, support = OTHERS[name]
-    material = Material(young=195e9, poisson=poisson)
-    below = min(20e3, 60e3 * aspect)
-    disk = Plate(
-        radius=RADIUS, thickness=aspect * RADIUS, material=material, density=DENSITY
-    )
+@pytest.mark.parametrize("name", CASES)
+def test_finite_elements_lie_above_synthesis_within_their_own_estimate(name):
+    poisson, aspect, support = CASES[name]
+    disk, below = disk_of(poisson, aspect)
     frequency = FreeDisk(plate=disk).frequencies(support, below)
     elements = held_modes(disk, support, 1.02 * below, "standard")
     error = elements.frequency[: len(frequency)] / frequency - 1
-    assert len(error) >= 5
-    assert error.min() > -1.3e-3
+    assert len(error) >= (5 if name in OTHERS else 2)
+    assert error.min() > -1e-3
     assert error.max() < 0.02
     assert np.median(error) < 0.015
     assert (error <= elements.error[: len(frequency)]).mean() >= 0.9
@@ -121,9 +117,6 @@ def test_a_narrow_patch_does_not_ask_for_more_tractions_than_a_wide_one(free_dis
     assert free_disk.frequencies(narrow, below=20e3) == pytest.approx(more, rel=5e-4)
 
 
-WIDE = {"narrow": 0.5, "45 degrees": 45, "60 degrees": 60, "130 degrees": 130}
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["published", *WIDE, *OTHERS])
 def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
@@ -131,14 +124,8 @@ def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
 
     Smaller errors come from terms of opposite sign that cancel; their estimate stays below 2e-4.
     """
-    poisson, aspect, support = OTHERS.get(
-        name, (0.28, 0.34, Support(half_angle_deg=WIDE.get(name, 5)))
-    )
-    material = Material(young=195e9, poisson=poisson)
-    below = min(20e3, 60e3 * aspect)
-    disk = Plate(
-        radius=RADIUS, thickness=aspect * RADIUS, material=material, density=DENSITY
-    )
+    poisson, aspect, support = CASES.get(name, (0.28, 0.34, Support()))
+    disk, below = disk_of(poisson, aspect)
     rich = BasisSizes(
         size=(16, 10), circumferential_tractions=14, thickness_tractions=8, cutoff=2.0
     )
@@ -200,15 +187,22 @@ def test_a_plate_that_is_none_is_refused(wrong):
         replace(DISK, **wrong)
 
 
-def test_what_synthesis_cannot_do_it_refuses(free_disk):
+def test_more_tractions_than_polynomials_through_the_thickness_are_refused():
     with pytest.raises(
         ValueError, match="thickness_tractions = 4: must not exceed the number of axial"
     ):
         BasisSizes(size=(14, 3), thickness_tractions=4)
-    for support in (
-        Support(height=0.006),
-        Support(kind="free"),
-        Support(half_angle_deg=179),
-    ):
-        with pytest.raises(ValueError, match="synthesis requires"):
-            free_disk.frequencies(support, below=20e3)
+
+
+@pytest.mark.slow
+def test_a_foil_whose_tractions_are_dependent_is_solved_by_finite_elements(scene):
+    foil = scene.replace(
+        "disk.thickness=1.28e-4", "disk.mass=0.004387", "numerics.accuracy=draft"
+    )
+    modes = eigenmodes(foil, below=3000.0)
+    assert modes.method == "finite elements"
+    assert 40 <= len(modes.frequency) <= 46
+    # a thin plate held at its edge: frequencies in proportion to the thickness
+    thicker = foil.replace("disk.thickness=2.56e-4", "disk.mass=0.008774")
+    lowest = eigenmodes(thicker, below=300.0)
+    assert modes.frequency[0] * 2 == pytest.approx(lowest.frequency[0], rel=0.08)

@@ -55,10 +55,17 @@ PLATE = Plate(
     density=DENSITY,
 )
 BODY = FreeDisk(plate=PLATE)
+ON_CONTACT = load_scene("published").replace("support.kind=contact")
 
 
 def modes_on(springs, inclination, plate=PLATE, below=24e3):
     return contact_modes(plate, springs, inclination, below, "standard")
+
+
+def lossless(springs, **changes):
+    """Return springs without losses, with changes."""
+    still = {"damping": np.zeros(3), "relaxation_rate": np.zeros(3)}
+    return springs._replace(**still | changes)
 
 
 @pytest.mark.parametrize("beta", [0.57, 0.1, 0.01, 1e-4])
@@ -102,10 +109,7 @@ def test_ever_stiffer_tables_have_a_limit():
     found = []
     for young in (1e13, 1e14, 1e15, 1e16):
         law = granite(table=ElasticConstants(young, 0.2))
-        springs = suspension(law, 0.1)._replace(
-            damping=np.zeros(3), relaxation_rate=np.zeros(3)
-        )
-        found.append(modes_on(springs, 0.1).frequency)
+        found.append(modes_on(lossless(suspension(law, 0.1)), 0.1).frequency)
     steps = np.diff(found, axis=0)
     assert (steps > 0).all()
     assert steps[:-1] / steps[1:] == pytest.approx(
@@ -119,9 +123,7 @@ def test_small_losses_are_of_first_order():
     x is the stretch of a spring per unit of the modal coordinate q, here of a sharp edge.
     """
     springs = suspension(LAW, 0.1)._replace(offset=np.zeros(3))
-    still = modes_on(
-        springs._replace(damping=np.zeros(3), relaxation_rate=np.zeros(3)), 0.1
-    )
+    still = modes_on(lossless(springs), 0.1)
     assert still.decay_rate == pytest.approx(0, abs=1e-6)
     rest, _ = residual_flexibility(PLATE, 24e3, "standard")
     turn = patch_to_contact_rotation(0.1)
@@ -129,22 +131,13 @@ def test_small_losses_are_of_first_order():
     stretch = (
         np.linalg.solve(yields, turn @ still.rim_shape[:, 0].T).T / springs.stiffness
     )
-    lossy = modes_on(
-        springs._replace(damping=1e-3 * springs.damping, relaxation_rate=np.zeros(3)),
-        0.1,
-    )
+    lossy = modes_on(lossless(springs, damping=1e-3 * springs.damping), 0.1)
     assert lossy.decay_rate == pytest.approx(
         1e-3 * springs.damping[2] * stretch[:, 2] ** 2 / 2, rel=1e-3, abs=1e-9
     )
-    creeps = modes_on(
-        springs._replace(
-            damping=np.zeros(3), relaxation_rate=1e-3 * springs.relaxation_rate
-        ),
-        0.1,
-    )
-    power = (1e-3 * springs.relaxation_rate * springs.stiffness * stretch**2).sum(
-        axis=1
-    )
+    rate = 1e-3 * springs.relaxation_rate
+    creeps = modes_on(lossless(springs, relaxation_rate=rate), 0.1)
+    power = (rate * springs.stiffness * stretch**2).sum(axis=1)
     assert creeps.decay_rate == pytest.approx(
         power / (2 * (2 * pi * still.frequency) ** 2), rel=1e-3, abs=1e-9
     )
@@ -160,9 +153,7 @@ def test_the_carrier_of_an_elastic_disk_is_lower_than_that_of_a_rigid_one(beta, 
     springs = suspension(LAW, beta)
     at = np.array([beta])
     turn = patch_to_contact_rotation(beta)
-    elastic = modes_on(
-        springs._replace(damping=np.zeros(3), relaxation_rate=np.zeros(3)), beta
-    ).frequency[:3]
+    elastic = modes_on(lossless(springs), beta).frequency[:3]
     stiffness = np.diag(springs.stiffness)[None]
     F0 = turn @ nonlocal_flexibility(BODY, LAW.fillet)[0] @ turn.T
     rigid, static = (
@@ -348,15 +339,8 @@ def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
         found.append(here.frequencies(soft, 20e3))
         free.append(here.frequencies(1e9 * soft, 20e3))
     found, free = (np.sort(np.concatenate(part)) for part in (found, free))
-    modes = modes_on(
-        springs._replace(
-            damping=np.zeros(3), relaxation_rate=np.zeros(3), offset=np.zeros(3)
-        ),
-        beta,
-        below=20e3,
-    )
+    modes = modes_on(lossless(springs, offset=np.zeros(3)), beta, below=20e3)
     F0, _ = nonlocal_flexibility(BODY, strip)
-    print(own * 1e9, F0 * 1e9, found, modes.frequency, free)
     assert own == pytest.approx(F0, abs=0.03 * F0.max())
     exact = plate_modes(PLATE, 20e3).frequency
     assert free == pytest.approx(exact, rel=3e-3)
@@ -368,10 +352,9 @@ def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
 
 def test_where_the_contact_is_elastic_its_stem_has_the_rigid_disk_and_modes_only_what_is_above():
     """On soft springs the force drives the elastic part of a shape, that of the free disk."""
-    scene = load_scene("published").replace("support.kind=contact")
-    elastic = scene.replace("contact.law=elastic")
-    modes = eigenmodes(scene)
-    alone, beside = (forcing_per_newton(modes, s) for s in (scene, elastic))
+    elastic = ON_CONTACT.replace("contact.law=elastic")
+    modes = eigenmodes(ON_CONTACT)
+    alone, beside = (forcing_per_newton(modes, s) for s in (ON_CONTACT, elastic))
     assert (np.abs(alone).max(axis=0) > 0).all()
     assert (np.abs(beside[:, :3]) == 0).all()
     assert (np.abs(beside[:, 3:]).max(axis=0) > 0).all()
@@ -384,9 +367,7 @@ def test_where_the_contact_is_elastic_its_stem_has_the_rigid_disk_and_modes_only
 
 
 def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_predict():
-    scene = load_scene("published").replace(
-        "support.kind=contact", "numerics.accuracy=draft"
-    )
+    scene = ON_CONTACT.replace("numerics.accuracy=draft")
     motion = SimpleNamespace(
         t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 10.0 ** -t[0], 0.0]])
     )
@@ -400,9 +381,7 @@ def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_pre
 
 def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs():
     """With half the stiffness of steel below 1e-6 rad, the springs are stiffer than the body."""
-    scene = load_scene("published").replace(
-        "support.kind=contact", "numerics.accuracy=draft", "material.young=100e9"
-    )
+    scene = ON_CONTACT.replace("numerics.accuracy=draft", "material.young=100e9")
     motion = SimpleNamespace(
         t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 1e-3 ** t[0], 0.0]])
     )
@@ -430,16 +409,9 @@ def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs()
     ],
 )
 def test_what_has_no_contact_to_stand_on_is_one_line(changes, words):
-    scene = load_scene("published").replace("support.kind=contact", *changes)
     with pytest.raises(ValueError, match=words) as raised:
-        eigenmodes(scene)
+        eigenmodes(ON_CONTACT.replace(*changes))
     assert "\n" not in str(raised.value)
-
-
-def test_springs_stiffer_than_the_disk_itself_are_refused():
-    springs = suspension(LAW, 0.1)
-    with pytest.raises(UnsolvableError, match="such a stiff contact"):
-        modes_on(springs._replace(stiffness=1e6 * springs.stiffness), 0.1)
 
 
 def test_no_mode_of_a_soft_disk_grows():
@@ -460,16 +432,11 @@ def test_no_mode_of_a_soft_disk_grows():
         "support.inclination_deg=0.9",
     )
     with pytest.raises(UnsolvableError, match="such a stiff contact"):
-        eigenmodes(
-            load_scene("published").replace("support.kind=contact", *soft, *small),
-            below=20e3,
-        )
+        eigenmodes(ON_CONTACT.replace(*soft, *small), below=20e3)
 
 
 def test_the_free_modes_that_a_contact_needs_are_counted():
     """Modes up to twice the highest frequency are needed; for this soft disk they took 15 GB."""
-    soft = load_scene("published").replace(
-        "support.kind=contact", "material.young=3e9", "disk.radius=0.0927"
-    )
+    soft = ON_CONTACT.replace("material.young=3e9", "disk.radius=0.0927")
     with pytest.raises(UnsolvableError, match="modes below 40000 Hz, but at most 600"):
         eigenmodes(soft.replace("disk.thickness=0.015", "disk.mass=1.1"), below=20e3)

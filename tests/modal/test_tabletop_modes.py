@@ -48,32 +48,6 @@ def modes_of(surface, below, accuracy="standard"):
     return surface_modes(scene, below)
 
 
-@pytest.mark.parametrize(
-    ("radius", "poisson", "edge"),
-    [
-        (0.05, 0.0, "free"),
-        (0.3, 0.45, "free"),
-        (1.0, 0.33, "supported"),
-        (0.05, 0.1, "supported"),
-        (0.4, 0.3, "clamped"),
-    ],
-)
-def test_other_thin_plates_are_too(radius, poisson, edge):
-    """The lowest roots agree to 2e-3 for any radius and Poisson's ratio, for R/h = 200."""
-    size = {"radius": radius, "thickness": radius / 200}
-    matter = GLASS | {"poisson": poisson}
-    thin = [thin_plate_frequencies(n, 2, **size, **matter, edge=edge) for n in range(4)]
-    found = modes_of(
-        PlateSurface(**size, **matter, edge=edge),
-        1.01 * max(thin[0][0], thin[2][0]),
-        "draft",
-    )
-    for n in range(4):
-        frequency = np.unique(found.frequency[found.order == n].round(6))
-        assert len(frequency) >= (n in (0, 2))
-        assert frequency == pytest.approx(thin[n][: len(frequency)], rel=2e-3)
-
-
 def test_a_stiff_ring_under_the_edge_supports_it():
     """The plate is free; the ring is soft compared with the shear through the thickness of 1/100 of
     the radius."""
@@ -87,40 +61,35 @@ def test_a_stiff_ring_under_the_edge_supports_it():
     assert held.frequency == pytest.approx(supported.frequency, rel=5e-3)
 
 
-@pytest.mark.parametrize("edge", ["free", "supported", "clamped"])
-def test_thin_plates_are_those_of_the_closed_forms(edge):
+@pytest.mark.parametrize(
+    ("radius", "poisson", "edge"),
+    [
+        (0.2, 0.22, "free"),
+        (0.05, 0.0, "free"),
+        (0.3, 0.45, "free"),
+        (0.2, 0.22, "supported"),
+        (1.0, 0.33, "supported"),
+        (0.05, 0.1, "supported"),
+        (0.2, 0.22, "clamped"),
+        (0.4, 0.3, "clamped"),
+    ],
+)
+def test_thin_plates_are_those_of_the_closed_forms(radius, poisson, edge):
     """For R/h = 200, shear and rotary inertia change a frequency by about (n pi h/R)^2, below 1e-3.
 
     A clamped edge converges slowest.
     """
-    size = {"radius": 0.2, "thickness": 0.001}
-    found = modes_of(PlateSurface(**size, **GLASS, edge=edge), 500.0)
+    size = {"radius": radius, "thickness": radius / 200}
+    matter = GLASS | {"poisson": poisson}
+    thin = [thin_plate_frequencies(n, 4, **size, **matter, edge=edge) for n in range(4)]
+    found = modes_of(PlateSurface(**size, **matter, edge=edge), 1.01 * thin[0][2])
     for n in range(4):
         frequency = np.unique(found.frequency[found.order == n].round(6))
-        thin = thin_plate_frequencies(n, len(frequency), **size, **GLASS, edge=edge)
-        assert frequency == pytest.approx(thin, rel=2e-3)
+        assert len(frequency) >= 1
+        assert frequency == pytest.approx(thin[n][: len(frequency)], rel=2e-3)
     assert found.residual.max() < 1e-6
-    assert found.mass == pytest.approx(2500 * np.pi * 0.2**2 * 0.001)
+    assert found.mass == pytest.approx(2500 * np.pi * radius**3 / 200)
     assert (found.frequency > 1).all()  # excludes rigid-body modes
-
-
-def test_the_glass_plate_of_the_levels():
-    size = {"radius": 0.15, "thickness": 0.006}
-    thin = np.sort(
-        np.concatenate(
-            [
-                thin_plate_frequencies(n, 2, **size, **GLASS, edge="supported")
-                for n in range(4)
-            ]
-        )
-    )
-    assert thin[:4] == pytest.approx([319.9, 916.9, 1695.9, 1969.0], abs=0.05)
-    found = np.unique(
-        modes_of(PlateSurface(**size, **GLASS), 2000.0).frequency.round(6)
-    )
-    assert (
-        (0.98 * thin[:4] < found) & (found < thin[:4])
-    ).all()  # shear makes a plate softer
 
 
 def test_shapes_have_modal_mass_1_and_are_the_same_on_the_face_and_between_its_points():

@@ -59,18 +59,3 @@ def test_without_units_the_numbers_are_metres(tmp_path):
 
 def test_exponents_begin_with_e_or_d():
     assert real_numbers(" 1.5D-01 2E2 -3d0") == [0.15, 200.0, -3.0]
-
-
-@pytest.mark.parametrize(
-    ("parts", "fault"),
-    [
-        ((UNITS,), "without nodes"),
-        (
-            (NODES, dataset(2412, "7 119 1 1 7 4", "10 11 12 13")),
-            "element 7 is a solid of the unknown kind 119",
-        ),
-    ],
-)
-def test_a_file_that_cannot_be_read_is_one_line(tmp_path, parts, fault):
-    with pytest.raises(ValueError, match=fault):
-        read(tmp_path, *parts)

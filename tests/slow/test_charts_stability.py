@@ -4,8 +4,8 @@ have none.
 Source: (3.3) as Filippov's differential inclusion; the stability limits of the textbook
 integrators; locking and frequency shifts as in Hughes, The Finite Element Method; a clamped square
 of side a has a stiffness ~ a for translation and ~ a^3 for rotation. Oracle: 80-bit arithmetic for
-motions; closed forms for oscillators and thin plates. tests/modal/test_modal_method_failures.py has further
-tests of the modal failures.
+motions; closed forms for oscillators and thin plates. tests/modal/test_convergence_rates.py tests
+quadratic elements.
 """
 
 import re

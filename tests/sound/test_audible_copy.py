@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import soundfile
 from scipy.signal import resample_poly, sosfreqz
+from tracks import track
 
 from dynamics import Outcome
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
@@ -26,16 +27,10 @@ from sonify.sound.playback import (
     energy_below,
     true_peak,
 )
-from sonify.sound.pressure import STEMS, Sound, Track, pressure_and_stems
+from sonify.sound.pressure import STEMS, Sound, pressure_and_stems
 from sonify.sound.wav import write_sound
 
 RATE = 48000
-
-
-def track(samples, rate=RATE):
-    return Track(
-        sample_rate=rate, columns=np.asarray(samples, np.float32)[:, None], column=0
-    )
 
 
 def sine(frequency, seconds=2.0, size=1.0, phase=0.0):

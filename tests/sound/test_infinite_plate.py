@@ -105,15 +105,7 @@ def pressure(table, normal, ahead, blocks=1):
     for part in np.array_split(np.arange(len(normal) - 1), blocks):
         n = np.append(part, part[-1] + 1)
         smooth = np.column_stack([normal[n], ahead[n]])
-        none = np.zeros((0, 2))
-        force = ContactForce(
-            t=n / 48000,
-            smooth=smooth,
-            steps=0 * smooth,
-            jump_time=none[:, 0],
-            jump=none,
-            bend=none,
-        )
+        force = ContactForce.without_jumps(n / 48000, smooth, 0 * smooth)
         out.append(advance(force)[:, 0])
     return np.concatenate(out)
 

@@ -13,6 +13,7 @@ import pytest
 import soundfile
 from click.testing import CliRunner
 from scipy.signal import lfilter, resample
+from tracks import track
 
 from sonify import load_scene, run, solve
 from sonify.__main__ import main
@@ -32,7 +33,6 @@ from sonify.sound.playback import (
     WeightedTrack,
     audible_copy,
 )
-from sonify.sound.pressure import Track
 from sonify.sound.wav import write_sound
 
 RATE = 48000
@@ -62,17 +62,6 @@ def measured_true_peak(samples):
     """Return the true peak [dBTP] of samples (n, channels) by Fourier interpolation at 4 times."""
     padded = np.pad(samples, ((0, -len(samples) % 1024 + 1024), (0, 0)))
     return 20 * np.log10(np.abs(resample(padded, 4 * len(padded), axis=0)).max())
-
-
-def track(samples, rate=RATE):
-    """Return a track of samples (n,) or (n, channels)."""
-    columns = np.asarray(samples, np.float32).reshape(len(samples), -1)
-    tracks = [
-        Track(sample_rate=rate, columns=columns, column=i)
-        for i in range(columns.shape[1])
-    ]
-    others = tuple(tracks[1:])
-    return Track(sample_rate=rate, columns=columns, column=0, others=others)
 
 
 def whole(source):

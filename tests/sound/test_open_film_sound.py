@@ -238,19 +238,11 @@ def tone(hertz, rate, gap, seconds=0.5):
     """
     t = np.arange(int(seconds * rate) + 1) / rate
     swing = np.cos(2 * np.pi * hertz * t)
-    none = np.zeros((0, 6))
-    heave = swing
-    tilt = 2 * swing
     still = np.ones_like(t)
-    samples = np.column_stack([heave, tilt, 0 * t, 0 * t, still, np.log(gap) * still])
-    return ContactForce(
-        t=t,
-        smooth=samples,
-        steps=0 * samples,
-        jump_time=np.zeros(0),
-        jump=none,
-        bend=none,
+    samples = np.column_stack(
+        [swing, 2 * swing, 0 * t, 0 * t, still, np.log(gap) * still]
     )
+    return ContactForce.without_jumps(t, samples, 0 * samples)
 
 
 @pytest.mark.slow
@@ -295,14 +287,8 @@ def test_the_blocks_do_not_matter():
 
 def _part(force, a, b):
     some = slice(a, b + 1)
-    none = np.zeros((0, 6))
-    return ContactForce(
-        t=force.t[some],
-        smooth=force.smooth[some],
-        steps=force.steps[some],
-        jump_time=np.zeros(0),
-        jump=none,
-        bend=none,
+    return ContactForce.without_jumps(
+        force.t[some], force.smooth[some], force.steps[some]
     )
 
 

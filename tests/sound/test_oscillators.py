@@ -3,19 +3,18 @@ knots.
 
 Source: the solution of q'' + 2 d q' + w^2 q = g. Oracle: matrix exponentials of the augmented
 system (Van Loan 1978) for each interval between samples and knots, which share no formula with the
-code; a closed form for the convergence order.
+code.
 """
 
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from arithmetic import gamma
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from sonify.sound.oscillators import Knots, OscillatorBank, empty_knots, free_response
+from sonify.sound.oscillators import Knots, OscillatorBank, empty_knots
 
 RATE = 8000.0
 FREQUENCY = np.array([5.0, 100.0, 1000.0, 3999.0, 200.0, 300.0, 300.0, 40.0])
@@ -138,94 +137,6 @@ def test_never_grows():
     bank.set_steady_state(np.ones(200))
     acceleration = bank.advance(np.zeros((200001, 200)))
     assert np.abs(acceleration).max() <= 1 + 1e-6
-
-
-def test_rings_at_its_frequency_and_decays_at_its_rate():
-    frequency = 440.0
-    decay = 3.0
-    bank = OscillatorBank([frequency], [decay], RATE)
-    bank.set_steady_state(np.ones(1))
-    g = np.zeros((8001, 1))
-    g[0] = 1.0
-    let_go = Knots(
-        np.zeros(1, int),
-        np.zeros(1),
-        np.full(1, 1 / RATE),
-        -np.ones((1, 1)),
-        np.zeros((1, 1)),
-    )
-    found = bank.advance(g, let_go)[:, 0]
-    t = np.arange(8000) / RATE
-    w = 2 * np.pi * frequency
-    swing = np.sqrt(w**2 - decay**2)
-    expected = -np.exp(-decay * t) * (
-        np.cos(swing * t) - decay / swing * np.sin(swing * t)
-    )
-    assert found[0] == pytest.approx(
-        0, abs=gamma(20)
-    )  # the force vanishes after sample 0
-    assert np.abs(found - expected)[1:].max() < 1e-9
-
-
-@pytest.mark.parametrize(("exactly", "order"), [(True, 2.0), (False, 1.0)])
-def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(
-    exactly, order
-):
-    """The response to a smooth force with one jump agrees with the closed form to the stated order.
-
-    The jump occurs in the middle of a step of 1/200 of the duration, and hence also in the middle
-    of a step of one third, one ninth or one 27th of that length.
-    """
-    w = 2 * np.pi * 50.0
-    d = 20.0
-    end = 0.05
-    v = 2 * np.pi * 30.0
-    at = end * 56.5 / 200
-
-    def answer(t):  # to sin(v t) from rest at 0, and to a unit step at `at`
-        z = 1 / (w * w - v * v + 2j * d * v)
-        c, s = free_response(w, d, t)
-        q0 = -z.imag
-        v0 = -v * z.real
-        sine = -(v**2) * (z * np.exp(1j * v * t)).imag
-        return (
-            sine
-            + (-(w**2) * (c + d * s) + 2 * d * w**2 * s) * q0
-            + (-2 * d * c - (w**2 - 2 * d**2) * s) * v0
-        )
-
-    def after_step(t):
-        c, s = free_response(w, d, t)
-        return c - d * s
-
-    expected = answer(end) + after_step(end - at)
-    errors = []
-    steps = [200, 600, 1800, 5400]
-    for k in steps:
-        h = end / k
-        n = int(at / h)
-        time = np.arange(k + 2) * h
-        where = at if exactly else (n + 1) * h
-        until = max((n + 1) * h - where, 0.0)
-        knots = Knots(
-            np.array([n]),
-            np.array([h - until]),
-            np.array([until]),
-            np.ones((1, 1)),
-            np.zeros((1, 1)),
-        )
-        g = np.sin(v * time) + (np.arange(k + 2) > n)
-        errors.append(
-            abs(
-                OscillatorBank([w / 2 / np.pi], [d], 1 / h).advance(g[:, None], knots)[
-                    k, 0
-                ]
-                - expected
-            )
-        )
-    assert -np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(
-        order, abs=0.1
-    )
 
 
 @pytest.mark.parametrize(

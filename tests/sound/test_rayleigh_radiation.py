@@ -1,8 +1,7 @@
 """Claim: the pressure at the listener is Rayleigh's integral over the face of the disk.
 
 Source: Rayleigh, The Theory of Sound, section 278. Oracle: the baffled piston in closed form, on
-its axis and far away (Kinsler & Frey, chapter 7), the monopole at low frequency, and the integral
-by Gauss quadrature.
+its axis and far away (Kinsler & Frey, chapter 7), and the integral by Gauss quadrature.
 """
 
 import numpy as np
@@ -29,13 +28,19 @@ FREQUENCY = np.array([10.0, 300.0, 1000.0, 3000.0, 6000.0, 10000.0])
 
 @pytest.fixture(scope="module")
 def face():
-    """Return points (p, 2), weights (p,) and the shapes 1 and x/R (2, p) on a disk."""
-    x, w = np.polynomial.legendre.leggauss(30)
-    radius = (x + 1) / 2 * RADIUS
+    return face_with_hole(0.0, 30)
+
+
+def face_with_hole(hole, count):
+    """Return points (p, 2), weights (p,) and the shapes 1 and x/R (2, p) on a disk with a hole, with
+    `count` points along a radius."""
+    x, w = np.polynomial.legendre.leggauss(count)
+    radius = hole + (x + 1) / 2 * (RADIUS - hole)
     angle = 2 * np.pi * np.arange(90) / 90
-    r, a = (grid.ravel() for grid in np.meshgrid(radius, angle, indexing="ij"))
-    weights = np.repeat(w / 2 * RADIUS * radius, 90) * 2 * np.pi / 90
-    points = np.column_stack([r * np.cos(a), r * np.sin(a)])
+    points = np.column_stack(
+        [np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)]
+    )
+    weights = np.repeat(w / 2 * (RADIUS - hole) * radius, 90) * 2 * np.pi / 90
     return points, weights, np.array([np.ones(len(points)), points[:, 0] / RADIUS])
 
 
@@ -68,15 +73,6 @@ def test_far_from_a_piston(face):
     assert np.abs(found - expected).max() < 1e-3 * piston_strength(RADIUS, d)
 
 
-def test_low_frequency_is_the_monopole_on_a_baffle(face):
-    d = 5.0
-    found = pressure(face, 0, 1e-3, [d, 0, 0])[0]
-    volume_acceleration = np.pi * RADIUS**2
-    assert found == pytest.approx(
-        AIR_DENSITY * volume_acceleration / (2 * np.pi * d), rel=2e-4
-    )
-
-
 @pytest.mark.parametrize(("shape", "kernel"), [(0, heave_kernel), (1, tilt_kernel)])
 @pytest.mark.parametrize("elevation_deg", [0.0, 45.0, 80.0])
 def test_the_kernels_are_rayleighs_integral_at_all_frequencies(
@@ -102,17 +98,11 @@ def test_the_kernels_of_a_face_with_a_hole_are_rayleighs_integral_over_what_is_l
 ):
     hole = 0.92 * RADIUS
     h = 1 / 192000
-    x, w = np.polynomial.legendre.leggauss(12)
-    radius = RADIUS - (x + 1) / 2 * (RADIUS - hole)
-    angle = 2 * np.pi * np.arange(90) / 90
-    points = np.column_stack(
-        [np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)]
-    )
-    weights = np.repeat(w / 2 * (RADIUS - hole) * radius, 90) * 2 * np.pi / 90
-    ring = points, weights, np.array([np.ones(len(points)), points[:, 0] / RADIUS])
     listener = Listener(distance=1.0, elevation=np.radians(elevation_deg))
     at = np.array([np.cos(listener.elevation), 0, np.sin(listener.elevation)])
-    expected = pressure(ring, shape, FREQUENCY, at) / piston_strength(RADIUS, 1.0)
+    expected = pressure(
+        face_with_hole(hole, 12), shape, FREQUENCY, at
+    ) / piston_strength(RADIUS, 1.0)
     _, taps = kernel(listener, RADIUS, h, hole)
     n = np.arange(len(taps)) - len(taps) // 2
     found = np.exp(-2j * np.pi * np.outer(FREQUENCY, n) * h) @ taps
@@ -144,10 +134,6 @@ def test_a_piston_seen_from_above_is_at_least_a_sample_wide():
     assert np.abs(
         tilt_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)[1]
     ).max() < gamma(20)
-
-
-def test_the_delay_is_the_distance():
-    assert Listener(distance=3.432, elevation=0).delay == pytest.approx(0.01)
 
 
 @pytest.fixture(scope="module")

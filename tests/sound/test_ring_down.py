@@ -180,11 +180,8 @@ def test_modes_that_a_motion_carries_ring_as_stated_too():
         gap=1e-4,
     )
     t = np.arange(2400) / 48e3
-    none = np.zeros((0, 1))
     still = np.zeros((len(t), 1))
-    force = ContactForce(
-        t=t, smooth=still, steps=still, jump_time=np.zeros(0), jump=none, bend=none
-    )
+    force = ContactForce.without_jumps(t, still, still)
     moved = SolvedModes(Swinging(), np.array([0]), ringing).advance(force)[0, :, 0]
     frequency, decay_rate = poles(moved[500:1500], 48e3, 1)
     assert frequency == pytest.approx(np.sqrt(1e6 - (200 / (2 * np.pi)) ** 2), rel=1e-6)
