@@ -72,6 +72,8 @@ class End(NamedTuple):
         Largest normal force divided by the weight.
     force_change : float
         Difference of the largest and the smallest normal force divided by the weight.
+    film : bool
+        True if a film of air acts, which can stop a light disk before it touches the table.
     turning : float
         Largest angular velocity [rad/s].
     memory : float
@@ -87,6 +89,7 @@ class End(NamedTuple):
     energy_error: float = 0.0
     force: float = 0.0
     force_change: float = 0.0
+    film: bool = False
     turning: float = 0.0
     memory: float = 0.0
 
@@ -105,9 +108,9 @@ class End(NamedTuple):
 
     @property
     def sounds(self) -> bool:
-        """True if the contact force is finite, and varies if the disk turns."""
+        """True if the contact force is finite, and something drives the sound of a disk that turns."""
         is_finite = bool(np.isfinite([self.force, self.force_change]).all())
-        return is_finite and (self.force_change > 0 or self.turning == 0)
+        return is_finite and (self.force_change > 0 or self.film or self.turning == 0)
 
 
 def grid() -> Iterator[Case]:
@@ -181,6 +184,7 @@ def end_of(case: Case) -> End:
         float(np.ptp(total) / max(abs(total[0]), 1e-300)),
         float(load.max()),
         float(np.ptp(load)),
+        motion.plan.film is not None,
         float(np.abs(state[:, 5:8]).max()),
         1024.0 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,
     )

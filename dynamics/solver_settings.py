@@ -127,7 +127,9 @@ class Numerics:
     contact solved in full, or many contacts along the rim of a rattling disk; auto
     selects one of the three, by the unevenness of table and edge."""
     contact_rate: Annotated[float, Ge(1e3), Le(1e8)] | None = None
-    """Rate of the time steps of an elastic contact that is solved in full [1/s]."""
+    """Rate of the time steps of an elastic contact that is solved in full [1/s]. If it is
+    not given, it follows from the accuracy and the stiffness of the contact, and is
+    doubled while a step cannot be solved."""
     time_limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
     """Time [s] at which the solution ends if the disk has not settled."""
 

@@ -59,6 +59,9 @@ from dynamics.switching import ImpossibleContactError
 if TYPE_CHECKING:
     from dynamics.motion_plan import MotionPlan
 
+MAX_REPEATED_STEP_RATE = 1.6e6
+"""Rate [1/s] below which a motion with an unsolved step is solved again with half the step."""
+
 FORCE_SAMPLE_RATE = 1e5
 """Number of mean forces stored per second of motion."""
 FORCES_PER_ROW = 4
@@ -455,7 +458,7 @@ def solve_compliant_motion(
             np.concatenate([[0.0, tilt, 0, 0, 0], scene.release.omega, [0, 0, 0]]),
             release_force(plan),
         )
-    return simulate_from(
+    motion = simulate_from(
         plan,
         model,
         *begin,
@@ -464,6 +467,13 @@ def solve_compliant_motion(
         watch,
         max_energy,
     )
+    may_repeat = scene.numerics.contact_rate is None and (
+        plan.step_rate < MAX_REPEATED_STEP_RATE
+    )
+    if motion.rolling_outcome is Outcome.STALLED and may_repeat:
+        shorter = replace(plan, step_rate=2 * plan.step_rate)
+        return solve_compliant_motion(shorter, watch, begin, max_energy)
+    return motion
 
 
 def simulate_from(

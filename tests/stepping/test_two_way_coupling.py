@@ -27,7 +27,7 @@ from table_models import (
     steady,
 )
 
-from dynamics import Motion, Outcome, plan_motion
+from dynamics import Motion, Outcome, plan_motion, simulate
 from dynamics.air import Air
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.sections import Roughness
@@ -769,3 +769,27 @@ def test_no_instant_of_the_picture_of_energies_lies_before_the_table_acts_back()
         for end in ends
     )
     assert any(end - (end - 0.1) < 0.1 for end in ends)  # the round-off in question
+
+
+@pytest.mark.slow
+def test_a_motion_whose_step_cannot_be_solved_is_solved_with_shorter_ones():
+    """A disk slaps on a light, heavily damped plate; at the rate of the draft level, a step turns it
+    too far. A rate that the scene states is kept."""
+    scene = load_scene("published").replace(
+        "disk={radius=0.0235, thickness=0.0121, density=9565}",
+        "friction={mu_static=0.0276, mu_dynamic=0.0274, arm_nutation=2.8e-5, arm_pivoting=1.7e-4}",
+        "release={inclination_deg=3.7, omega=[12.16, 16.22, 3.28]}",
+        "surface={kind='plate', radius=0.0512, thickness=0.00102, young=3.56e9, poisson=0.37, "
+        "density=680, loss_factor=1.0, edge='supported', place=[-0.0147, 0.0028]}",
+        "contact={law='elastic', loss_factor=0.0021, body='rigid'}",
+        "air={film='none'}",
+        "numerics={accuracy='draft', time_limit=0.02}",
+    )
+    modes = surface_modes(scene)
+    planned = plan_motion(scene, modes)
+    motion = simulate(scene, surface_modes=modes)
+    assert motion.rolling_outcome is not Outcome.STALLED
+    assert motion.plan.step_rate > planned.step_rate
+    stated = scene.replace(f"numerics.contact_rate={planned.step_rate}")
+    stalled = simulate(stated, surface_modes=modes)
+    assert stalled.rolling_outcome is Outcome.STALLED
