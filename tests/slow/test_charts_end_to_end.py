@@ -41,7 +41,6 @@ def errors(records, family, case):
     }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("support", ["held", "free"])
 def test_the_reference_agrees_with_itself_and_nothing_else_does(records, support):
     found = errors(records, ACCURACY, f"{support}: samples")
@@ -49,14 +48,12 @@ def test_the_reference_agrees_with_itself_and_nothing_else_does(records, support
     assert min(found.values()) > 0
 
 
-@pytest.mark.slow
 def test_better_accuracies_of_the_free_disk_are_nearer_to_the_reference(records):
     for measure in ("samples, A-weighted", "samples"):
         found = errors(records, ACCURACY, f"free: {measure}")
         assert found["standard"] < found["draft"] / 3
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("support", ["held", "free"])
 def test_the_plan_foresees_the_error(records, support):
     case = f"{support}: samples, A-weighted"
@@ -68,7 +65,6 @@ def test_the_plan_foresees_the_error(records, support):
     )
 
 
-@pytest.mark.slow
 def test_a_tolerance_that_is_too_coarse_is_heard(records):
     assert (
         errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5

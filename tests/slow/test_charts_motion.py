@@ -121,7 +121,6 @@ def test_an_explicit_method_looser_than_the_slip_speed_that_ends_a_slide_never_g
         with_solve_ivp(published(10.0), "DOP853", 1e-6)
 
 
-@pytest.mark.slow
 def test_the_quick_charts_are_written(tmp_path):
     done = CliRunner().invoke(main, ["chart", "all", "--quick", "--out", str(tmp_path)])
     assert done.exit_code == 0, done.output

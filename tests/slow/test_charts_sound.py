@@ -68,7 +68,6 @@ def test_the_closed_form_is_the_solution_of_the_equation():
     )
 
 
-@pytest.mark.slow
 def test_every_method_solves_the_same_equation():
     assert len(sound_chart.prove()) == len(STEPS)
 
@@ -119,7 +118,6 @@ def test_explicit_steps_have_the_known_limit_of_stability(name, limit):
     assert growth[1] > 1 + 1e-3
 
 
-@pytest.mark.slow
 def test_the_quick_chart_is_written(tmp_path):
     done = CliRunner().invoke(
         main, ["chart", "sound", "--quick", "--out", str(tmp_path)]

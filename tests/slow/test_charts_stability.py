@@ -32,16 +32,6 @@ MOTIONS = {
 MODES = {
     (w.case, w.family, w.method, w.setting): w for w in stability_modes.works(False)
 }
-LONG = "small inclination", "0.1"
-OURS = [
-    pytest.param(
-        key,
-        id=" ".join(key),
-        marks=[pytest.mark.slow] if (key[0], key[3]) == LONG else [],
-    )
-    for key in MOTIONS
-    if key[1] == "ours"
-]
 SLIP, NUTATION, PIVOT, FLAT = (
     "small slip",
     "nutation sticks",
@@ -85,7 +75,7 @@ def record_of(key, works=MOTIONS):
     return measure(works[key])
 
 
-@pytest.mark.parametrize("key", OURS)
+@pytest.mark.parametrize("key", [k for k in MOTIONS if k[1] == "ours"], ids=" ".join)
 def test_our_motions_are_fine_on_every_path(key):
     if "Taylor" in key[2] and not find_spec("heyoka"):
         pytest.skip("heyoka is not installed")

@@ -42,13 +42,7 @@ MAX_SECONDS = 2400.0
 MOST_REFUSED = 0.6
 
 
-LONGEST_SCENES = ("low_frequency_mode", "failed_check", "traceback_film_modes")
-
-
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(n, marks=[pytest.mark.slow] * (n in LONGEST_SCENES)) for n in KNOWN],
-)
+@pytest.mark.parametrize("name", KNOWN)
 def test_a_scene_that_once_failed(name):
     ending, faults = faults_of(KNOWN[name])
     assert not faults
@@ -159,7 +153,6 @@ def test_many_mode_shapes_fit_into_memory():
     assert 800 * split**3 * 3 * 8 * 1400 <= 4e8
 
 
-@pytest.mark.slow
 def test_every_legal_scene_ends_with_a_name_and_passes_its_checks():
     drawn = [any_document(Random(seed)) for seed in range(1, DRAWN_SCENE_COUNT + 1)]
     with get_context("spawn").Pool(

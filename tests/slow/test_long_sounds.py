@@ -76,7 +76,6 @@ def peak(what, seconds, folder):
     )
 
 
-@pytest.mark.slow
 def test_an_hour_takes_the_memory_of_ten_minutes(tmp_path):
     pytest.importorskip(
         "resource", reason="this system does not tell the memory of a process"

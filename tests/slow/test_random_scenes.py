@@ -11,7 +11,6 @@ from math import exp, inf, log, pi, radians, sin, sqrt
 from time import process_time
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 from scenes import roll, scene
@@ -120,7 +119,6 @@ def solved(wanted):
         return None
 
 
-@pytest.mark.slow
 def test_every_scene_ends_with_a_name_and_passes_its_checks():
     ends = Counter()
 
