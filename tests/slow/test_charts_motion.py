@@ -3,7 +3,8 @@ none of these failures.
 
 Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) as Filippov's
 differential inclusion. Oracle: quadruple precision (published case); 80-bit arithmetic (sticking
-case). No test depends on speed.
+case). No test depends on speed. test_charts_stability.py tests the failures of all methods on paths
+through three hazards.
 """
 
 import csv
@@ -25,7 +26,7 @@ from benchmarks.charts import CHARTS, motion_chart
 from benchmarks.charts.chart_files import write_chart
 from benchmarks.charts.chart_page import environment, known_environment, write_page
 from benchmarks.charts.error_time_picture import family_colours
-from benchmarks.methods.event_driven import ours, with_solve_ivp
+from benchmarks.methods.event_driven import ours
 from benchmarks.methods.moreau_time_stepping import moreau
 from benchmarks.methods.sign_friction import naive_sign
 from benchmarks.methods.slip_tolerance import slip_tolerance
@@ -63,9 +64,7 @@ def test_the_shipped_reference_is_that_of_the_tests():
 
 
 @pytest.mark.parametrize(("name", "tolerance"), OURS)
-@pytest.mark.parametrize(
-    "case", [published(10.0), published(50.0), sticking(20.0), sticking(40.0)], ids=str
-)
+@pytest.mark.parametrize("case", [published(50.0), sticking(40.0)], ids=str)
 def test_ours_is_right_on_both_cases(name, tolerance, case):
     assert case.error(ours(case, name, tolerance).values) < 1e-10
 
@@ -95,11 +94,6 @@ def test_a_slip_tolerance_that_is_too_tight_never_rolls_again():
         slip_tolerance(case, 1e-5, 1e-12, 0.1, 1e-6)
 
 
-def test_a_slip_tolerance_chatters_where_the_nutation_sticks():
-    with pytest.raises(Failure, match="chatters"):
-        slip_tolerance(sticking(), 1e-3, 1e-3, 0.1, 1e-9)
-
-
 def test_a_wide_tanh_is_another_motion():
     case = published(10.0)
     wide, narrow = (
@@ -114,11 +108,6 @@ def test_moreau_is_of_first_order_through_slips():
     steps = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4]
     errors = [case.error(moreau(case, step).values) for step in steps]
     assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(1, abs=0.1)
-
-
-def test_an_explicit_method_looser_than_the_slip_speed_that_ends_a_slide_never_grips():
-    with pytest.raises(Failure, match="never grips again"):
-        with_solve_ivp(published(10.0), "DOP853", 1e-6)
 
 
 def test_the_quick_charts_are_written(tmp_path):
