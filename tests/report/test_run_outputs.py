@@ -24,15 +24,12 @@ from paths import ROOT
 from scipy.signal import sosfilt
 from scipy.spatial import cKDTree
 
-from benchmarks.cases.sound_error import audible_error
 from dynamics import simulate
-from dynamics.observables import slip_start_times
 from sonify import load_scene, run, solve, summary, write
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.details import details_in_words
-from sonify.claims.finding import JUDGE_BY_KEY, Finding, Measured
-from sonify.claims.finding import finding as claim
-from sonify.claims.finding_texts import FINDING_TEXTS, FindingText, texts_with
+from sonify.claims.finding import JUDGE_BY_KEY, Finding
+from sonify.claims.finding_texts import texts_with
 from sonify.claims.literature import motion_findings as literature_claims
 from sonify.claims.paper_figures import paper_rows
 from sonify.claims.provenance import depends_on
@@ -41,10 +38,8 @@ from sonify.claims.rigid_motion import contact_kept
 from sonify.claims.sound import modes_take_little
 from sonify.claims.surface_summary import complete_answers
 from sonify.hearing.audio_source import Recording
-from sonify.plan.preflight import plan_with_modes
 from sonify.report import page as report
 from sonify.report import page_data
-from sonify.sound.render import Renderer
 from sonify.studio.application import OPENING_RUN
 
 FILES = {
@@ -133,24 +128,6 @@ def test_every_self_check_passes(result):
 
 def test_what_stands(result):
     assert {finding.claim: finding.holds for finding in result.findings} == STANDS
-
-
-def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
-    """Figure 4 (b): f = 2.5 at tau = 214.6, computed in quadruple precision."""
-    chi = result.scene.disk.time_unit
-    reached = next(
-        finding
-        for finding in result.findings
-        if finding.key == "load_frequency_reached"
-    )
-    assert reached.value == pytest.approx(214.6, abs=0.5)
-    assert np.searchsorted(
-        slip_start_times(result.motion) / chi, [50, 100, 150]
-    ).tolist() == [
-        3,
-        6,
-        11,
-    ]
 
 
 @pytest.mark.slow
@@ -261,7 +238,7 @@ def test_the_page_needs_no_other_file(result):
     )
     assert written.count("data:image/png") == 4
     assert written.count("data:audio/flac") == len(result.sound.stems)
-    assert len(page) <= 6e6
+    assert len(page.encode()) <= 6e6
     assert all(
         f"{finding.claim[:30]}" in page.replace("&#39;", "'")
         for finding in result.findings
@@ -424,12 +401,6 @@ def test_a_silent_sound_has_a_gain():
     """No sample of silence determines a gain."""
     silence = Recording(samples=np.zeros(480), sample_rate=48000)
     assert not page_data.audible_gain_db(silence, silence, 0.0).any()
-
-
-def test_the_page_is_small(result):
-    """6 MB up to 20 s of sound, and 0.15 MB for each further second."""
-    size = (result.out / "report.html").stat().st_size
-    assert size < 6e6 + 0.15e6 * max(result.sound.duration - 20, 0)
 
 
 def test_the_opening_run_of_the_studio_has_the_form_of_a_page(result):
@@ -626,37 +597,6 @@ def test_modes_that_own_nearly_as_much_as_the_disk_decide_nothing(share, error, 
     assert finding.value == pytest.approx(0.99 if share > 1 else 0.0)
 
 
-@pytest.mark.slow
-def test_modes_out_of_tune_that_change_a_verdict_leave_it_undecided():
-    """The modes of a coin on a patch, with the friction of the paper, hold 1.5 times the energy of
-    the disk, but only a third of it if their frequencies are 0.3 % higher."""
-    arms = (
-        "friction.arm_nutation=1e-6",
-        "friction.arm_rolling=1.5e-5",
-        "friction.arm_pivoting=6e-5",
-    )
-    others = (
-        "dissipation.contour_moment=0.0",
-        "air.film=none",
-        "contact.law=rigid",
-        "contact.fillet=1e-7",
-        "support.kind=patch",
-    )
-    body = "disk.radius=0.011625", "disk.thickness=0.00233", "disk.mass=0.0075"
-    scene = load_scene("coin-polished").replace(*body, *arms, *others)
-    motion = simulate(scene).rolling
-    (plan, modes) = plan_with_modes(scene)
-    sharp = replace(modes, frequency=1.003 * modes.frequency)
-    sounds = [
-        Renderer(scene, motion, some, plan.sounding, plan.max_contact_turn).sound()
-        for some in (modes, sharp)
-    ]
-    error = audible_error(*(sound.pressure for sound in reversed(sounds)))
-    answers = [modes_take_little(motion, sound, error).answer for sound in sounds]
-    assert answers == ["undecided", "undecided"]
-    assert modes_take_little(motion, sounds[0]).answer == "no"
-
-
 @pytest.mark.parametrize(
     ("value", "holds"), [(1.9, False), (2, True), (3, True), (3.1, False)]
 )
@@ -723,31 +663,3 @@ def test_the_results_page_has_the_numbers_of_the_published_run(result):
         r"In the last (\S+) s, however, the modes\s+would hold", page
     ).group(1)
     assert one_way_time == pytest.approx(float(seconds), abs=5e-4)
-
-
-@pytest.mark.parametrize(
-    ("found", "margin"), [(2, 0.0), (Measured(np.int64(2), np.float64(0.5)), 0.5)]
-)
-def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(
-    found, margin, monkeypatch
-):
-    text = FindingText(claim="c", unit="1", source="s")
-    monkeypatch.setitem(FINDING_TEXTS, "grows", text)
-
-    @claim(needs=("motion",), at_least=2.0)
-    def grows(motion):
-        return found
-
-    about = {
-        "key": "grows",
-        "claim": "c",
-        "unit": "1",
-        "needs": ("motion",),
-        "source": "s",
-    }
-    assert grows(None) == Finding(value=2.0, margin=margin, at_least=2.0, **about)
-    assert [type(number) for number in (grows(None).value, grows(None).margin)] == [
-        float,
-        float,
-    ]
-    assert JUDGE_BY_KEY.pop("grows").needs == ("motion",)
