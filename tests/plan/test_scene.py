@@ -213,16 +213,6 @@ def test_a_former_name_of_a_scene_loads_it(former, name, tmp_path, monkeypatch):
     assert load_scene(former).name == "published"
 
 
-SCENES = [("toi", "toy"), ("glass_plate", "glass-plate"), ("publishd", "published")]
-
-
-@pytest.mark.parametrize(("name", "meant"), SCENES)
-def test_the_scene_that_was_meant_is_asked_for(name, meant):
-    with pytest.raises(SceneError) as caught:
-        load_scene(name)
-    assert str(caught.value).endswith(f"; did you mean {meant}?")
-
-
 def test_a_whole_number_may_be_written_with_an_exponent(published):
     """TOML reads 44.1e3 as a float; an integer key accepts it as 44100."""
     scene = published.replace(
@@ -244,9 +234,6 @@ def test_a_whole_number_may_be_written_with_an_exponent(published):
 
 
 ROUGH = [
-    ("roughness.rms=0", "roughness.rms = 0: must be greater than 0"),
-    ("roughness.rms=-1e-8", "roughness.rms = -1e-08: must be greater than 0"),
-    ("roughness.shortest=0", "roughness.shortest = 0: must be greater than 0"),
     ("roughness.shortest=0.2", "longest = 0.1: must exceed shortest = 0.2"),
     (
         "roughness.longest=5e-4",
@@ -256,17 +243,11 @@ ROUGH = [
         "roughness.shortest=1e-9",
         "longest = 0.1: must be at most 32768 times shortest = 1e-09",
     ),
-    (
-        "roughness.exponent=17",
-        "roughness.exponent = 17: must be less than or equal to 16",
-    ),
-    ("roughness.seed=-1", "roughness.seed = -1: must be greater than or equal to 0"),
     ("roughness.profile=table.csv", "roughness: give either rms or profile"),
     (
         "roughness.profile_edge=edge.csv",
         "roughness.profile_edge = 'edge.csv': cannot be read: No such file",
     ),
-    ("contact.fillet=0", "contact.fillet = 0: must be greater than 0"),
     (
         "contact.fillet=0.0065",
         "contact.fillet = 0.0065: must be positive and at most 0.0064, so that it fits the disk",
@@ -275,16 +256,9 @@ ROUGH = [
         "contact.fillet=1e-7",
         "contact.fillet = 1e-07: too sharp for an elastic contact, must be at least 2.86e-06",
     ),
-    ("contact.young=0", "contact.young = 0"),
     (
         "contact.young=1.5",
         "too sharp for an elastic contact, as is any fillet up to 0.0064",
-    ),
-    ("contact.loss_factor=1", "contact.loss_factor = 1: must be less than 1"),
-    ("contact.law=soft", "contact.law = 'soft': must be 'rigid' or 'elastic'"),
-    (
-        "numerics.contact=best",
-        "numerics.contact = 'best': must be 'auto', 'filter', 'full' or 'many'",
     ),
     (
         "numerics.contact_rate=2e4",
@@ -349,7 +323,8 @@ def test_a_name_is_a_scene_wherever_one_is_run(tmp_path):
 
 def test_files_that_are_no_scene(tmp_path):
     with pytest.raises(
-        SceneError, match=r"no such scene; give a TOML file or one of: .*published"
+        SceneError,
+        match=r"no such scene; give a TOML file or one of: .*; did you mean published\?$",
     ):
         load_scene("publishd")
     with pytest.raises(SceneError, match="cannot be read"):

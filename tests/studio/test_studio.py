@@ -204,9 +204,7 @@ def test_the_page_loads_nothing_from_elsewhere(client):
     [
         ("disk.radius", -1),
         ("disk.radius", "wide"),
-        ("release.inclination_deg", 120),
         ("audio.distance", 0.01),
-        ("audio.elevation_deg", 91),
         ("air.film", "thick"),
     ],
 )
