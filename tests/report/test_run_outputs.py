@@ -84,6 +84,8 @@ STANDS = {
     "Vibrations make the sound of the last second": False,
 }
 """Verdicts of the corrected model on the paper's claims and on the sound."""
+ABOUT = {"key": "x", "claim": "x", "unit": "1", "source": "-"}
+"""Further fields of a finding."""
 SHARES = [
     (0.9, 0.1, "undecided"),
     (0.8, 0.1, "yes"),
@@ -282,15 +284,12 @@ def test_every_verdict_says_its_number_its_error_and_what_it_depends_on(result):
         (879.6, 96.3, "880 ± 100"),
         (128.0, 1.0, "128 ± 1"),
         (0.25512, 0.0, "0.2551"),
+        (2036.0, 7000.0, "2e+03 ± 7000"),
+        (0.0, 0.2, "0 ± 0.2"),
     ],
 )
-def test_a_number_is_no_finer_than_its_margin(value, margin, told):
-    assert (
-        Finding(
-            key="k", claim="c", value=value, margin=margin, unit="", source=""
-        ).measured
-        == told
-    )
+def test_a_number_is_no_finer_than_its_margin_and_always_shown(value, margin, told):
+    assert Finding(value=value, margin=margin, **ABOUT).measured == told
 
 
 def test_the_paper_s_figures_stand_beside_ours_where_the_scene_is_the_paper_s(result):
@@ -445,45 +444,23 @@ def test_the_page_shows_the_motion(result):
 
 
 @pytest.mark.parametrize(
-    ("value", "passed"),
+    ("value", "within", "below"),
     [
-        (1.0, True),
-        (1.1, True),
-        (1.11, False),
-        (float("nan"), False),
-        (float("inf"), False),
+        (1.0, True, True),
+        (1.1, True, True),
+        (1.11, False, False),
+        (-9.0, False, True),
+        (float("nan"), False, False),
+        (float("inf"), False, False),
     ],
 )
-def test_a_check_can_fail(value, passed):
-    assert (
-        Check(
-            key="x",
-            name="x",
-            value=value,
-            expected=1.0,
-            tolerance=0.1 + 1e-12,
-            source="-",
-        ).passed
-        == passed
-    )
-
-
-@pytest.mark.parametrize(
-    ("value", "passed"),
-    [(-9.0, True), (1.0, True), (1.01, False), (float("nan"), False)],
-)
-def test_a_check_may_have_one_side(value, passed):
-    check = Check(
-        key="x",
-        name="x",
-        value=value,
-        expected=1.0,
-        tolerance=0.0,
-        source="-",
-        one_sided=True,
-    )
-    assert check.passed == passed
-    assert check.expectation == "at most 1"
+def test_a_check_has_two_sides_or_one_and_can_fail(value, within, below):
+    about = {"key": "x", "name": "x", "expected": 1.0, "source": "-"}
+    check = Check(value=value, tolerance=0.1 + 1e-12, **about)
+    assert check.passed == within
+    assert replace(check, one_sided=True).passed == below
+    exact = replace(check, one_sided=True, tolerance=0.0)
+    assert exact.expectation == "at most 1"
 
 
 @pytest.mark.parametrize(
@@ -500,6 +477,8 @@ def test_a_clipped_or_endless_sample_is_found(peak, finite, passed):
     ("value", "margin", "answer"),
     [
         (2.1, 0.0, "yes"),
+        (3.2, 0.0, "yes"),
+        (3.21, 0.0, "no"),
         (2.1, 0.4, "undecided"),
         (1.7, 0.2, "undecided"),
         (1.0, 0.2, "no"),
@@ -512,9 +491,8 @@ def test_a_finding_is_undecided_where_its_margin_reaches_across_the_threshold(
     value, margin, answer
 ):
     """The range is 1.8 to 3.2; an undecided claim neither holds nor fails and may give a reason."""
-    about = {"key": "x", "claim": "x", "unit": "1", "source": "-"}
     found = Finding(
-        value=value, margin=margin, at_least=2.0, at_most=3.0, tolerance=0.2, **about
+        value=value, margin=margin, at_least=2.0, at_most=3.0, tolerance=0.2, **ABOUT
     )
     assert (found.verdict, found.answer) == (answer, answer)
     assert found.holds is {"yes": True, "no": False, "undecided": None}[answer]
@@ -531,21 +509,7 @@ def test_a_finding_is_undecided_where_its_margin_reaches_across_the_threshold(
 )
 def test_a_finding_without_a_number_is_refused(wrong):
     with pytest.raises(ValueError, match=r"x = .*nan.*: a finding needs a number"):
-        Finding(key="x", claim="x", unit="1", source="-", **wrong)
-
-
-@pytest.mark.parametrize(
-    ("value", "margin", "measured"),
-    [
-        (2036.0, 7000.0, "2e+03 ± 7000"),
-        (0.0, 0.2, "0 ± 0.2"),
-        (1.25, 0.034, "1.25 ± 0.03"),
-        (22.71, 0.2, "22.7 ± 0.2"),
-    ],
-)
-def test_a_value_is_shown_even_where_its_margin_is_larger(value, margin, measured):
-    about = {"key": "x", "claim": "x", "unit": "1", "source": "-"}
-    assert Finding(value=value, margin=margin, **about).measured == measured
+        Finding(**ABOUT, **wrong)
 
 
 def test_terminal_page_and_record_give_one_verdict(result, record):
@@ -597,19 +561,12 @@ def test_modes_that_own_nearly_as_much_as_the_disk_decide_nothing(share, error, 
     assert finding.value == pytest.approx(0.99 if share > 1 else 0.0)
 
 
-@pytest.mark.parametrize(
-    ("value", "holds"), [(1.9, False), (2, True), (3, True), (3.1, False)]
-)
-def test_a_finding_can_be_no(value, holds):
-    finding = Finding(
-        key="x", claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-"
-    )
-    assert finding.holds == holds
+def test_a_finding_states_its_range():
+    finding = Finding(value=2.0, at_least=2.0, at_most=3.0, **ABOUT)
+    assert finding.holds
     assert finding.expectation == "at least 2 and at most 3"
-    assert (
-        replace(finding, at_least=-np.inf, tolerance=0.5).expectation
-        == "at most 3 ± 0.5"
-    )
+    above = replace(finding, at_least=-np.inf, tolerance=0.5)
+    assert above.expectation == "at most 3 ± 0.5"
     assert replace(finding, tolerance=1e-6).expectation == finding.expectation
 
 
