@@ -7,7 +7,6 @@ missing.
 """
 
 import queue
-import shutil
 import threading
 import time
 import tomllib
@@ -15,16 +14,13 @@ import tomllib
 import numpy as np
 import pytest
 import soundfile
+from browser import CHROMIUM, until
 
 from sonify import load_scene, run
 from sonify.studio.application import serve
 
 playwright = pytest.importorskip(
     "playwright.sync_api", reason="needs the extra `browser`"
-)
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
-    None,
 )
 pytestmark = [
     pytest.mark.slow,
@@ -519,15 +515,6 @@ def address(folder):
         target=serve, args=(folder.parent, "127.0.0.1", 0, told.put), daemon=True
     ).start()
     return told.get(timeout=60)
-
-
-def until(page, expression):
-    """Wait until an expression is true; Playwright's own wait needs `eval`, which the policy
-    forbids."""
-    end = time.monotonic() + 60
-    while not page.evaluate(expression):
-        assert time.monotonic() < end, expression
-        page.wait_for_timeout(50)
 
 
 def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, address):

@@ -6,7 +6,6 @@ Source: the studio's how-to in docs/how_to.md. Oracle: the scene's own sentences
 
 import json
 import queue
-import shutil
 import threading
 import time
 from contextlib import closing
@@ -17,6 +16,7 @@ from urllib.parse import quote
 import numpy as np
 import pytest
 import soundfile
+from browser import CHROMIUM, until
 from click.testing import CliRunner
 from scipy.signal import sosfilt
 
@@ -665,12 +665,10 @@ def test_a_run_has_the_pressure_of_the_command_line(tmp_path):
 def browser():
     """Return a browser; skip where none is installed."""
     playwright = pytest.importorskip("playwright.sync_api")
-    names = ("chromium", "chromium-browser", "google-chrome")
-    path = next(filter(None, map(shutil.which, names)), None)
     with playwright.sync_playwright() as started:
         try:
             opened = started.chromium.launch(
-                executable_path=path, args=["--no-sandbox"]
+                executable_path=CHROMIUM, args=["--no-sandbox"]
             )
         except playwright.Error:
             pytest.skip("no browser is installed")
@@ -829,12 +827,3 @@ def test_a_browser_hears_a_run(monkeypatch, tmp_path, browser):
     assert page.inner_text("#run-name") == name
     assert faults == []
     jobs.close()
-
-
-def until(page, expression):
-    """Wait until an expression is true; Playwright's own wait needs `eval`, which the policy
-    forbids."""
-    end = time.monotonic() + 300
-    while not page.evaluate(expression):
-        assert time.monotonic() < end, expression
-        page.wait_for_timeout(50)

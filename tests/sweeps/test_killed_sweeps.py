@@ -6,7 +6,6 @@ Source: the README's `sweep`. Oracle: the table of an undisturbed sweep, value b
 processes that are really killed.
 """
 
-import json
 import os
 import signal
 import socket
@@ -17,6 +16,7 @@ from contextlib import contextmanager
 
 import psutil
 import pytest
+import tomli_w
 from paths import ROOT
 from sweep_files import QUICK, found
 
@@ -42,15 +42,7 @@ def truth(tmp_path_factory):
 
 @pytest.fixture
 def file(tmp_path):
-    told = "\n".join(
-        f'"{key}" = {json.dumps(value).replace(": ", " = ")}'
-        for key, value in LONG["axes"].items()
-    )
-    keys = "\n".join(
-        f"{key} = {json.dumps(LONG[key])}"
-        for key in ("name", "accuracy", "set", "find")
-    )
-    (tmp_path / "long.toml").write_text(f"{keys}\n[axes]\n{told}\n")
+    (tmp_path / "long.toml").write_text(tomli_w.dumps(LONG))
     return tmp_path / "long.toml"
 
 
