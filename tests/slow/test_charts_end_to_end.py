@@ -13,10 +13,8 @@ from benchmarks.charts.end_to_end_chart import (
     ACCURACY,
     CHOICE,
     PREDICTED,
-    conclusion,
     decibel,
 )
-from benchmarks.timed_runs import Record
 from sonify.__main__ import main
 
 
@@ -69,20 +67,6 @@ def test_a_tolerance_that_is_too_coarse_is_heard(records):
     assert (
         errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5
     )
-
-
-def test_the_conclusion_names_the_worst_choice():
-    about = {
-        "setting": "",
-        "case": "held: samples, A-weighted",
-        "seconds": 1.0,
-        "repeats": 1,
-    }
-    records = [
-        Record(family=CHOICE, method=name, error=error, **about)
-        for name, error in [("a", 0.01), ("b", 0.1), ("c", 0)]
-    ]
-    assert conclusion(records) == ["held: the worst single choice is b, -20 dB(A)."]
 
 
 def test_decibels():

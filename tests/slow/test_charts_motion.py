@@ -12,7 +12,6 @@ import json
 import shutil
 from dataclasses import replace
 from functools import partial
-from importlib import import_module
 from importlib.util import find_spec
 from types import SimpleNamespace
 
@@ -123,13 +122,6 @@ def test_the_quick_charts_are_written(tmp_path):
         assert any(not row["failure"] for row in rows)
         assert all(row["failure"] in page for row in rows)
         assert (tmp_path / f"{name}.png").stat().st_size > 20_000
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_every_chart_has_its_module(name):
-    module = import_module(f"benchmarks.charts.{name}_chart")
-    assert callable(module.run)
-    assert callable(module.conclusion)
 
 
 PAGE = SimpleNamespace(
