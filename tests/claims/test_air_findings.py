@@ -47,17 +47,6 @@ def in_air(thorne):
     return simulate(thorne).rolling
 
 
-def test_film_and_contour_take_what_the_disk_on_glass_loses(thorne, in_air):
-    """The film and contour friction dissipate all energy except the work of a few short slides."""
-    power = film_powers(
-        thorne.disk, film_under(thorne.disk, thorne.air), in_air.state
-    ).sum(axis=0)
-    power += thorne.dissipation.contour_moment * np.abs(precession_rate(in_air.state))
-    assert np.trapezoid(power, in_air.t) == pytest.approx(
-        in_air.state[-1, 10], rel=0.03
-    )
-
-
 def test_air_ends_the_disk_on_glass(thorne, in_air):
     film = film_under(thorne.disk, thorne.air)
     assert in_air.rolling_outcome is Outcome.AIRBORNE

@@ -7,6 +7,7 @@ over the chunks; the pressure that a run of the same scene writes.
 
 import re
 import struct
+from contextlib import contextmanager
 from types import SimpleNamespace
 
 import numpy as np
@@ -75,24 +76,11 @@ class Recorder(Stages):
         super().__init__()
         self.reports = []
 
+    @contextmanager
     def stage(self, name):
         """Time the stage and record its progress."""
-        return RecordedStage(super().stage(name), self.reports)
-
-
-class RecordedStage:
-    """A stage whose progress is recorded."""
-
-    def __init__(self, stage, reports):
-        self.stage = stage
-        self.reports = reports
-
-    def __enter__(self):
-        self.stage.__enter__()
-        return lambda share, note="": self.reports.append((share, note))
-
-    def __exit__(self, *fault):
-        return self.stage.__exit__(*fault)
+        with super().stage(name):
+            yield lambda share, note="": self.reports.append((share, note))
 
 
 @pytest.fixture(scope="module")

@@ -491,7 +491,7 @@ def test_it_can_be_used_by_everyone(open_page, scheme, width):
     ] == []
 
 
-def test_scene_and_command_are_copied(open_page, folder):
+def test_scene_and_command_are_copied(open_page):
     page = open_page(permissions=["clipboard-read", "clipboard-write"])
     page.wait_for_function(READY, timeout=60_000)
     page.evaluate(
@@ -547,7 +547,7 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     page.close()
 
 
-def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder, address):
+def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, address):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     page.goto(address)
     until(page, f"({READY})()")

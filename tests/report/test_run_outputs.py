@@ -34,7 +34,6 @@ from sonify.claims.literature import motion_findings as literature_claims
 from sonify.claims.paper_figures import paper_rows
 from sonify.claims.provenance import depends_on
 from sonify.claims.reference_scenes import is_paper_scene
-from sonify.claims.rigid_motion import contact_kept
 from sonify.claims.sound import modes_take_little
 from sonify.claims.surface_summary import complete_answers
 from sonify.hearing.audio_source import Recording
@@ -103,12 +102,6 @@ def result(tmp_path_factory):
     )
 
 
-@pytest.mark.slow
-def test_a_scene_has_one_motion_through_run_and_through_simulate(result, motion):
-    one, other = (found.path for found in (result.motion, motion))
-    assert (one.x.tobytes(), one.c.tobytes()) == (other.x.tobytes(), other.c.tobytes())
-
-
 @pytest.fixture(scope="module")
 def record(result):
     def refuse(value):
@@ -123,17 +116,12 @@ def test_every_file_is_there_and_no_other(result):
     assert stems == ["heave.wav", "ringing_jumps.wav", "ringing_smooth.wav", "tilt.wav"]
 
 
-def test_every_self_check_passes(result):
-    assert len(result.checks) == 8
-    assert [check.name for check in result.checks if not check.passed] == []
-
-
 def test_what_stands(result):
     assert {finding.claim: finding.holds for finding in result.findings} == STANDS
 
 
 @pytest.mark.slow
-def test_what_is_solved_needs_no_folder(result, tmp_path, monkeypatch):
+def test_what_is_solved_needs_no_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     found = solve(
         load_scene("published").replace("numerics.time_limit=0.6", "name=cut"),
@@ -200,7 +188,7 @@ def test_run_json_says_what_was_done(result, record):
     assert record["outcome"]["name"] == "AT_REST"
     assert record["hand_over"]["reason"] == "SETTLED"
     assert len(record["findings"]) == len(STANDS)
-    assert all(check["passed"] for check in record["checks"])
+    assert [check["passed"] for check in record["checks"]] == [True] * 8
     assert {"motion", "modes", "sound"} <= record["seconds"].keys()
     assert record["versions"]["numpy"] == np.__version__
     assert record["plan"]["modelled"]
@@ -532,13 +520,6 @@ def test_terminal_page_and_record_give_one_verdict(result, record):
     ]
     assert record["headline"] in page
     assert record["headline"] in repr(result)
-
-
-def test_a_contact_that_is_lost_is_not_found_kept():
-    """The last instant, at which the normal force is zero, belongs to the motion."""
-    lost = simulate(load_scene("published").replace("disk.thickness=0.2"))
-    assert lost.rolling_outcome.name == "LIFTED_OFF"
-    assert not contact_kept(lost).holds
 
 
 def test_of_a_motion_in_which_nothing_happens_nothing_is_claimed():

@@ -508,7 +508,7 @@ def test_a_port_in_use_is_one_line(monkeypatch, jobs, tmp_path):
         studio_pages.studio(tmp_path, 70_000, print)
 
 
-def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers, tmp_path):
+def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers):
     monkeypatch.setattr(studio_pages, "MAX_UPLOAD_BYTES", 1000)
     place = "recordings?scene=toy"
     assert client.post(place, bytes(1001))[0] == 413
