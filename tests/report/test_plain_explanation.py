@@ -22,12 +22,6 @@ from sonify.report.plain_explanation import (
 
 
 @pytest.fixture(scope="module")
-def motion():
-    scene = load_scene("published").replace("numerics.accuracy=draft")
-    return simulate(scene)
-
-
-@pytest.fixture(scope="module")
 def brief():
     scene = load_scene("published").replace(
         "numerics.time_limit=0.5", "numerics.accuracy=draft"

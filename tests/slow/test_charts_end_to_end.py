@@ -13,7 +13,6 @@ from benchmarks.charts.end_to_end_chart import (
     ACCURACY,
     CHOICE,
     PREDICTED,
-    decibel,
 )
 from sonify.__main__ import main
 
@@ -67,8 +66,3 @@ def test_a_tolerance_that_is_too_coarse_is_heard(records):
     assert (
         errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5
     )
-
-
-def test_decibels():
-    assert decibel(0.1) == pytest.approx(-20)
-    assert decibel(0.0) == -140

@@ -10,10 +10,8 @@ through three hazards.
 import csv
 import json
 import shutil
-from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,7 +21,7 @@ from paths import REFERENCES, ROOT
 from benchmarks.cases.motion_case import conservative, published, references, sticking
 from benchmarks.charts import CHARTS, motion_chart
 from benchmarks.charts.chart_files import write_chart
-from benchmarks.charts.chart_page import environment, known_environment, write_page
+from benchmarks.charts.chart_page import environment
 from benchmarks.charts.error_time_picture import family_colours
 from benchmarks.methods.event_driven import ours
 from benchmarks.methods.moreau_time_stepping import moreau
@@ -36,7 +34,6 @@ from benchmarks.timed_runs import (
     MIN_TIMING_SECONDS,
     Answer,
     Failure,
-    Record,
     Work,
     measured,
 )
@@ -124,11 +121,6 @@ def test_the_quick_charts_are_written(tmp_path):
         assert (tmp_path / f"{name}.png").stat().st_size > 20_000
 
 
-PAGE = SimpleNamespace(
-    PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["One sentence."]
-)
-
-
 def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(
     monkeypatch,
 ):
@@ -158,34 +150,7 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(
     assert "".join(calls) == "ab" + "aaaab"
 
 
-def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
-    record = Record(
-        family="f", method="m", setting="s", case="c", error=0.0, seconds=1.0, repeats=1
-    )
-    for records, said in (
-        ([record], "None."),
-        ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |"),
-    ):
-        write_page(
-            "end_to_end",
-            "Title",
-            PAGE,
-            records,
-            ["a machine", "commit abc"],
-            tmp_path / "page.md",
-        )
-        page = (tmp_path / "page.md").read_text("utf-8")
-        assert said in page
-        assert "- One sentence." in page
-        assert "`python -m sonify chart end-to-end`" in page
-        assert page.index("Solve $x = 1$.") < page.index("One sentence.")
-        assert known_environment(tmp_path / "page.md") == ["a machine", "commit abc"]
-    write_page(
-        "end_to_end", "Title", PAGE, [record], environment(), tmp_path / "page.md"
-    )
-    assert "| f: m | 0 of 1 | < 1e-15 | s | 1 |" in (tmp_path / "page.md").read_text(
-        "utf-8"
-    )
+def test_a_page_states_the_commit_of_its_program():
     assert environment()[-1].startswith("commit ")
 
 

@@ -29,7 +29,6 @@ from modal.spectral.axisymmetric import drawing_mesh_split
 from sonify import SceneError
 from sonify.scene import from_document
 from sonify.sound.fluid_loaded_modes import (
-    MAX_FILM_MESH_CELLS,
     MIN_FILM_MESH_CELLS,
     fluid_loaded_modes,
     mesh_cells,
@@ -128,17 +127,8 @@ def test_steady_motions_exist_up_to_the_steepest(h, K):
 
 
 def test_hundreds_of_modes_take_no_longer_over_the_film():
-    """The cost is modes times the square of the cells; few modes get all the cells they need."""
-    few = mesh_cells(np.linspace(0.5, 20, 30))
+    """The cost is modes times the square of the cells."""
     many = mesh_cells(np.full(600, 40.0))
-    assert (
-        few
-        == np.clip(
-            np.ceil(2.5 * np.linspace(0.5, 20, 30)),
-            MIN_FILM_MESH_CELLS,
-            MAX_FILM_MESH_CELLS,
-        ).tolist()
-    )
     assert sum(c**2 for c in many) <= 5e4
     assert min(many) >= MIN_FILM_MESH_CELLS
 
