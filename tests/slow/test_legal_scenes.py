@@ -15,8 +15,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from legal_scenes import any_document, documents, faults_of
+from legal_scenes import any_document, faults_of
 from paths import REFERENCES
 from scenes import roll
 
@@ -26,7 +25,6 @@ from dynamics.compliant.stepping.tangential import project_on_friction_circle
 from dynamics.steady_motion import max_steady_inclination, steady_precession
 from modal import eigenmodes
 from modal.spectral.axisymmetric import drawing_mesh_split
-from sonify import SceneError
 from sonify.scene import from_document
 from sonify.sound.fluid_loaded_modes import (
     MIN_FILM_MESH_CELLS,
@@ -157,14 +155,3 @@ def test_every_legal_scene_ends_with_a_name_and_passes_its_checks():
     assert not wrong
     refused = sum(ending.startswith("SceneError") for ending, _ in found)
     assert refused <= MOST_REFUSED * len(drawn)
-
-
-@settings(max_examples=50, deadline=None, database=None, derandomize=True)
-@given(documents())
-def test_a_drawn_scene_is_read_or_refused_in_one_line(document):
-    refusal = ""
-    try:
-        from_document(document)
-    except SceneError as error:
-        refusal = str(error)
-    assert "\n" not in refusal

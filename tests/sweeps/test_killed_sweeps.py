@@ -135,15 +135,6 @@ def test_an_interrupted_driver_keeps_its_rows(file, truth):
     assert found(sonify.sweep(file, out=file.parent / "out")).equals(truth)
 
 
-def test_a_second_driver(file):
-    with begun(file) as first:
-        psutil.Process(first.pid).suspend()
-        second = start("sonify", "sweep", file, "--out", file.parent / "out")
-        told = second.communicate(timeout=PATIENCE)[1]
-    assert (second.returncode, len(told.splitlines())) == (2, 1)
-    assert "another sweep is writing this table" in told
-
-
 @pytest.fixture
 def port():
     pytest.importorskip("distributed", reason="needs the extra `cluster`")
