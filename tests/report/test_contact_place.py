@@ -6,11 +6,11 @@ velocity and central differences of the solved path of the centre; it does not u
 edge.
 """
 
-from base64 import b64decode
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from page_arrays import decoded
 from scipy.spatial.transform import Rotation
 
 from dynamics import simulate
@@ -113,10 +113,7 @@ def test_models_stand_on_the_table_at_this_place(rolling):
 
 def test_the_page_has_the_place_over_the_inclination(rolling):
     _, motion, state, _, reach, height = rolling
-    columns = {
-        name: np.frombuffer(b64decode(column["base64"]), "<f4")
-        for name, column in encoded_contact(motion).items()
-    }
+    columns = {name: decoded(c) for name, c in encoded_contact(motion).items()}
     for name, expected in (("reach", reach), ("height", height)):
         found = np.interp(state[:, 1], columns["inclination"], columns[name])
         assert found == pytest.approx(expected, abs=1e-6)

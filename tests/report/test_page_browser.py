@@ -6,8 +6,6 @@ compared with the decoded files; the pixels of the canvases; axe-core. Skipped i
 missing.
 """
 
-import queue
-import threading
 import time
 import tomllib
 
@@ -15,6 +13,7 @@ import numpy as np
 import pytest
 import soundfile
 from browser import CHROMIUM, until
+from servers import address_of
 
 from sonify import load_scene, run
 from sonify.studio.application import serve
@@ -510,11 +509,7 @@ def test_scene_and_command_are_copied(open_page):
 @pytest.fixture(scope="module")
 def address(folder):
     """Return the address at which the folder of the run is served."""
-    told = queue.Queue()
-    threading.Thread(
-        target=serve, args=(folder.parent, "127.0.0.1", 0, told.put), daemon=True
-    ).start()
-    return told.get(timeout=60)
+    return address_of(serve, folder.parent, "127.0.0.1", 0)
 
 
 def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, address):

@@ -9,19 +9,17 @@ import gzip
 import json
 import re
 import signal
-from base64 import b64decode
 from dataclasses import replace
 from html import unescape
 from importlib import resources
-from io import BytesIO
 from types import SimpleNamespace
 
 import meshio
 import numpy as np
 import pytest
 import soundfile
+from page_arrays import decoded, decoded_track, with_gain
 from paths import ROOT
-from scipy.signal import sosfilt
 from scipy.spatial import cKDTree
 
 from dynamics import simulate
@@ -339,7 +337,7 @@ def test_the_page_holds_the_end_of_a_long_sound(
     start = round(data["start"] * result.sound.sample_rate)
     assert start > 0
     for name, url in data["sounds"]["tracks"].items():
-        samples, _ = soundfile.read(BytesIO(b64decode(url.partition(",")[2])))
+        samples = decoded_track(url)
         expected = result.sound.stems[name].read(start) / result.sound.full_scale
         assert np.abs(samples - expected.clip(-1, 1)).max() < 2**-15
     if limit == "MAX_PAGE_SOUND_DURATION":
@@ -359,10 +357,7 @@ def test_the_page_plays_the_stems(result):
     """The decoded stems at the true scale add up to sound.wav within rounding: 16 bits for each
     stem, 24 bits for the sum."""
     data = page_data.page_data(result, page_parts(result))["sounds"]
-    tracks = [
-        soundfile.read(BytesIO(b64decode(url.partition(",")[2])))[0]
-        for url in data["tracks"].values()
-    ]
+    tracks = list(map(decoded_track, data["tracks"].values()))
     whole = soundfile.read(result.out / "sound.wav")[0]
     assert np.abs(sum(tracks) - whole).max() < (len(tracks) / 2 + 1) * 2.0**-15
     assert data["full_scale"] == result.sound.full_scale
@@ -372,15 +367,10 @@ def test_the_page_has_the_gain_of_the_audible_copy(result):
     """The A-weighted pressure with the stored gain is audible.wav within 0.2 dB of its level,
     from 0.3 s on, when the filter has settled."""
     audible = page_data.encoded_sounds(result.sound)["content"]["audible"]
-    stored = audible["gain"]
-    gain_db = np.frombuffer(b64decode(stored["base64"]), stored["dtype"]) / 100
     rate = result.sound.sample_rate
-    pressure = np.ravel(result.sound.pressure.read(0))
-    weighted = sosfilt(np.array(audible["sections"]), pressure)
-    middle = (np.arange(len(gain_db)) + 0.5) * audible["interval"]
-    gain = 10 ** (np.interp(np.arange(len(weighted)) / rate, middle, gain_db) / 20)
+    found = with_gain(audible, np.ravel(result.sound.pressure.read(0)), rate)
     expected = soundfile.read(result.out / "audible.wav")[0][:, 0]
-    error = (gain * weighted - expected)[round(0.3 * rate) :]
+    error = (found - expected)[round(0.3 * rate) :]
     assert np.sqrt(np.mean(error**2)) < 0.02 * np.sqrt(np.mean(expected**2))
 
 
@@ -421,10 +411,7 @@ def test_the_page_shows_the_motion(result):
     instants.
     """
     data = page_data.page_data(result, page_parts(result))["motion"]
-    t, precession = (
-        np.frombuffer(b64decode(data[name]["base64"]), data[name]["dtype"])
-        for name in ("t", "precession")
-    )
+    t, precession = decoded(data["t"]), decoded(data["precession"])
     assert t[[0, -1]].tolist() == result.motion.t[[0, -1]].tolist()
     assert len(t) <= page_data.MAX_STORED_MOTION_TIMES + 2
     heard = t[:-1] < result.motion.t[-1] - 0.01

@@ -11,7 +11,7 @@ import time
 from contextlib import closing
 from http.client import HTTPConnection
 from types import SimpleNamespace
-from urllib.parse import quote
+from urllib.parse import quote, urlsplit
 
 import numpy as np
 import pytest
@@ -19,6 +19,7 @@ import soundfile
 from browser import CHROMIUM, until
 from click.testing import CliRunner
 from scipy.signal import sosfilt
+from servers import address_of
 
 from sonify import load_scene, shipped_scenes
 from sonify.__main__ import main
@@ -157,11 +158,7 @@ def test_the_pages_of_finished_runs_are_those_of_the_read_only_server(client, tm
 
 def read_only(folder):
     """Return the port of the server of finished runs."""
-    told = queue.Queue()
-    threading.Thread(
-        target=studio_pages.serve, args=(folder, "127.0.0.1", 0, told.put), daemon=True
-    ).start()
-    return int(told.get(timeout=60).rstrip("/").rpartition(":")[2])
+    return urlsplit(address_of(studio_pages.serve, folder, "127.0.0.1", 0)).port
 
 
 def client_of(port):
@@ -477,12 +474,8 @@ def assert_soon(condition, limit=5.0):
 def served(monkeypatch, folder, jobs):
     """Return the port and the token of a studio that runs in a thread."""
     monkeypatch.setattr(studio_pages, "JobQueue", lambda: jobs)
-    told = queue.Queue()
-    threading.Thread(
-        target=studio_pages.studio, args=(folder, 0, told.put), daemon=True
-    ).start()
-    _, _, place, token, _ = told.get(timeout=60).split("/")
-    return int(place.partition(":")[2]), token
+    address = urlsplit(address_of(studio_pages.studio, folder, 0))
+    return address.port, address.path.strip("/")
 
 
 def test_a_reader_that_leaves_ends_its_run(monkeypatch, jobs, workers, tmp_path):
