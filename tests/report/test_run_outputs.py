@@ -8,7 +8,6 @@ Oracle: the files, read back with independent readers; the known verdicts of the
 import gzip
 import json
 import re
-import signal
 from dataclasses import replace
 from html import unescape
 from importlib import resources
@@ -18,6 +17,7 @@ import meshio
 import numpy as np
 import pytest
 import soundfile
+from full_disk import files_of_at_most
 from page_arrays import decoded, decoded_track, with_gain
 from paths import ROOT
 from scipy.spatial import cKDTree
@@ -555,19 +555,12 @@ def test_a_motion_that_is_cut_off_says_so(cut):
 
 @pytest.mark.slow
 def test_a_full_disk_leaves_no_half_wav(tmp_path):
-    """A limit on the file size simulates the full disk: the write fails in the same way."""
-    resource = pytest.importorskip(
-        "resource", reason="this system cannot limit the size of files"
-    )
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    before = resource.getrlimit(resource.RLIMIT_FSIZE)
     scene = load_scene("published").replace("numerics.time_limit=2.0", "name=full")
-    resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, before[1]))
-    try:
-        with pytest.raises(OSError, match="could not be written in full"):
-            run(scene, tmp_path, "draft")
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    with (
+        files_of_at_most(200_000),
+        pytest.raises(OSError, match="could not be written in full"),
+    ):
+        run(scene, tmp_path, "draft")
     assert [p.name for p in tmp_path.rglob("*") if p.is_file()] == []
 
 

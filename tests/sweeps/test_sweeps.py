@@ -15,6 +15,7 @@ import pyarrow.parquet as pq
 import pytest
 import tomli_w
 from click.testing import CliRunner
+from full_disk import files_of_at_most
 from paths import ROOT
 from scipy.stats import qmc
 from sweep_files import QUICK, found
@@ -483,17 +484,14 @@ def test_failed_runs_are_missing_only_if_they_are_to_be_solved_again(tmp_path):
 
 
 def test_a_full_disk_keeps_the_table(tmp_path):
-    """The system refuses to let a file grow beyond 100 bytes."""
     with table(tmp_path) as before:
         before.add(ROWS[:2])
-    resource = pytest.importorskip("resource", reason="Windows limits no file")
-    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
-    try:
-        with pytest.raises(OSError, match="File too large"), table(tmp_path) as filled:
-            filled.add(ROWS[2:])
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    with (
+        files_of_at_most(100),
+        pytest.raises(OSError, match="File too large"),
+        table(tmp_path) as filled,
+    ):
+        filled.add(ROWS[2:])
     with table(tmp_path) as resumed:
         assert resumed.done.sum() == 2
 
