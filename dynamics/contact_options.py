@@ -28,7 +28,7 @@ RIGID_MOTION_SECONDS = 0.9
 """Processor time [s] of the rigid motion to which the filter is applied."""
 
 
-class StepSeconds(NamedTuple):
+class StepCost(NamedTuple):
     """Processor time of one step [s] of a model.
 
     Attributes
@@ -51,10 +51,10 @@ class StepSeconds(NamedTuple):
 
 
 STEP_SECONDS = {
-    "filter": StepSeconds(3.5e-7, 3.5e-7, 1.2e-9),
-    "full": StepSeconds(0.35e-6, 4.5e-6, 0.0),
-    "many": StepSeconds(3.4e-6, 1.0e-5, 1.0e-7),
-    "rattling": StepSeconds(1.3e-6, 1.0e-5, 1.0e-7),
+    "filter": StepCost(3.5e-7, 3.5e-7, 1.2e-9),
+    "full": StepCost(0.35e-6, 4.5e-6, 0.0),
+    "many": StepCost(3.4e-6, 1.0e-5, 1.0e-7),
+    "rattling": StepCost(1.3e-6, 1.0e-5, 1.0e-7),
 }
 """Time of a step of each model; a disk that rattles is in flight in most steps of "many"."""
 

@@ -85,7 +85,7 @@ class Guard(str):
         return guard_named, (str(self),)
 
 
-def _moment_margin(i: int, where: GuardArguments) -> "NumberOrExpression":
+def _sticking_moment_margin(i: int, where: GuardArguments) -> "NumberOrExpression":
     """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
     arm = where.constants[4 + i]
     moment = where.contact[8 + i]
@@ -106,7 +106,7 @@ def _rotation_guards(i: int) -> tuple[Guard, Guard]:
         Guard(
             f"{AXES[i]} unsticks",
             GuardKind.UNSTICKS,
-            lambda at: _moment_margin(i, at),
+            lambda at: _sticking_moment_margin(i, at),
             lambda b: b.stuck[i],
             i,
         ),

@@ -245,11 +245,9 @@ class MotionPlan(MotionBasis):
         It exists for an elastic contact only.
         """
         assert self.tabulated_law is not None
-        from dynamics.compliant.law.tabulated import TabulatedSeriesLaw  # loads SciPy
+        from dynamics.compliant.law.tabulated import EdgeSeriesLaw  # loads SciPy
 
-        return TabulatedSeriesLaw(
-            law=self.tabulated_law.law, edge=self.tabulated_law.edge
-        )
+        return EdgeSeriesLaw(law=self.tabulated_law.law, edge=self.tabulated_law.edge)
 
     @cached_property
     def contact_options(self) -> tuple[ContactOption, ...]:

@@ -86,7 +86,7 @@ def _nutations(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     ratio = 2 / np.maximum(turned, np.finfo(float).tiny)
     frequency = 2 / (peaks[2:] - peaks[:-2])
     kept = _near_recent_median(ratio)
-    kept[kept] = _in_long_intervals(peaks[1:-1][kept], frequency[kept])
+    kept[kept] = _is_sustained(peaks[1:-1][kept], frequency[kept])
     return peaks[1:-1], np.where(kept, frequency, np.nan), np.where(kept, ratio, np.nan)
 
 
@@ -108,7 +108,7 @@ def _near_recent_median(ratio: np.ndarray) -> np.ndarray:
     return is_close
 
 
-def _in_long_intervals(time: np.ndarray, frequency: np.ndarray) -> np.ndarray:
+def _is_sustained(time: np.ndarray, frequency: np.ndarray) -> np.ndarray:
     """Return a mask (q,) of the samples that belong to sustained oscillations.
 
     The samples are frequencies (q,) [Hz] at times (q,) [s]. Gaps of several periods

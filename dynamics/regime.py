@@ -171,13 +171,13 @@ class FlowFormulas:
         self.power = power
         self.solve = equations_of_motion(sin, cos)
 
-    def scaled_slip_speed(self, y: StateVector) -> NumberOrExpression:
+    def slip_speed_over_r(self, y: StateVector) -> NumberOrExpression:
         """Return the slip speed divided by r, |u|/r."""
         return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
 
     def excess_slip_speed(self, y: StateVector) -> NumberOrExpression:
         """Return slip speed/r minus STOP_SLIP_SPEED, the value of the guard GRIP."""
-        return self.scaled_slip_speed(y) - STOP_SLIP_SPEED
+        return self.slip_speed_over_r(y) - STOP_SLIP_SPEED
 
     def contact(
         self, y: StateVector, branch: Branch, senses: Any, constants: DiskConstants
@@ -189,7 +189,7 @@ class FlowFormulas:
             slip = slip_velocity(y)
             if branch.can_grip:
                 # without friction the direction is not needed, and undefined at rest
-                speed = self.scaled_slip_speed(y)
+                speed = self.slip_speed_over_r(y)
                 direction = (y[V1] / speed, y[V2] / speed)
         return self.contact_with_friction_along(
             y, slip, direction, branch, senses, constants

@@ -240,7 +240,7 @@ class RollingDisk:
         step = step._replace(duration=end)
         if self._contact(step.end, step.regime).Phi <= 0:
             # a negative guard cannot fall through zero
-            return self._lifts_off(step)
+            return self._end_at_lift_off(step)
         y = step.end
         if axis is None:
             return Switch(step.regime, y, (step,))
@@ -253,7 +253,7 @@ class RollingDisk:
         then = self._select_next_regime(y, held, (), senses)
         return then._replace(steps=(step, *then.steps))
 
-    def _lifts_off(self, step: Step) -> Switch:
+    def _end_at_lift_off(self, step: Step) -> Switch:
         """End the motion where the normal force falls to zero within a step."""
         from scipy.optimize import brentq  # loads slowly
 

@@ -19,7 +19,7 @@ def steady_precession(beta: float, h: float, K: float, fillet: float = 0.0) -> f
     motion.
     """
     lever = (1 - fillet) * cos(beta) - (h - fillet) * sin(beta)
-    ratio = contact_ratio(beta, h, fillet)
+    ratio = contact_height_to_radius_ratio(beta, h, fillet)
     inertia = (1 + 4 * h * h / (3 * K)) * cos(beta) - 2 * ratio * sin(beta)
     if lever * inertia <= 0:
         raise ValueError(
@@ -28,7 +28,7 @@ def steady_precession(beta: float, h: float, K: float, fillet: float = 0.0) -> f
     return sqrt((1 + 4 / K) * lever / (sin(beta) * inertia))
 
 
-def contact_ratio(beta: float, h: float, fillet: float = 0.0) -> float:
+def contact_height_to_radius_ratio(beta: float, h: float, fillet: float = 0.0) -> float:
     """Return the ratio of the distances of the contact from the middle plane and the axis.
 
     It equals omega_2/omega_3 in rolling with a fixed centre.
@@ -42,7 +42,11 @@ def steady_omega(beta: float, constants: DiskConstants) -> tuple[float, float, f
     See `steady_precession`.
     """
     w3 = steady_precession(beta, constants.h, constants.K, constants.fillet) * sin(beta)
-    return 0.0, contact_ratio(beta, constants.h, constants.fillet) * w3, w3
+    return (
+        0.0,
+        contact_height_to_radius_ratio(beta, constants.h, constants.fillet) * w3,
+        w3,
+    )
 
 
 def max_steady_inclination(h: float, K: float, fillet: float = 0.0) -> float:
@@ -55,7 +59,9 @@ def max_steady_inclination(h: float, K: float, fillet: float = 0.0) -> float:
     step = pi / 4
     while step > 1e-17:  # bisection for tan(beta) depth/radius = (1 + 4 h^2/3K)/2
         middle = inertia + step
-        if 2 * contact_ratio(middle, h, fillet) * tan(middle) < 1 + 4 * h * h / (3 * K):
+        if 2 * contact_height_to_radius_ratio(middle, h, fillet) * tan(
+            middle
+        ) < 1 + 4 * h * h / (3 * K):
             inertia = middle
         step /= 2
     return min(lever, inertia)

@@ -288,7 +288,7 @@ def contact_at_release(
 
     A slide from rest has the first of its possible directions.
     """
-    if branch.sliding and branch.can_grip and FLOAT_FORMULAS.scaled_slip_speed(y) == 0:
+    if branch.sliding and branch.can_grip and FLOAT_FORMULAS.slip_speed_over_r(y) == 0:
         return _contact_sliding_along(
             y,
             next(_slip_directions(y, regime, branch, constants)),

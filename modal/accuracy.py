@@ -17,7 +17,7 @@ COARSE_DRAFT_MESH = MeshSize(
 STANDARD_MESH = MeshSize(width=pi / 10, depth=0.32, rings=4, ring_ratio=0.5)
 COARSE_STANDARD_MESH = MeshSize(width=pi / 5, depth=0.5, rings=1, box_ratio=0.4)
 REFERENCE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=3, split=2)
-COARSE_REFERENCE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=2)
+REFERENCE_COARSE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=2)
 
 
 class ModesAccuracyLevel(NamedTuple):
@@ -56,7 +56,7 @@ ACCURACY_LEVELS = {
         free_error=3e-6,
         patch_meshes=(STANDARD_MESH, COARSE_STANDARD_MESH),
         low_patch_meshes=(
-            COARSE_REFERENCE_MESH,
+            REFERENCE_COARSE_MESH,
             replace(COARSE_DRAFT_MESH, box_ratio=0.15),
         ),
         basis_sizes={},
@@ -64,8 +64,8 @@ ACCURACY_LEVELS = {
     ),
     "reference": ModesAccuracyLevel(
         free_error=1e-8,
-        patch_meshes=(REFERENCE_MESH, COARSE_REFERENCE_MESH),
-        low_patch_meshes=(REFERENCE_MESH, COARSE_REFERENCE_MESH),
+        patch_meshes=(REFERENCE_MESH, REFERENCE_COARSE_MESH),
+        low_patch_meshes=(REFERENCE_MESH, REFERENCE_COARSE_MESH),
         basis_sizes={
             "size": (12, 8),
             "circumferential_tractions": 9,

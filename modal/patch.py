@@ -17,8 +17,8 @@ from modal.elements import sample
 from modal.elements.elastic import lame_constants
 from modal.elements.patch import SolvedSymmetryClass
 from modal.elements.unfold import (
+    bottom_and_top_interpolation,
     displacement_on_faces,
-    face_interpolation_pair,
     whole_disk_modes,
 )
 from modal.mesh.sector import patch_height
@@ -103,7 +103,7 @@ def modes_with_synthesised_frequencies(
         plate, support, size, selections
     )
     points, _ = sample.sample_points(plate.radius)
-    rim = face_interpolation_pair(solid, part, points), points
+    rim = bottom_and_top_interpolation(solid, part, points), points
     top_rims = [displacement_on_faces(*rim, part.quarter, c)[:, 1] for c in solved]
     limit = (2 * np.pi * below) ** 2
     matched = []

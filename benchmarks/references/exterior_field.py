@@ -18,7 +18,7 @@ from sonify.sound.film_radiation import (
     EXTERIOR_TABLE_FILE,
     EXTERIOR_WAVENUMBERS,
     MAX_RIM_ORDER,
-    hemisphere_radius,
+    exterior_domain_radius,
 )
 from sonify.sound.multipoles import (
     associated_legendre,
@@ -183,7 +183,7 @@ def field_of_disk(thickness: float, gap: float) -> tuple[np.ndarray, np.ndarray]
     without the heave of waves that are not of order 0 and the tilt of those that are not
     of order 1, which no motion of a rigid face excites.
     """
-    field = ExteriorField(thickness, gap, hemisphere_radius(thickness))
+    field = ExteriorField(thickness, gap, exterior_domain_radius(thickness))
     orders = range(MAX_RIM_ORDER + 1)
     solutions = [field.solve(n, EXTERIOR_WAVENUMBERS) for n in orders]
     rim, multipoles = (np.stack(part, axis=1) for part in zip(*solutions, strict=True))

@@ -575,7 +575,7 @@ LIMITS = {
         "FLAT_INCLINATION",
         "rad",
     ),
-    "film_knudsen": ("dynamics.film.activation", "MAX_KNUDSEN_NUMBER", ""),
+    "film_knudsen": ("dynamics.film.activation", "END_KNUDSEN_NUMBER", ""),
     "tilted_film_slope": ("dynamics.landing.equations", "MAX_FILM_SLOPE", ""),
     "film_share": ("dynamics.solver_settings", "MIN_RELEVANT_SHARE", ""),
     "rolling_curvature": (
@@ -589,7 +589,7 @@ LIMITS = {
         "Hz",
     ),
     "audible_frequency": ("dynamics.solver_settings", "MAX_AUDIBLE_FREQUENCY", "Hz"),
-    "radiation_error": ("sonify.plan.contact", "MAX_RADIATION_ERROR_DB", "dB"),
+    "radiation_error": ("sonify.plan.contact", "RADIATION_ERROR_BOUND_DB", "dB"),
     "short_wave_error": (
         "sonify.plan.contact",
         "MAX_SHORT_WAVE_UNDERESTIMATE_DB",

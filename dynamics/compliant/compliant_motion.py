@@ -352,7 +352,7 @@ class CompliantMotion(MotionBase):
         return float(self._end + last * duration / (before - last))
 
     @property
-    def final_turn(self) -> float:
+    def last_decade_precession(self) -> float:
         """Precession [rad] in the last decade of inclination."""
         return float(abs(self.rows[-1, 0] - self.rows[self._last_decade, 0]))
 
@@ -552,7 +552,8 @@ def simulate_from(
     )
     if motion.rolling_outcome is Outcome.SETTLED:
         return replace(
-            motion, rolling_outcome=outcome_when_flat(motion, motion.final_turn)
+            motion,
+            rolling_outcome=outcome_when_flat(motion, motion.last_decade_precession),
         )
     return motion
 

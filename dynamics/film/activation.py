@@ -18,7 +18,7 @@ from dynamics.steady_motion import max_steady_inclination, steady_omega
 if TYPE_CHECKING:
     from dynamics.sections import MotionScene
 
-MAX_KNUDSEN_NUMBER = 100.0
+END_KNUDSEN_NUMBER = 100.0
 """Knudsen number (mean free path divided by mean gap) at which a motion with a film
 ends.
 
@@ -117,12 +117,12 @@ def final_inclination(scene: "MotionScene", film: Film | None) -> float:
     """Return the inclination [rad] at which the motion of a scene counts as settled.
 
     It is determined by the numerics of the scene. With an air film, it is at least the
-    inclination at which the Knudsen number equals MAX_KNUDSEN_NUMBER.
+    inclination at which the Knudsen number equals END_KNUDSEN_NUMBER.
     """
     settled = scene.numerics.stopping_inclination(scene.disk)
     if film is None:
         return settled
-    return max(settled, rarefied_inclination(scene.disk, scene.air, MAX_KNUDSEN_NUMBER))
+    return max(settled, rarefied_inclination(scene.disk, scene.air, END_KNUDSEN_NUMBER))
 
 
 def rarefied_inclination(disk: Disk, air: Air, knudsen: float) -> float:

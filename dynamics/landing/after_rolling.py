@@ -16,7 +16,7 @@ from dynamics.landing.stop import stop_below
 from dynamics.motion import Motion, Outcome, release_columns
 from dynamics.motion_plan import MotionPlan
 
-DEFAULT_STOP_RESTITUTION = 0.79
+DEFAULT_ASPERITY_RESTITUTION = 0.79
 """Coefficient of restitution of a level disk on the asperities."""
 LANDING_CAUSES = {
     Outcome.AIRBORNE: "lifted by the film",
@@ -157,7 +157,7 @@ def landing_after(
         Its decisions.
     restitution : float, optional
         Coefficient of restitution of a level disk on the asperities, in (0, 1]; by
-        default that of the contact, or DEFAULT_STOP_RESTITUTION.
+        default that of the contact, or DEFAULT_ASPERITY_RESTITUTION.
     may_roll : bool, optional
         True if the motion ends where the disk rolls steadily on one rim again.
     max_steps : int, optional
@@ -213,7 +213,9 @@ def _landing_model(
         table = scene.surface
         hole = max(table.hole, 2 * disk.inner_radius)
         film = film_below(disk.radius, fillet, scene.air, table.curvature, hole)
-    restitution = restitution or scene.contact.restitution or DEFAULT_STOP_RESTITUTION
+    restitution = (
+        restitution or scene.contact.restitution or DEFAULT_ASPERITY_RESTITUTION
+    )
     stop = stop_below(disk.radius - fillet, disk.mass, restitution)
     return LandingModel(disk, film, stop, rim_friction(plan))
 

@@ -167,7 +167,7 @@ class LandingMotion(MotionBase):
         return self.start[0] + np.unwrap(angle) - angle[0]
 
     @cached_property
-    def _precession_of_spin(self) -> np.ndarray:
+    def _signed_precession(self) -> np.ndarray:
         """Precession (n,) [rad] at the breakpoints that is part of `LandingState.turned`."""
         side = np.array([at.side for at in self._geometry[1:]])
         return np.append(0.0, np.cumsum(side * np.diff(self._precession)))
@@ -188,7 +188,7 @@ class LandingMotion(MotionBase):
         angle = precession_angle(at)
         precession = angle + 2 * np.pi * np.round((near - angle) / (2 * np.pi))
         advance = side * (precession - self._precession[before])
-        spin = self.start[2] + y[12] - self._precession_of_spin[before] - advance
+        spin = self.start[2] + y[12] - self._signed_precession[before] - advance
         inclination = np.arctan2(at.slope, side * at.cosine)
         omega = side * at.E_p, side * at.spin, -at.E_q
         slip = (side * speed for speed in self._slip(y, at))

@@ -9,11 +9,11 @@ from dynamics.film.forces import film_moment_parts
 from dynamics.film.tilted_film import tabulated_resistance
 from dynamics.film.wedge import Film
 
-LIFT_OFF_INCLINATION_SHARE = 0.470
+SCALED_LIFT_OFF_INCLINATION = 0.470
 """Inclination at lift-off over the scale of the film, for a film-only motion on a plane."""
 PRECESSION_FACTOR = 0.367
 """Square of the precession rate at lift-off times kappa R beta/g, for such a motion."""
-MAX_STOP_HEIGHT_SHARE = 0.18
+ASPERITY_HEIGHT_LIMIT_RATIO = 0.18
 """Height of asperities, over the radius and the scale of the film, that prevents lift-off."""
 
 
@@ -81,7 +81,7 @@ def predict_lift_off(
 
     Contour friction of 4.5 times the torque of the film raises both results by 10 to
     12 %. The compression of the air raises the inclination by about 6 W/(pi R^2 p), as it
-    does here. A concave table lowers all results by `concave_share`. Over a hole, the air
+    does here. A concave table lowers all results by `concave_lift_off_ratio`. Over a hole, the air
     is not compressed. The torque of the film there makes the disk fall, and the fall makes
     the lift, so that the square of the viscosity is multiplied by the factors of both.
 
@@ -104,16 +104,16 @@ def predict_lift_off(
     R = disk.radius
     scale = film_inclination_scale(disk, air.viscosity * _viscosity_factor(hole))
     compression = 0.0 if hole else 6 * disk.weight / (pi * R**2 * air.pressure)
-    inclination = LIFT_OFF_INCLINATION_SHARE * scale * (1 + compression)
-    share = concave_share(depth / (R * inclination))
+    inclination = SCALED_LIFT_OFF_INCLINATION * scale * (1 + compression)
+    share = concave_lift_off_ratio(depth / (R * inclination))
     inclination *= share
     scale *= share
     kappa = disk.gyration / 4 + (disk.thickness / R) ** 2 / 12
     rate = sqrt(PRECESSION_FACTOR * GRAVITY / (kappa * R * inclination))
-    return LiftOff(inclination, rate, MAX_STOP_HEIGHT_SHARE * R * scale)
+    return LiftOff(inclination, rate, ASPERITY_HEIGHT_LIMIT_RATIO * R * scale)
 
 
-def concave_share(depth: float) -> float:
+def concave_lift_off_ratio(depth: float) -> float:
     """Return the inclination of lift-off from a concave table over that from a plane one.
 
     The lift of a film that alone makes the disk fall is the product of its drag, which

@@ -20,7 +20,7 @@ def record_mode_losses(motion: "MotionState") -> None:
 
 
 @kernel
-def add_half_sample(motion: "MotionState", row: np.ndarray) -> None:
+def accumulate_half_weight(motion: "MotionState", row: np.ndarray) -> None:
     """Add half of state, record and modes of the disk to a row of the samples."""
     disk = motion.disk.ravel()
     modes = disk.size + RECORD_SIZE

@@ -37,7 +37,7 @@ from dynamics.rattling.layout import (
 )
 from dynamics.rattling.resistance import add_resistance
 from dynamics.rattling.rim_contacts import press_rim, stays_clear
-from dynamics.rattling.samples import add_half_sample, record_mode_losses
+from dynamics.rattling.samples import accumulate_half_weight, record_mode_losses
 from dynamics.rattling.vibration import (
     MovingTable,
     fly_table,
@@ -249,7 +249,7 @@ def step_rattling_disk(
                     samples[sample, -1] = energy
                     stored = energy
                     received = 0.0
-                add_half_sample(motion, samples[sample])
+                accumulate_half_weight(motion, samples[sample])
             if touches or has_film:
                 write_velocity_change(pressed, duration, change)
                 if done == per_sample:
@@ -266,7 +266,7 @@ def step_rattling_disk(
                 if done == per_sample:  # the mean energy before and after the impulse
                     samples[sample, -1] += by_old / 2 + by_gain / 4
             if done == per_sample:
-                add_half_sample(motion, samples[sample])
+                accumulate_half_weight(motion, samples[sample])
             fly(pressed, gravity, propagator, duration / 2)
             waiting += merged
             if rim.tilt < final_tilt and falling_energy(disk, before) < rest_energy:

@@ -131,7 +131,7 @@ def face_interpolation(
     )
 
 
-def face_interpolation_pair(
+def bottom_and_top_interpolation(
     solid: "Solid", part: Sector, points: np.ndarray
 ) -> "tuple[csr_matrix, csr_matrix]":
     """Return the matrices of `face_interpolation` for bottom and top face; they are
@@ -209,8 +209,8 @@ def whole_disk_modes(
     """Return the `Modes` of all symmetry classes; `error` (m,) is in the order of the
     classes."""
     rim_points, face_points = sample.sample_points(plate.radius)
-    rim = face_interpolation_pair(solid, part, rim_points), rim_points
-    face = face_interpolation_pair(solid, part, face_points), face_points
+    rim = bottom_and_top_interpolation(solid, part, rim_points), rim_points
+    face = bottom_and_top_interpolation(solid, part, face_points), face_points
     by_class = [symmetry_class_arrays(solid, part, c, rim, face) for c in solved]
     columns = {
         name: np.concatenate([c[name] for c in by_class]) for name in by_class[0]

@@ -70,7 +70,7 @@ class SolvedBody:
     """True if every cell was divided into eight."""
 
 
-def lagrange_elements(mesh: Any) -> tuple[Any, Any]:
+def linear_and_quadratic_elements(mesh: Any) -> tuple[Any, Any]:
     """Return the linear and the quadratic Lagrange element for the cells of a mesh."""
     if mesh.t.shape[0] == 4:
         return ElementTetP1(), ElementTetP2()
@@ -197,7 +197,7 @@ def solve_body(
     facets the body is free. `edge_error_ratio` is a parameter of `relative_errors`.
     Raises ValueError if the held components do not prevent all rigid-body motions.
     """
-    linear, quadratic = lagrange_elements(mesh)
+    linear, quadratic = linear_and_quadratic_elements(mesh)
     whole_cell = [quadratic.doflocs.T]
     given = discretise(mesh, facets, quadratic, whole_cell, material, density)
     if len(facets):

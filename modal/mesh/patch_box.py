@@ -126,7 +126,7 @@ def corner_of_box(boxes: NestedBoxes, s: float | np.ndarray) -> np.ndarray:
     return np.where(smooth, parabola, linear)
 
 
-def nodes_of_block_cells(block: SolidBlock, *counts: int) -> np.ndarray:
+def node_coordinates_of_cells(block: SolidBlock, *counts: int) -> np.ndarray:
     """Return the nodes (c, 3, 3, 3, 3) of the cells of a block, which is a function on
     the unit cube."""
     grid = block(
@@ -145,12 +145,12 @@ def nodes_of_boxes(boxes: NestedBoxes, size: MeshSize) -> np.ndarray:
     around = n * boxes.cells_around
     up = n * boxes.cells_up
     cells = [
-        nodes_of_block_cells(
+        node_coordinates_of_cells(
             lambda u, v, w: np.stack([v, u, w], -1) * corners[0], n, around, up
         )
     ]
     for i in range(len(corners) - 1):
-        cells.append(nodes_of_block_cells(box_block(boxes, i), n, around, up))
+        cells.append(node_coordinates_of_cells(box_block(boxes, i), n, around, up))
     sections = []
     for i in range(len(corners) - 1):
         if i not in (patch - 1, patch):
@@ -160,7 +160,9 @@ def nodes_of_boxes(boxes: NestedBoxes, size: MeshSize) -> np.ndarray:
     for is_beside, count in ((True, up), (False, around)):
         for section in sections:
             cells.append(
-                nodes_of_block_cells(tube_block(boxes, section, is_beside), n, n, count)
+                node_coordinates_of_cells(
+                    tube_block(boxes, section, is_beside), n, n, count
+                )
             )
     nodes = np.concatenate(cells)
     extents = np.ptp(nodes.reshape(len(nodes), 27, 3), axis=1)

@@ -59,7 +59,7 @@ def read_checked(path: str | Path, max_size: float) -> Mesh:
     import meshio
 
     file = read_mesh_file(path)
-    points, kind, cells = volume_cells(file, path)
+    points, kind, cells = points_and_volume_cells(file, path)
     cell_data = {}
     if {block.type for block in file.cells if block.dim == 3} == {kind}:
         for name in file.cell_data:
@@ -85,7 +85,7 @@ def volume_data(file: "meshio.Mesh", name: str) -> np.ndarray:
     return np.concatenate([data for block, data in blocks if block.dim == 3])
 
 
-def volume_cells(
+def points_and_volume_cells(
     file: "meshio.Mesh", path: str | Path
 ) -> tuple[np.ndarray, str, np.ndarray]:
     """Return the points (p, 3) of a meshio mesh, one type of cell, and its cells (c, n).

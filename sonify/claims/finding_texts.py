@@ -16,10 +16,10 @@ from sonify.claims.limits import (
 )
 from sonify.claims.phrases import (
     contact_in_words,
-    disk_vibration_in_words,
     film_switched_in_words,
     lift_off_in_words,
     nutation_in_words,
+    open_contact_shares_in_words,
     restitutions_in_words,
     rises_in_words,
     shares_in_words,
@@ -445,7 +445,7 @@ _CONTACT: dict[str, FindingText] = {
             },
         },
         quotation=_CONTACT_LOSS,
-        details=disk_vibration_in_words,
+        details=open_contact_shares_in_words,
     ),
     "unevenness_breaks_contact": FindingText(
         claim="Unevenness alone breaks the contact",

@@ -27,7 +27,7 @@ OUTCOMES_WITHOUT_END = {
 another motion follows."""
 RESTITUTIONS = (0.28, 0.46, 0.79)
 """Coefficients of restitution at which the loss in one impact is stated."""
-SLAP_DURATION = 3e-3
+IMPACT_LOSS_DURATION = 3e-3
 """Time [s] after the beginning of the first impact that contains its loss."""
 MIN_PAUSE = 2e-4
 """Time without a loss [s] that separates two impacts."""
@@ -121,7 +121,7 @@ def one_impact_ends_it(motion: Motion) -> Measured:
 
     After a landing, the final energy is that at the first impact, and the details repeat the
     share with other restitutions. Otherwise it is the last part of the initial energy, and an
-    impact is the loss in the contact within SLAP_DURATION; a disk that never loses contact has
+    impact is the loss in the contact within IMPACT_LOSS_DURATION; a disk that never loses contact has
     no impact."""
     if motion.landing is not None:
         return _largest_share_after_landing(motion.landing)
@@ -135,7 +135,7 @@ def _largest_share_after_landing(landing: LandingMotion) -> Measured:
     own = impacts(landing)
     if not len(own):
         return Measured(0.0)
-    until = own[0, 0] + SLAP_DURATION
+    until = own[0, 0] + IMPACT_LOSS_DURATION
     details = {
         f"at_{round(100 * restitution)}": _largest_loss(
             impacts(_with_restitution(landing, restitution, until))
@@ -146,13 +146,13 @@ def _largest_share_after_landing(landing: LandingMotion) -> Measured:
 
 
 def _largest_share_of_contact(motion: Motion) -> float:
-    """Return the largest loss in the contact within SLAP_DURATION over the final energy."""
+    """Return the largest loss in the contact within IMPACT_LOSS_DURATION over the final energy."""
     t = motion.t
     energy = motion.energy(t)
     final_energy = FINAL_ENERGY_SHARE * (energy[0] - energy[-1])
     start = np.argmax(energy - energy[-1] < final_energy)
     lost = motion.energy_lost(t)["contact"]
-    in_window = np.interp(t[start:] + SLAP_DURATION, t, lost) - lost[start:]
+    in_window = np.interp(t[start:] + IMPACT_LOSS_DURATION, t, lost) - lost[start:]
     return float(in_window.max() / final_energy)
 
 

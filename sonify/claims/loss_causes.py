@@ -44,7 +44,7 @@ FORCE_RMS_LIMIT = (LIFT_OFF_FORCE_RMS + CERTAIN_LOSS_FORCE_RMS) / 2
 """Rms of N'/weight at which a vibration breaks the contact, in the middle of its range."""
 FORCE_RMS_MARGIN = (CERTAIN_LOSS_FORCE_RMS - LIFT_OFF_FORCE_RMS) / 2
 """Half the range of this limit."""
-RELATIVE_WAVE_INCLINATION = 1.05
+WAVE_LOSS_INCLINATION_RATIO = 1.05
 """Inclination at which waves of the order n break a damped contact, divided by (n^2 - 1)
 amplitude/radius; 1.00 to 1.06 in simulations, 1.15 with little damping."""
 
@@ -192,7 +192,7 @@ def wave_inclination(scene: Scene) -> float:
     if waves is None:
         return 0.0
     slope = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
-    return float(RELATIVE_WAVE_INCLINATION * slope)
+    return float(WAVE_LOSS_INCLINATION_RATIO * slope)
 
 
 @finding(needs=("scene", "motion", "contact law"), at_least=1.0)

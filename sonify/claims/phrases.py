@@ -40,7 +40,7 @@ def contact_in_words(numbers: Mapping[str, float]) -> str:
     return f"{how}; {first}"
 
 
-def disk_vibration_in_words(numbers: Mapping[str, float]) -> str:
+def open_contact_shares_in_words(numbers: Mapping[str, float]) -> str:
     """Return a phrase with the open shares of a rattling disk with and without its
     modes; it is empty for other motions."""
     if "open_share" not in numbers:

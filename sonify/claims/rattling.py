@@ -167,9 +167,9 @@ def rate_follows_unevenness(
     t = np.linspace(0.0, motion.t[-1], FITTED_INSTANT_COUNT, endpoint=False)
     inclination = motion.inclination(t)
     third = len(t) // 3
-    value = fitted_exponent(t, inclination)
+    value = precession_exponent(t, inclination)
     others = [
-        fitted_exponent(t[part], inclination[part])
+        precession_exponent(t[part], inclination[part])
         for part in (slice(third, None), slice(0, -third))
     ]
     margin = max(abs(other - value) for other in others)
@@ -213,7 +213,7 @@ def impact_coefficient(damping_ratio: float) -> float:
     return float(np.exp(np.interp(x, loss, log_k) + slope * min(x - loss[0], 0.0)))
 
 
-def fitted_exponent(t: np.ndarray, inclination: np.ndarray) -> float:
+def precession_exponent(t: np.ndarray, inclination: np.ndarray) -> float:
     """Return n of the precession rate ~ (t_end - t)^-n for inclinations (k,) [rad] at
     times (k,) [s].
 

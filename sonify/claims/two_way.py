@@ -275,7 +275,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion) -> Measured:
 def table_rings_at_the_halt(scene: Scene, motion: Motion) -> Measured:
     """The share of the table modes in the energy of disk and table at their maximum
     energy."""
-    t = times_towards_end(scene, motion)
+    t = times_of_two_way_coupling(scene, motion)
     budget = energy_budget(motion, t)
     most = budget.table.argmax()
     share = budget.table[most] / (budget.table[most] + abs(budget.disk[most]))
@@ -339,7 +339,7 @@ def loss_at_resonance(scene: Scene, motion: Motion) -> Measured:
     return Measured(x[np.abs(x - 1).argmin()] if len(x) else 0.0, details=details)
 
 
-def times_towards_end(scene: Scene, motion: Motion) -> np.ndarray:
+def times_of_two_way_coupling(scene: Scene, motion: Motion) -> np.ndarray:
     """Return equally spaced times (k,) [s] from the onset of two-way coupling to
     the end."""
     time_count = 4000
@@ -350,7 +350,7 @@ def times_towards_end(scene: Scene, motion: Motion) -> np.ndarray:
 def final_energy_budget(scene: Scene, motion: Motion) -> EnergyBudget:
     """Return the budget of the last FINAL_ENERGY_SHARE of the energy at the onset of
     two-way coupling."""
-    budget = energy_budget(motion, times_towards_end(scene, motion))
+    budget = energy_budget(motion, times_of_two_way_coupling(scene, motion))
     whole = budget.disk + budget.table
     late = np.argmax(whole < FINAL_ENERGY_SHARE * whole[0])
     return energy_budget(motion, budget.t[late:])

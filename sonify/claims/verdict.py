@@ -109,12 +109,12 @@ def contact_breaks_before_end(scene: Scene, motion: Motion) -> Measured:
         if not lifted_by_film:
             vibrates = float(motion.at([max(first, 0.0)])[0, 1])
     wavy = wave_inclination(scene)
-    rough = rough_loss_inclination(scene, motion)
+    rough = contact_loss_inclination(scene, motion)
     details = {"rough": rough / end, "wavy": wavy / end, "vibrates": vibrates / end}
     return Measured(max(details.values()), details=details)
 
 
-def rough_loss_inclination(scene: Scene, motion: Motion) -> float:
+def contact_loss_inclination(scene: Scene, motion: Motion) -> float:
     """Return the greatest inclination [rad] at which predicted vibration breaks the
     contact on the yielding table, or 0."""
     predicts = "contact" in motion.finding_groups and scene.contact.law == "elastic"

@@ -18,7 +18,7 @@ from sonify.plan.preflight import (
 )
 
 
-def findings_in_air(name: str, accuracy: str) -> list[Finding]:
+def findings_with_air_film(name: str, accuracy: str) -> list[Finding]:
     """Return the findings on the motion of a scene with its air film."""
     in_air = load_scene(name).replace("air.film=acts")
     scene, plan = solvable_scene(in_air, accuracy)
@@ -39,7 +39,7 @@ def main(
     The scenes are solved one after another if their findings are not `known`."""
     runs = known or {name: solve(name, accuracy).findings for name in names}
     in_air = {
-        name: findings_in_air(name, accuracy)
+        name: findings_with_air_film(name, accuracy)
         if load_scene(name).air.film == "none"
         else runs[name]
         for name in names

@@ -173,7 +173,7 @@ def shaking(
     )
 
 
-def shaken_board(motion: Motion, modes: SurfaceModes) -> np.ndarray:
+def board_acceleration(motion: Motion, modes: SurfaceModes) -> np.ndarray:
     """Return the A-weighted acceleration [m/s^2] of the board in the last second of a
     motion, at the larger of the COIN_DISTANCES from the coin."""
     spectrum = force_spectrum(motion)
@@ -241,7 +241,7 @@ def main() -> str:
     for scene in varied(first, ASSUMED_RANGES):
         modes = surface_modes(scene)
         motion = simulate(scene, surface_modes=modes)
-        accelerations.append(shaken_board(motion, modes))
+        accelerations.append(board_acceleration(motion, modes))
         for distance, runs in columns.items():
             runs.append(shaking(scene, motion, modes, distance))
     different_heights = accelerations[: 1 + len(ASSUMED_RANGES["roughness.seed"])]

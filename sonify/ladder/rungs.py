@@ -21,7 +21,7 @@ from sonify.plan.rungs import LEVELS, Level, Rung, rung_of
 from sonify.scene import Scene
 from sonify.scene_errors import SceneError
 
-FILTER_LEVELS = ("elastic", "one-way", "two-way")
+LEVELS_WITH_FILTER_CONTACT = ("elastic", "one-way", "two-way")
 MODE_LEVELS = ("late-table", "moving-table")
 """Levels that need a table with modes."""
 TABLE_ACTION = {
@@ -199,7 +199,7 @@ def _wanted_values(scene: Scene, rung: Rung) -> Iterator[tuple[str, Any]]:
 
 def _contact_model(level: Level) -> str:
     """Return the value of numerics.contact on a level."""
-    if level in FILTER_LEVELS:
+    if level in LEVELS_WITH_FILTER_CONTACT:
         return "filter"
     return {"rigid": "auto", "many": "many"}.get(level, "full")
 

@@ -7,7 +7,7 @@ from dynamics import Motion, Outcome
 from dynamics.disk import Friction
 from dynamics.dissipation import Dissipation, resistance_of
 from dynamics.equations import disk_constants
-from dynamics.film.activation import MAX_KNUDSEN_NUMBER
+from dynamics.film.activation import END_KNUDSEN_NUMBER
 from dynamics.film.wedge import (
     boundary_layer_ratio,
     compressibility_number,
@@ -207,7 +207,7 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
             sentences.RAREFIED_MOTION_NOT_SOLVED.format(
                 inclination=final,
                 gap=radius * np.sin(final),
-                knudsen=MAX_KNUDSEN_NUMBER,
+                knudsen=END_KNUDSEN_NUMBER,
             )
         )
     return limits

@@ -135,7 +135,7 @@ def bending_sentence(motion: MotionPlan) -> str:
     )
 
 
-MAX_RADIATION_ERROR_DB = 2.0
+RADIATION_ERROR_BOUND_DB = 2.0
 """Maximum error [dB] of the mean-square pressure around a disk that vibrates above a
 film.
 

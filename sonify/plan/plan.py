@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from dynamics import Disk, Motion, MotionPlan, plan_motion
-from dynamics.film.activation import MAX_KNUDSEN_NUMBER
+from dynamics.film.activation import END_KNUDSEN_NUMBER
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY, resolved_integrator_name
 from dynamics.steady_motion import squared_rate_times_inclination
 from modal import Material, Modes, SurfaceModes
@@ -325,7 +325,7 @@ def end_condition_reason(scene: Scene, final: float) -> str:
         gap = scene.disk.radius * np.sin(final)
         return (
             f"{turns}; the mean free path of the air, {scene.air.mean_free_path:.2g} m, is "
-            f"{MAX_KNUDSEN_NUMBER:g} times the mean gap there, {gap:.2g} m, and no film law is known for "
+            f"{END_KNUDSEN_NUMBER:g} times the mean gap there, {gap:.2g} m, and no film law is known for "
             "smaller gaps"
         )
     return f"{turns}; the highest audible rate is {MAX_AUDIBLE_FREQUENCY:g} Hz"

@@ -220,7 +220,7 @@ def energy_data(found: "Result") -> dict[str, Any]:
     closely towards its end."""
     motion = found.motion.rolling
     end = motion.t[-1]
-    t = times_towards_end(two_way_part(motion)[1], end)
+    t = times_of_two_way_coupling(two_way_part(motion)[1], end)
     heard = radiated_power(found.sound, listener_of(found.scene))
     budget = energy_budget(motion, t, heard)
     held = {
@@ -235,7 +235,7 @@ def energy_data(found: "Result") -> dict[str, Any]:
     }
 
 
-def times_towards_end(begin: float, end: float) -> np.ndarray:
+def times_of_two_way_coupling(begin: float, end: float) -> np.ndarray:
     """Return times [s] from `begin` to `end`, spaced more closely towards `end`."""
     return np.maximum(
         end - np.geomspace(end - begin, 1e-4 * (end - begin), 2000), begin

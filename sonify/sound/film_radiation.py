@@ -130,7 +130,7 @@ def radiated_multipoles(disk: "Disk", air: Air) -> RadiatedMultipoles:
     thickness = disk.thickness / disk.radius
     mesh = film_mesh()
     low_gap, high_gap = EXTERIOR_MEAN_GAPS
-    far = hemisphere_radius(thickness)
+    far = exterior_domain_radius(thickness)
     low, high = exterior_field(thickness)
     multipoles = []
     flows = []
@@ -254,7 +254,7 @@ WEDGE_COUPLING = _wedge_coupling_integrals()
 the rim."""
 
 
-def hemisphere_radius(thickness: float) -> float:
+def exterior_domain_radius(thickness: float) -> float:
     """Return the radius of the hemisphere around a disk; both are divided by that of the
     disk."""
     return 1.5 * float(np.hypot(1.0, thickness + EXTERIOR_MEAN_GAPS[1]))

@@ -131,7 +131,7 @@ def modal_forcing_function(
     acceleration, and the force itself does no work on the modes. On a `free` disk the
     force acts at the current contact point: g = shape . force. With the support
     `contact` the motion of the contact point drives the disk as if it were held there;
-    for an elastic contact see `_forcing_on_springs`."""
+    for an elastic contact see `_modal_forcing_of_springs`."""
     if scene.support.kind != "free":
         per_newton = forcing_per_newton(modes, scene)
         return lambda force, attitude: np.einsum(
@@ -176,11 +176,13 @@ def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
         return np.sqrt(np.mean(modes.rim_shape**2, axis=1)).T
     by_support = -rigid_acceleration(np.eye(3), scene.disk) @ modes.participation.T
     if scene.support.kind == "contact" and scene.contact.law == "elastic":
-        return _forcing_on_springs(modes, scene.disk, by_support)
+        return _modal_forcing_of_springs(modes, scene.disk, by_support)
     return by_support
 
 
-def _forcing_on_springs(modes: Modes, disk: Disk, by_support: np.ndarray) -> np.ndarray:
+def _modal_forcing_of_springs(
+    modes: Modes, disk: Disk, by_support: np.ndarray
+) -> np.ndarray:
     """Return the modal forcing (3, m) if the rigid vibration on the contact is a
     separate stem.
 

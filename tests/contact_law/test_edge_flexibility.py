@@ -11,7 +11,7 @@ import pytest
 from contact_scenes import steady_speed
 
 from dynamics.compliant.law.linearised import suspension
-from dynamics.compliant.law.tabulated import TabulatedLaw, TabulatedSeriesLaw
+from dynamics.compliant.law.tabulated import EdgeSeriesLaw, TabulatedLaw
 from dynamics.compliant.model_inputs import tabulated_contact_law
 from modal.solve import free_plate
 from modal.spring_supported import contact_modes
@@ -65,7 +65,7 @@ def test_the_springs_of_the_full_motion_have_the_carrier_but_for_what_couples_th
     for beta in angles:
         speed = steady_speed(tabulated_contact_law(scene).law, beta)
         (frequency, _) = ringing(scene, beta)
-        found = tabulated_contact_law(scene, TabulatedSeriesLaw).contact_resonance(
+        found = tabulated_contact_law(scene, EdgeSeriesLaw).contact_resonance(
             np.array([beta]), scene.disk.weight, speed
         )
         assert found.frequency[0] == pytest.approx(frequency, rel=off)
@@ -84,7 +84,7 @@ def test_a_rigid_body_and_a_shell_have_hertz_springs_alone():
     assert bends.columns(beta) == pytest.approx(rigid.columns(beta), rel=1e-14)
     hertz, series = (
         tabulated_contact_law(scene, kind).springs(beta, 4.0)[0]
-        for kind in (TabulatedLaw, TabulatedSeriesLaw)
+        for kind in (TabulatedLaw, EdgeSeriesLaw)
     )
     creep = [s.k2 / s.length2**-1 for s in (hertz, series)]
     assert creep[0] == pytest.approx(creep[1], rel=1e-12)

@@ -10,7 +10,7 @@ import pytest
 
 from dynamics import Outcome, plan_motion, simulate
 from dynamics.film.activation import (
-    MAX_KNUDSEN_NUMBER,
+    END_KNUDSEN_NUMBER,
     rarefied_inclination,
 )
 from sonify import SceneError
@@ -55,7 +55,7 @@ def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
     motion = simulate(rare)
     gap = rare.disk.radius * np.sin(motion.state[-1, 1])
     assert motion.rolling_outcome is Outcome.SETTLED
-    assert gap * MAX_KNUDSEN_NUMBER == pytest.approx(rare.air.mean_free_path, rel=1e-9)
+    assert gap * END_KNUDSEN_NUMBER == pytest.approx(rare.air.mean_free_path, rel=1e-9)
     assert len(motion.t) < 50_000
     told = " ".join(limits_of_film_law(rare, motion))
     assert "6.6e-06 m" in told  # the gap at the end of the motion
@@ -64,10 +64,10 @@ def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
 
 def test_in_air_of_one_atmosphere_the_end_is_as_before(scene):
     acts = scene.replace("air.film=acts")
-    assert rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN_NUMBER) < 2e-8
+    assert rarefied_inclination(acts.disk, acts.air, END_KNUDSEN_NUMBER) < 2e-8
     assert plan_motion(acts).final_inclination == max(
         acts.numerics.stopping_inclination(acts.disk),
-        rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN_NUMBER),
+        rarefied_inclination(acts.disk, acts.air, END_KNUDSEN_NUMBER),
     )
     still = plan_motion(scene.replace("air.film=none"))
     assert still.final_inclination == scene.numerics.stopping_inclination(scene.disk)

@@ -11,7 +11,7 @@ import pytest
 from sonify.hearing.settling.candidates import (
     Candidate,
     Window,
-    pulse_slope,
+    peak_level_exponent,
     rising_margin,
     score_of,
     windows_before_end,
@@ -80,12 +80,14 @@ def remaining():
 @pytest.mark.parametrize("slope", [0.0, 0.5, 1.3])
 def test_the_slope_of_pulses_is_that_of_their_amplitude(slope):
     power = 1e-3 * remaining() ** (2 * slope)
-    assert pulse_slope(power, LAW, WINDOW, 0.0) == pytest.approx(slope, abs=0.05)
+    assert peak_level_exponent(power, LAW, WINDOW, 0.0) == pytest.approx(
+        slope, abs=0.05
+    )
 
 
 def test_pulses_below_the_noise_have_no_slope():
     power = 1e-3 * remaining()
-    assert pulse_slope(power, LAW, WINDOW, 1.0) == 0.0
+    assert peak_level_exponent(power, LAW, WINDOW, 1.0) == 0.0
 
 
 def test_a_candidate_ends_where_its_rate_diverges():

@@ -13,7 +13,7 @@ from dynamics.rattling.rattling_motion import (
     rolling_state_at_release,
     simulate_rattling,
 )
-from dynamics.steady_motion import contact_ratio, steady_precession
+from dynamics.steady_motion import contact_height_to_radius_ratio, steady_precession
 from sonify import load_scene
 
 RADIUS = 12.875e-3
@@ -32,7 +32,11 @@ def coin(rms=1e-6, exponent=1.0, restitution=0.5, seed=0, inclination=0.1, *chan
         / time_unit
         * sin(inclination)
     )
-    spin = [0.0, contact_ratio(inclination, aspect, fillet) * turning, turning]
+    spin = [
+        0.0,
+        contact_height_to_radius_ratio(inclination, aspect, fillet) * turning,
+        turning,
+    ]
     return load_scene("coin-polished").replace(
         "disk.radius=0.012875",
         "disk.thickness=0.0022",

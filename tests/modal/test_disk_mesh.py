@@ -17,9 +17,9 @@ from skfem.quadrature import get_quadrature
 from modal import Material, Plate, Support
 from modal.accuracy import (
     COARSE_DRAFT_MESH,
-    COARSE_REFERENCE_MESH,
     COARSE_STANDARD_MESH,
     DRAFT_MESH,
+    REFERENCE_COARSE_MESH,
     STANDARD_MESH,
 )
 from modal.elements.patch import resolving_mesh_size
@@ -78,7 +78,7 @@ def test_squared_cells_hold_the_square_root_exactly():
 
 def test_squared_cells_touch_the_edge_and_the_sides_it_parts():
     """On the sides of a half turn z is real: free to the right of the edge, held to the left."""
-    blocks = singular_edge_blocks(COARSE_REFERENCE_MESH)
+    blocks = singular_edge_blocks(REFERENCE_COARSE_MESH)
     edge = [block(np.zeros(1), np.zeros(1)) for block in blocks]
     assert np.abs(edge).sum(axis=2).min() == 0
     corners = np.concatenate(
@@ -111,7 +111,7 @@ THIN = {
     )
 }
 SIZES = {
-    "coarse reference": COARSE_REFERENCE_MESH,
+    "coarse reference": REFERENCE_COARSE_MESH,
     "standard": STANDARD_MESH,
     "coarse standard": COARSE_STANDARD_MESH,
     "draft": DRAFT_MESH,

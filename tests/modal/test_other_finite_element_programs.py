@@ -20,7 +20,7 @@ from benchmarks.peers.finite_element_programs import (
 )
 from benchmarks.timed_runs import Failure
 from modal import Support, eigenmodes
-from modal.accuracy import COARSE_REFERENCE_MESH
+from modal.accuracy import REFERENCE_COARSE_MESH
 from modal.elements.patch import held_modes
 from modal.elements.unfold import whole_mesh
 from modal.mesh.sector import sector
@@ -37,7 +37,7 @@ def graded(case, support):
     The mesh is that of the standard accuracy level.
     """
     part = sector(
-        case.plate.radius, case.plate.thickness, support, COARSE_REFERENCE_MESH
+        case.plate.radius, case.plate.thickness, support, REFERENCE_COARSE_MESH
     )
     points, cells, _ = whole_mesh(
         part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter

@@ -25,7 +25,7 @@ from dynamics.compliant.law.linearised import (
     suspension,
 )
 from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmodes
-from modal.accuracy import COARSE_REFERENCE_MESH
+from modal.accuracy import REFERENCE_COARSE_MESH
 from modal.elements.elastic import assemble_solid
 from modal.elements.sample import quadratic_shape_functions, quadratic_shape_slopes
 from modal.elements.unfold import HEXAHEDRON_SIDES
@@ -246,7 +246,7 @@ class Elements:
             height=size,
             position="bottom",
         )
-        part = sector(DISK.radius, DISK.thickness, support, COARSE_REFERENCE_MESH)
+        part = sector(DISK.radius, DISK.thickness, support, REFERENCE_COARSE_MESH)
         self.solid = assemble_solid(
             part.mesh, ElementHex2(), PLATE.material, DENSITY, intorder=4
         )

@@ -20,7 +20,7 @@ from modal.elements.mirrors import mirror_symmetries, symmetry_bases
 from modal.elements.user_mesh import (
     discretise,
     elastic_eigenpairs,
-    lagrange_elements,
+    linear_and_quadratic_elements,
     nodes_of_subcells,
 )
 from modal.elements.user_mesh_error import (
@@ -50,7 +50,7 @@ def board(x, y, z, clamped):
 
 def levels(mesh, facets):
     """Return the `DiscreteBody` of the given mesh and of its cells divided into eight."""
-    whole = lagrange_elements(mesh)[1]
+    whole = linear_and_quadratic_elements(mesh)[1]
     return [
         discretise(mesh, facets, whole, places, WOOD, 700.0)
         for places in ([whole.doflocs.T], nodes_of_subcells(whole))
@@ -63,7 +63,7 @@ def test_what_the_mesh_can_do_its_parts_can(kind):
     mesh = kind.init_tensor(*[np.array([0.0, 0.4, 1.0])] * 3)
     coarse, fine = levels(mesh, np.zeros(0, int))
     taken = prolongation(
-        fine.solid, coarse, nodes_of_subcells(lagrange_elements(mesh)[1])
+        fine.solid, coarse, nodes_of_subcells(linear_and_quadratic_elements(mesh)[1])
     )
     assert taken @ coarse.solid.points.ravel() == pytest.approx(
         fine.solid.points.ravel(), abs=1e-14
@@ -118,7 +118,7 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
     mesh, facets = board(*zip(size, cells, strict=True), clamped)
     coarse, fine = levels(mesh, facets)
     shift = 0.0 if clamped else -1e4
-    whole = lagrange_elements(mesh)[1]
+    whole = linear_and_quadratic_elements(mesh)[1]
     values, shapes, _ = elastic_eigenpairs(fine, HELD, 2000.0, shift)
     stated = relative_errors(
         mesh,

@@ -15,7 +15,11 @@ import skfem
 
 from modal import FreeDisk, Material, Plate, Support, mesh_modes, plate_modes, write_vtu
 from modal.elements.patch import held_modes
-from modal.elements.user_mesh import discretise, elastic_eigenpairs, lagrange_elements
+from modal.elements.user_mesh import (
+    discretise,
+    elastic_eigenpairs,
+    linear_and_quadratic_elements,
+)
 from modal.mesh.files import CapturedStream
 from modal.mesh.half_disk import MeshSize, half_disk
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
@@ -156,7 +160,7 @@ def test_linear_tetrahedra_are_promoted_because_they_lock(tmp_path, suffix):
         REFERENCE, rel=0.1
     )
     mesh = read_mesh(path)
-    linear, quadratic = lagrange_elements(mesh)
+    linear, quadratic = linear_and_quadratic_elements(mesh)
     as_given = discretise(
         mesh,
         patch_facets(mesh, Support()),

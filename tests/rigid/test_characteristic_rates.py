@@ -12,7 +12,7 @@ from scenes import conservative, roll, scene, whirling
 
 from dynamics import plan_motion
 from dynamics.observables import (
-    _in_long_intervals,
+    _is_sustained,
     lossless_rolling_load,
     nutation_end_time,
     nutation_frequency,
@@ -141,11 +141,11 @@ def test_a_few_peaks_that_come_by_chance_are_no_nutation():
     periods."""
     time = np.concatenate([np.arange(60), [90, 91, 92, 93], 120 + np.arange(20)]) / 10
     expected = np.concatenate([np.ones(60, bool), np.zeros(4, bool), np.ones(20, bool)])
-    assert np.array_equal(_in_long_intervals(time, np.full(84, 10.0)), expected)
-    assert _in_long_intervals(time[:3], np.full(3, 10.0)).all(), (
+    assert np.array_equal(_is_sustained(time, np.full(84, 10.0)), expected)
+    assert _is_sustained(time[:3], np.full(3, 10.0)).all(), (
         "a short motion has no longer stretch"
     )
-    assert not len(_in_long_intervals(time[:0], time[:0]))
+    assert not len(_is_sustained(time[:0], time[:0]))
 
 
 @pytest.mark.slow

@@ -19,7 +19,7 @@ from legal_scenes import any_document, faults_of
 from paths import REFERENCES
 from scenes import roll
 
-from dynamics.compliant.law.tabulated import TabulatedSeriesLaw
+from dynamics.compliant.law.tabulated import EdgeSeriesLaw
 from dynamics.compliant.model_inputs import tabulated_contact_law
 from dynamics.compliant.stepping.tangential import project_on_friction_circle
 from dynamics.steady_motion import max_steady_inclination, steady_precession
@@ -75,7 +75,7 @@ def test_the_film_stiffens_the_modes_of_a_light_soft_disk():
 def test_every_spring_of_a_contact_in_series_with_its_disk_is_positive(name, moves):
     """No spring or length is negative; a bound limits the part of the edge."""
     table = tabulated_contact_law(
-        from_document(KNOWN[name]), TabulatedSeriesLaw, max_moving_frequency=moves
+        from_document(KNOWN[name]), EdgeSeriesLaw, max_moving_frequency=moves
     )
     columns = table.spline(np.linspace(table.grid[0], table.grid[-1], 100_000))
     assert (columns[:, :-1] > 0).all()

@@ -52,9 +52,9 @@ from sonify.sound.sources.film import (
     HEAVE_RELAXATION_INERTIAS,
     HEAVE_RELAXATION_RADIATION,
     HEAVE_RELAXATION_TIMES,
-    HEAVE_RELAXATION_WEIGHTS,
     RELAXATION_LOG_GAP_STEP,
     RIM_FLOW_COMPRESSIBILITY,
+    RIM_FLOW_RELAXATION_WEIGHTS,
     RIM_FLOW_SHARES,
     ElasticDiskOverFilm,
     RigidDiskOverFilm,
@@ -101,7 +101,7 @@ def heave_share(sigma, mach=0.0, gap=0.0):
     """Return g0 of the terms at the squeeze number, M = w R sqrt(rho/p) and mean gap over radius."""
     inertia = HEAVE_RELAXATION_INERTIAS * (1 + HEAVE_END_CORRECTION * gap)
     lag = 1j * sigma + 1j * mach * HEAVE_RELAXATION_RADIATION - mach**2 * inertia
-    return np.sum(HEAVE_RELAXATION_WEIGHTS / (1 + lag * HEAVE_RELAXATION_TIMES))
+    return np.sum(RIM_FLOW_RELAXATION_WEIGHTS / (1 + lag * HEAVE_RELAXATION_TIMES))
 
 
 def share_of_elements(sigma, layers=0.0):
@@ -197,7 +197,7 @@ def test_the_heave_relaxes_by_its_table_of_gaps(scene):
         state[:, 0] -= x[i]
         state = np.einsum("rij,rj->ri", transition, state)
         state[:, 0] += x[i]
-        true[i] = HEAVE_RELAXATION_WEIGHTS @ state[:, 0]
+        true[i] = RIM_FLOW_RELAXATION_WEIGHTS @ state[:, 0]
     assert (
         np.abs(out[:n] - true).max()
         < RELAXATION_LOG_GAP_STEP**2 / 2 * 2 * np.abs(x).max()

@@ -23,8 +23,8 @@ from dynamics.film.reynolds import FilmMesh
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.plan.contact import (
-    MAX_RADIATION_ERROR_DB,
     MAX_SHORT_WAVE_UNDERESTIMATE_DB,
+    RADIATION_ERROR_BOUND_DB,
     STEEP_RADIATION_ERROR_RANGE_DB,
 )
 from sonify.sound.film_radiation import (
@@ -339,9 +339,9 @@ def test_a_disk_that_leans_is_heard_as_elements_in_space_found(found):
         low, high = (
             STEEP_RADIATION_ERROR_RANGE_DB
             if beta > 0.35
-            else (-MAX_RADIATION_ERROR_DB, MAX_RADIATION_ERROR_DB)
+            else (-RADIATION_ERROR_BOUND_DB, RADIATION_ERROR_BOUND_DB)
         )
-        assert off[k <= 2].max() <= MAX_RADIATION_ERROR_DB + misses
+        assert off[k <= 2].max() <= RADIATION_ERROR_BOUND_DB + misses
         assert off[k <= 4].min() >= low - misses
         assert off[k > 4].min() >= -MAX_SHORT_WAVE_UNDERESTIMATE_DB - misses
         assert off.max() <= high + misses

@@ -15,7 +15,7 @@ from table_models import GRIPS, TABLE, run, standing, steady
 from dynamics import plan_motion
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.law.linearised import inertias, mobility
-from dynamics.compliant.law.tabulated import LAW_COLUMNS, TabulatedSeriesLaw
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, EdgeSeriesLaw
 from dynamics.compliant.model_inputs import contact_law, tabulated_contact_law
 from dynamics.compliant.state_conversion import (
     columns,
@@ -188,7 +188,7 @@ def test_what_moves_does_not_yield_in_series(elastic):
     assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_MODE_FREQUENCY).all()
     assert len(bending.order) == 3  # the toy has a pair of order 2 and one of order 0
     whole, apart = (
-        tabulated_contact_law(elastic, TabulatedSeriesLaw, moves).flexibility_spline(
+        tabulated_contact_law(elastic, EdgeSeriesLaw, moves).flexibility_spline(
             np.log(np.sin(beta))
         )[0]
         for moves in (0.0, MAX_MOVING_MODE_FREQUENCY)

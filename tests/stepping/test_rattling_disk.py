@@ -54,9 +54,9 @@ from sonify import SceneError, load_scene, solve
 from sonify.claims.checks import pushing_contact
 from sonify.claims.loss_causes import vibration_opens_contact
 from sonify.claims.rattling import (
-    fitted_exponent,
     free_modes_are_heard,
     impact_coefficient,
+    precession_exponent,
     rate_is_that_of_the_table,
 )
 from sonify.hearing.settling.detector import settling_runs
@@ -224,7 +224,9 @@ def test_exponent_of_the_rate_from_that_of_the_spectrum(H, n):
 @pytest.mark.parametrize("n", [0.35, 0.5])
 def test_the_exponent_of_a_known_law_is_found(n):
     t = np.linspace(0, 0.99, 400)
-    assert fitted_exponent(t, 0.1 * (1 - t) ** (2 * n)) == pytest.approx(n, abs=2e-3)
+    assert precession_exponent(t, 0.1 * (1 - t) ** (2 * n)) == pytest.approx(
+        n, abs=2e-3
+    )
 
 
 @pytest.mark.parametrize(
@@ -650,7 +652,7 @@ def test_exponent_of_the_rate_follows_from_the_spectrum(H, rms, n, seeds):
         t = np.arange(0, motion.t[-1], 2e-3)
         inclination = motion.inclination(t)
         late = inclination < 0.18
-        exponents.append(fitted_exponent(t[late], inclination[late]))
+        exponents.append(precession_exponent(t[late], inclination[late]))
     assert np.mean(exponents) == pytest.approx(n, abs=0.03)
 
 

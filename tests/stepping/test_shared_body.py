@@ -15,7 +15,7 @@ from dynamics.disk import Disk
 from dynamics.kinematics import ContactPlace
 from dynamics.motion import CAUSES, COLUMNS
 from dynamics.rattling.layout import RECORD, RECORD_SIZE
-from dynamics.rattling.samples import add_half_sample, record_mode_losses
+from dynamics.rattling.samples import accumulate_half_weight, record_mode_losses
 from dynamics.stepping_core import ledger, vectors
 from dynamics.stepping_core.body import (
     angular_momentum,
@@ -151,7 +151,7 @@ def test_two_half_samples_are_one_and_losses_of_modes_are_counted_once():
     assert not motion.mode_loss.any()
     row = np.zeros(12 + RECORD_SIZE + 10)
     for _ in range(2):
-        add_half_sample(motion, row)
+        accumulate_half_weight(motion, row)
     assert row == pytest.approx(
         np.concatenate([motion.disk.ravel(), motion.record, motion.modes.T.ravel()])
     )

@@ -771,8 +771,8 @@ def test_no_instant_of_the_picture_of_energies_lies_before_the_table_acts_back()
     """By round-off one instant preceded the switch, and the page of such a run was not written."""
     ends = np.linspace(1.0, 1.01, 1000)
     assert all(
-        pictures.times_towards_end(0.1, end).min() >= 0.1
-        and pictures.times_towards_end(0.1, end).max() < end
+        pictures.times_of_two_way_coupling(0.1, end).min() >= 0.1
+        and pictures.times_of_two_way_coupling(0.1, end).max() < end
         for end in ends
     )
     assert any(end - (end - 0.1) < 0.1 for end in ends)  # the round-off in question

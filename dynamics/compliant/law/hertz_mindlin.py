@@ -89,7 +89,7 @@ class ContactLaw:
                 f"contact.fillet = {self.fillet:g}: must be positive and at most {largest:g}, so "
                 f"that it fits the disk"
             )
-        if not self._width_excess(self.fillet) <= 0:
+        if not self._half_width_over_limit(self.fillet) <= 0:
             sharp = (
                 f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact"
             )
@@ -97,14 +97,14 @@ class ContactLaw:
 
     def _smallest_fillet_message(self, largest: float) -> str:
         """Return the part of an error message that states the smallest possible fillet."""
-        if self._width_excess(largest) > 0:
+        if self._half_width_over_limit(largest) > 0:
             return (
                 f"as is any fillet up to {largest:g} for this weight and this modulus, "
                 f"E* = {self.modulus:.3g} Pa"
             )
-        return f"must be at least {brentq(self._width_excess, 1e-12, largest):.3g}"
+        return f"must be at least {brentq(self._half_width_over_limit, 1e-12, largest):.3g}"
 
-    def _width_excess(self, fillet: float) -> Any:
+    def _half_width_over_limit(self, fillet: float) -> Any:
         """Return the excess [m] of the half-width b over its limit for a fillet.
 
         The half-width of an upright disk is the largest in a motion.

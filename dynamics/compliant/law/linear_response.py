@@ -375,7 +375,7 @@ def _filter_steps(
             direction = azimuth[j] + f * (azimuth[j + 1] - azimuth[j])
             rise += advance_table(yielding, direction)
             if yielding.plate_mobility > 0.0:
-                rise = _rise_over_infinite_plate(
+                rise = _rise_relative_to_infinite_plate(
                     rise, yielding, x, E, coefficients[8:], h
                 )
             for m in range(4):
@@ -403,7 +403,7 @@ def _filter_steps(
 
 
 @kernel
-def _rise_over_infinite_plate(
+def _rise_relative_to_infinite_plate(
     rise: float,
     yielding: DrivenTable,
     x: np.ndarray,

@@ -300,7 +300,7 @@ def bounded_flexibility(flexibility: np.ndarray, stiffness: np.ndarray) -> np.nd
     return flexibility + (back * raised[:, None]) @ back.swapaxes(1, 2)
 
 
-class TabulatedSeriesLaw(TabulatedLaw):
+class EdgeSeriesLaw(TabulatedLaw):
     """Tabulated law with the flexibility of the edge in series with every spring.
 
     Creep forces and contact losses are unchanged. All springs scale with the load like

@@ -451,8 +451,8 @@ def initial_force(
     They follow from the gap without heights, which is smoother than the force.
     """
     dgap = (
-        3 * (y[STATE.gap_changes] - y[STATE.gap_changes + 1])
-        + y[STATE.gap_changes + 2]
+        3 * (y[STATE.gap_change_and_part] - y[STATE.gap_change_and_part + 1])
+        + y[STATE.gap_change_and_part + 2]
         - (heights.table_height - start.table_height)
         - (heights.edge_height - start.edge_height)
     )
@@ -567,9 +567,9 @@ def finish_step(
         y[STATE.angular_momentum + k] = 2 * M[k] - start.momentum[k]
     y[STATE.table_path] += end.path_change
     y[STATE.edge_path] += end.edge_path_change
-    y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
-    y[STATE.gap_changes + 1] = y[STATE.gap_changes]
-    y[STATE.gap_changes] = (
+    y[STATE.gap_change_and_part + 2] = y[STATE.gap_change_and_part + 1]
+    y[STATE.gap_change_and_part + 1] = y[STATE.gap_change_and_part]
+    y[STATE.gap_change_and_part] = (
         dgap
         + (contact.heights.table_height - start.table_height)
         + (contact.heights.edge_height - start.edge_height)

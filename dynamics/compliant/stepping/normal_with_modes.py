@@ -236,7 +236,7 @@ def momentum_at_mid_step(
 
 
 @kernel
-def gap_changes(
+def gap_change_and_part(
     n: AnyVector,
     a: AnyVector,
     q: AnyVector,
@@ -284,7 +284,7 @@ def gap_at_end(
     q = rotation_change(start.axis, times(h / (2 * constants.diametral_inertia), M))
     a = plus(start.axis, q)
     axis_change = abs(a[0] - axis[0]) + abs(a[1] - axis[1]) + abs(a[2] - axis[2])
-    dgap, T = gap_changes(start.axis, a, q, move, constants, N, h * mean_fall)
+    dgap, T = gap_change_and_part(start.axis, a, q, move, constants, N, h * mean_fall)
     gap = start.gap + dgap
     root = square_root_of_approach(gap)
     ds = 2 * (t[0] * q[0] + t[1] * q[1]) / (start.sine + sine)

@@ -74,7 +74,7 @@ class StateLayout(NamedTuple):
     """Energy that is missing after the contact jumped to another wave of the table [J]."""
     disk_mode_energy: int
     """Energy of the modes of the disk [J]."""
-    gap_changes: Vector
+    gap_change_and_part: Vector
     """Change of the gap in each of the last three steps, without that of the heights
     [m]."""
 

@@ -292,11 +292,13 @@ def _refined_candidate(
     if window.drop:
         after = power[window.end + 30 : window.end + 130].mean()
     pulses = power[window.frames]
-    slope = pulse_slope(pulses, laws["disk"], window, 4 * after)
+    slope = peak_level_exponent(pulses, laws["disk"], window, 4 * after)
     return Candidate(window, channel, laws["disk"], scores, slope, components)
 
 
-def pulse_slope(power: np.ndarray, law: Law, window: Window, min_power: float) -> float:
+def peak_level_exponent(
+    power: np.ndarray, law: Law, window: Window, min_power: float
+) -> float:
     """Return the slope of the peak level of each turn [dB] against 20 log10 of the
     remaining time, for peaks above the power `min_power`."""
     count = len(power)

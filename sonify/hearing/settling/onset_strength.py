@@ -134,9 +134,11 @@ def onset_strength(frames: Frames) -> OnsetStrength:
     bands = []
     for scale in (3, 6, 12, 24):  # ms, the durations of bursts
         short = uniform_filter1d(level, max(round(scale / 2), 1), axis=1)
-        rise = normalised(short - uniform_filter1d(level, 8 * scale + 1, axis=1))
+        rise = divided_by_running_rms(
+            short - uniform_filter1d(level, 8 * scale + 1, axis=1)
+        )
         for group in groups:
-            values.append(normalised(rise[group].mean(axis=0))[None])
+            values.append(divided_by_running_rms(rise[group].mean(axis=0))[None])
             scales.append(scale)
             bands.append(
                 (float(frames.edges[:-1][group][0]), float(frames.edges[1:][group][-1]))
@@ -161,9 +163,11 @@ def _narrow_components(power: np.ndarray) -> np.ndarray:
     if component_count == 0:
         return np.empty((0, len(power)))
     level = _log_power(power)
-    rise = normalised(level - uniform_filter1d(level, 8 * NARROW_SCALE_MS + 1, axis=1))
+    rise = divided_by_running_rms(
+        level - uniform_filter1d(level, 8 * NARROW_SCALE_MS + 1, axis=1)
+    )
     groups = np.array_split(rise, component_count)
-    return normalised(np.array([group.mean(axis=0) for group in groups]))
+    return divided_by_running_rms(np.array([group.mean(axis=0) for group in groups]))
 
 
 def _log_power(power: np.ndarray) -> np.ndarray:
@@ -177,13 +181,13 @@ def tone_strength(waveform: np.ndarray) -> OnsetStrength:
     """Return the normalised waveform (frames,) as the only channel."""
     time_per_sample = 8.0  # ms
     return OnsetStrength(
-        [normalised(waveform)[None].astype(np.float32)],
+        [divided_by_running_rms(waveform)[None].astype(np.float32)],
         np.array([time_per_sample]),
         [SETTLING.waveform_band],
     )
 
 
-def normalised(values: np.ndarray) -> np.ndarray:
+def divided_by_running_rms(values: np.ndarray) -> np.ndarray:
     """Return values (..., n) divided by their running rms over 0.3 s, clipped to -3 and
     6."""
     deviation = np.sqrt(

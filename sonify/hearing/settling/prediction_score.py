@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from sonify.hearing.settling.rate_laws import Law
 
 
-def law_phases(count: int, law: Law) -> np.ndarray:
+def phase_at_frames(count: int, law: Law) -> np.ndarray:
     """Return the phase (count,) of a law [turns] in the frames of a window."""
     return law.turns * law.shape.phase((np.arange(count) + 0.5) / count)
 
@@ -40,7 +40,7 @@ def part_gains(values: np.ndarray, law: Law) -> np.ndarray:
     part_count = 5
     count = values.shape[1]
     values = values.T
-    columns = harmonic_columns(law_phases(count, law), law.harmonics)
+    columns = harmonic_columns(phase_at_frames(count, law), law.harmonics)
     cuts = np.round(np.linspace(0, count, part_count + 1)).astype(int)
     parts = [slice(*pair) for pair in pairwise(cuts)]
     grams = np.array([columns[part].T @ columns[part] for part in parts])
@@ -89,7 +89,7 @@ def independent_samples(
     """Return the number of independent samples per component of a window (components,
     frames) for a law, and the number of independent components."""
     length = values.shape[1]
-    residual = without_harmonics(values, law_phases(length, law), law.harmonics)
+    residual = without_harmonics(values, phase_at_frames(length, law), law.harmonics)
     frames_per_sample = max(scale_ms, correlation_length(residual))
     if len(values) == 1:
         return length / frames_per_sample, 1.0

@@ -54,7 +54,7 @@ decrease as 1/sqrt(Lam)."""
 HEAVE_RELAXATION_TIMES = np.array(
     [0.00034, 0.00358, 0.01685, 0.05083, 0.15874, 0.48427]
 )
-HEAVE_RELAXATION_WEIGHTS = np.array(
+RIM_FLOW_RELAXATION_WEIGHTS = np.array(
     [0.04619, 0.06678, 0.1103, 0.14719, 0.32177, 0.30777]
 )
 HEAVE_RELAXATION_INERTIAS = np.array([0.0, 0.0, 0.0, 2.64222, 1.14717, 0.33167])
@@ -267,7 +267,7 @@ class RigidDiskOverFilm(RigidDisk):
         the share (j,) of each jump that leaves within one sample."""
         out = relaxed_heave(heave, gap, self._lowest, self._transitions, state)
         left = self._heave_transitions(gap[knots[0]])[:, :, 0, 0]
-        return out, (1 - left) @ HEAVE_RELAXATION_WEIGHTS
+        return out, (1 - left) @ RIM_FLOW_RELAXATION_WEIGHTS
 
     def _heave_transitions(self, gap: np.ndarray) -> np.ndarray:
         """Return the transitions (k, r, 2, 2) over one sample at log gaps (k,).
@@ -437,7 +437,7 @@ def mean_gaps(motion: "Motion") -> np.ndarray:
 
 def resting_heave(x: float) -> np.ndarray:
     """Return the state (r, 2) of the terms after a constant value x."""
-    state = np.zeros((len(HEAVE_RELAXATION_WEIGHTS), 2))
+    state = np.zeros((len(RIM_FLOW_RELAXATION_WEIGHTS), 2))
     state[:, 0] = x
     return state
 
@@ -454,7 +454,7 @@ def relaxed_heave(
 
     The last value belongs to the next block and is 0. The `state` (r, 2) of the terms,
     y and h y', is updated in place; the result is the sum of y times
-    HEAVE_RELAXATION_WEIGHTS. The `transitions` (g, r, 2, 2) are tabulated at log gaps
+    RIM_FLOW_RELAXATION_WEIGHTS. The `transitions` (g, r, 2, 2) are tabulated at log gaps
     that begin at `lowest`, in steps of RELAXATION_LOG_GAP_STEP, and interpolated
     linearly at `gap` (k + 1,)."""
     out = np.zeros(len(x))
@@ -477,5 +477,5 @@ def relaxed_heave(
                 )
                 state[r, k] = to_distance * distance + to_change * change
             state[r, 0] += x[n]
-            out[n] += HEAVE_RELAXATION_WEIGHTS[r] * state[r, 0]
+            out[n] += RIM_FLOW_RELAXATION_WEIGHTS[r] * state[r, 0]
     return out
