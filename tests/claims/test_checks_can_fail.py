@@ -270,7 +270,7 @@ def loud_copy(correct):
     return property(lambda sound: sound.peak / 1.1)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Mutant:
     """A fault in a run that a check must find.
 
@@ -289,95 +289,29 @@ class Mutant:
         return f"{self.key}-{(self.broken or self.run).__name__}-{self.name}"
 
 
-COIN = {"run": rattling_coin, "where": rim_contacts, "name": "add_force"}
-SLIP = {"run": slipping_disk, "where": tangential, "name": "project_on_friction_circle"}
+COIN = rattling_coin, rim_contacts, "add_force"
+SLIP = slipping_disk, tangential, "project_on_friction_circle"
 MUTANTS = [
-    Mutant(
-        key="energy_balance",
-        run=rigid_disk,
-        where=rigid_motion,
-        name="energy",
-        fault=printed_energy,
-    ),
-    Mutant(
-        key="energy_balance",
-        run=slipping_disk,
-        where=normal,
-        name="mean_force",
-        fault=scaled(1.1),
-    ),
-    Mutant(key="rattling_energy_balance", fault=scaled_force(ELASTIC, 0.2), **COIN),
-    Mutant(key="dissipation_never_falls", run=rigid_disk, broken=driven_disk),
-    Mutant(key="dissipation_never_falls", fault=scaled(-1.0), **SLIP),
-    Mutant(key="dissipation_never_falls", fault=scaled_force(FRICTION, -1.0), **COIN),
-    Mutant(key="friction_cone", run=rigid_disk, broken=disk_that_never_slips),
-    Mutant(key="friction_cone", fault=no_projection, **SLIP),
-    Mutant(key="friction_cone", fault=scaled_force(FRICTION, 2.0), **COIN),
-    Mutant(
-        key="pushing_contact",
-        run=rigid_disk,
-        where=RigidMotion,
-        name="_force",
-        fault=force_without_weight,
-    ),
-    Mutant(
-        key="pushing_contact",
-        run=hopping_disk,
-        where=time_loop,
-        name="record_flight",
-        fault=no_record,
-    ),
-    Mutant(key="pushing_contact", fault=scaled_force(DASHPOT, -1.0), **COIN),
-    Mutant(
-        key="landing_energy_balance",
-        run=lifted_disk,
-        where=LandingModel,
-        name="rates",
-        fault=no_swirling,
-    ),
-    Mutant(
-        key="mode_residuals",
-        run=free_modes,
-        where=p_refinement,
-        name="eigh",
-        fault=disturbed_vectors,
-    ),
-    Mutant(
-        key="mode_residuals",
-        run=modes_on_patch,
-        where=elastic,
-        name="eigsh",
-        fault=disturbed_vectors,
-    ),
-    Mutant(
-        key="mode_errors",
-        run=free_modes,
-        where=p_refinement,
-        name="solve_to_tolerance",
-        fault=small_basis,
-    ),
-    Mutant(
-        key="discrete_mass",
-        run=free_disk,
-        where=ritz,
-        name="gauss_grid",
-        fault=heavier_quadrature,
-    ),
-    Mutant(
-        key="discrete_mass",
-        run=disk_on_patch,
-        where=elastic,
-        name="Solid",
-        fault=heavier_solid,
-    ),
-    Mutant(
-        key="no_sample_clipped",
-        run=wave,
-        where=Sound,
-        name="full_scale",
-        fault=loud_copy,
-    ),
-    Mutant(key="no_sample_clipped", run=wave, broken=wave_with_a_gap),
+    Mutant("energy_balance", rigid_disk, rigid_motion, "energy", printed_energy),
+    Mutant("energy_balance", slipping_disk, normal, "mean_force", scaled(1.1)),
+    Mutant("rattling_energy_balance", *COIN, scaled_force(ELASTIC, 0.2)),
+    Mutant("dissipation_never_falls", rigid_disk, broken=driven_disk),
+    Mutant("dissipation_never_falls", *SLIP, scaled(-1.0)),
+    Mutant("dissipation_never_falls", *COIN, scaled_force(FRICTION, -1.0)),
+    Mutant("friction_cone", rigid_disk, broken=disk_that_never_slips),
+    Mutant("friction_cone", *SLIP, no_projection),
+    Mutant("friction_cone", *COIN, scaled_force(FRICTION, 2.0)),
+    Mutant("pushing_contact", rigid_disk, RigidMotion, "_force", force_without_weight),
+    Mutant("pushing_contact", hopping_disk, time_loop, "record_flight", no_record),
+    Mutant("pushing_contact", *COIN, scaled_force(DASHPOT, -1.0)),
+    Mutant("landing_energy_balance", lifted_disk, LandingModel, "rates", no_swirling),
+    Mutant("mode_residuals", free_modes, p_refinement, "eigh", disturbed_vectors),
+    Mutant("mode_residuals", modes_on_patch, elastic, "eigsh", disturbed_vectors),
+    Mutant("mode_errors", free_modes, p_refinement, "solve_to_tolerance", small_basis),
+    Mutant("discrete_mass", free_disk, ritz, "gauss_grid", heavier_quadrature),
+    Mutant("discrete_mass", disk_on_patch, elastic, "Solid", heavier_solid),
+    Mutant("no_sample_clipped", wave, Sound, "full_scale", loud_copy),
+    Mutant("no_sample_clipped", wave, broken=wave_with_a_gap),
 ]
 
 

@@ -36,7 +36,7 @@ from sonify.claims.contact import (
     radiated_bands,
     several_contacts_notes,
 )
-from sonify.claims.pitch import carrier_rises, pitch_findings
+from sonify.claims.pitch import pitch_findings
 from sonify.claims.sound import analyse_sound
 from sonify.hearing.noise_band import NoiseBand, noise_band
 from sonify.plan.preflight import plan_with_modes
@@ -84,13 +84,6 @@ def test_digital_silence_has_no_band(begins):
     samples[: int(begins * RATE)] = 0.0
     found = noise_band(track(samples), 0.0, 8.0, 1.0)
     assert np.isnan(found.frequency).all()
-
-
-def test_a_carrier_that_stays_does_not_rise():
-    t = np.arange(30.0)
-    falling, rising = (NoiseBand(t, 2000 * factor ** (t / 30)) for factor in (0.9, 1.6))
-    assert (carrier_rises(falling).holds, carrier_rises(rising).holds) == (False, True)
-    assert carrier_rises(rising).value == pytest.approx(1.6, rel=0.05)
 
 
 def still(rms, load=TABULATED_LAW.law.disk.weight):

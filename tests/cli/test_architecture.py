@@ -6,13 +6,10 @@ statements of every file; the modules loaded by a fresh interpreter.
 """
 
 import ast
-import inspect
-import pydoc
 import re
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 from importlinter.cli import lint_imports
@@ -21,16 +18,9 @@ from paths import ROOT
 import dynamics
 import modal
 import sonify
-from sonify import pipeline
 
 PACKAGES = ("dynamics", "modal", "sonify")
 """The packages of the wheel."""
-FORBIDDEN_IMPORTS = {
-    "dynamics": {"modal", "sonify", "benchmarks"},
-    "modal": {"dynamics", "sonify", "benchmarks"},
-    "sonify": {"benchmarks"},
-    "benchmarks": set(),
-}
 FILES = sorted(
     f for package in (*PACKAGES, "benchmarks") for f in (ROOT / package).rglob("*.py")
 )
@@ -61,17 +51,8 @@ def imported(file):
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda f: str(f.relative_to(ROOT)))
-def test_who_imports_whom(file):
-    package = file.relative_to(ROOT).parts[0]
-    tops = {name.split(".")[0] for name in imported(file)}
-    others = {
-        "dynamics": {"modal", "sonify"},
-        "modal": {"dynamics", "sonify"},
-        "sonify": {"benchmarks"},
-        "benchmarks": set(),
-    }[package]
-    assert not tops & others
-    if "matplotlib" in tops:
+def test_only_pictures_import_matplotlib(file):
+    if any(name.split(".")[0] == "matplotlib" for name in imported(file)):
         drawing = {("sonify", "report"), ("benchmarks", "charts")}
         assert file.stem == "plotting" or file.relative_to(ROOT).parts[:2] in drawing
 
@@ -91,8 +72,7 @@ def test_no_code_asks_what_kind_of_thing_it_has():
     )
     found = [
         f"{file.relative_to(ROOT)}:{number}"
-        for package in ("dynamics", "modal", "sonify", "benchmarks")
-        for file in sorted((ROOT / package).rglob("*.py"))
+        for file in FILES
         for number, line in enumerate(file.read_text("utf-8").splitlines(), 1)
         if questions.search(line)
     ]
@@ -121,15 +101,6 @@ def test_no_code_outside_dynamics_asks_which_motion_it_has():
     assert found == []
 
 
-def test_no_code_asks_whether_loads_have_laws():
-    found = [
-        f"{file}:{line}"
-        for file, line, (_, name, *_) in calls_of("getattr", FILES)
-        if name == "'laws'"
-    ]
-    assert found == []
-
-
 @pytest.mark.parametrize("name", ["decide_film", "choose_contact_model"])
 def test_models_are_decided_at_one_place(name):
     places = [str(file) for file, *_ in calls_of(name, FILES)]
@@ -139,10 +110,6 @@ def test_models_are_decided_at_one_place(name):
 def test_every_import_keeps_the_contracts():
     """The contracts in pyproject.toml fix the order of packages and stages, and forbid cycles."""
     assert lint_imports(str(ROOT / "pyproject.toml"), no_cache=True) == 0
-
-
-def test_modal_is_ours():
-    assert Path(modal.__file__).parent == ROOT / "modal"
 
 
 def run_code(code):
@@ -187,8 +154,8 @@ def test_flows_are_compiled_before_anything_heavy_is_loaded():
 @pytest.mark.parametrize(
     "package", [dynamics, modal, sonify], ids=lambda package: package.__name__
 )
-def test_what_a_package_offers_is_listed_typed_and_explained(package):
-    """Completion, `help` and type checkers see the names that are imported on first use."""
+def test_what_a_package_offers_is_listed_and_typed(package):
+    """Completion and type checkers see the names that are imported on first use."""
     stub = ast.parse((ROOT / package.__name__ / "__init__.pyi").read_text("utf-8"))
     listed = {
         alias.asname
@@ -197,73 +164,7 @@ def test_what_a_package_offers_is_listed_typed_and_explained(package):
         for alias in node.names
     }
     assert listed == set(dir(package)) == set(package.__all__)
-    assert all(getattr(package, name).__doc__ for name in listed)
     assert (ROOT / package.__name__ / "py.typed").exists()
-    told = pydoc.plain(pydoc.render_doc(package))
-    assert all(name in told for name in listed)
-
-
-@pytest.mark.parametrize(
-    "package", [dynamics, modal, sonify], ids=lambda package: package.__name__
-)
-def test_everything_that_a_package_offers_says_what_it_takes_and_gives(package):
-    offered = {name: getattr(package, name) for name in package.__all__}
-    for name, thing in list(offered.items()):
-        offered |= {
-            f"{name}.{own}": plain(value)
-            for own, value in vars(thing).items()
-            if own[0] != "_"
-        }
-    assert bare(offered) == []
-
-
-def test_every_stage_of_a_run_says_what_it_takes_and_gives():
-    functions = {
-        name: thing
-        for name, thing in vars(pipeline).items()
-        if inspect.isfunction(thing)
-    }
-    stages = {
-        name: thing
-        for name, thing in functions.items()
-        if thing.__module__.partition(".")[0] in PACKAGES
-    }
-    assert {
-        "solve_motion",
-        "plan_of_run",
-        "render_sound",
-        "analyse_sound",
-        "write_listening_copy",
-        "write_other_sounds",
-    } <= set(stages)
-    assert bare(stages) == []
-
-
-def bare(things):
-    """Return the names of the functions without a complete annotation of parameters and result."""
-    signatures = {
-        name: inspect.signature(thing)
-        for name, thing in things.items()
-        if inspect.isfunction(thing)
-    }
-    kinds = {
-        name: [
-            told.return_annotation,
-            *(p.annotation for p in told.parameters.values() if p.name != "self"),
-        ]
-        for name, told in signatures.items()
-    }
-    return [name for name, found in kinds.items() if inspect.Parameter.empty in found]
-
-
-def plain(attribute):
-    """Return the function behind a property or cached property."""
-    return getattr(attribute, "fget", None) or getattr(attribute, "func", attribute)
-
-
-def test_an_unknown_name_is_an_attribute_error():
-    with pytest.raises(AttributeError, match="nonsense"):
-        _ = dynamics.nonsense
 
 
 @pytest.mark.slow
@@ -293,16 +194,6 @@ def test_a_wheel_holds_every_file_of_the_packages_and_runs(tmp_path):
         name for name in tracked if not (tmp_path / "unpacked" / name).is_file()
     ] == []
     assert not (tmp_path / "unpacked" / "benchmarks").exists()
-    chart = subprocess.run(
-        [sys.executable, "-m", "sonify", "chart", "sound"],
-        cwd=tmp_path / "unpacked",
-        capture_output=True,
-        text=True,
-    )
-    assert chart.returncode == 2
-    assert chart.stdout == ""
-    assert chart.stderr.count("\n") == 1
-    assert "benchmarks/ of the source repository" in chart.stderr
     code = "import sonify, dynamics, modal; print(sonify.__file__); sonify.load_scene(); dynamics.Disk; modal.Modes"
     ran = subprocess.run(
         [sys.executable, "-c", code],

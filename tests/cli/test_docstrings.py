@@ -132,8 +132,3 @@ def test_every_field_of_an_exported_record_is_documented(kind):
         listed |= set(re.findall(r"\w+", base.__doc__.partition("----")[2]))
     names = {field.name for field in dataclasses.fields(kind)}
     assert names <= own | listed
-
-
-def test_the_rules_find_a_missing_parameter():
-    codes = [code for code, _ in validate("dynamics.kinematics.contact_arms")["errors"]]
-    assert "PR01" in codes

@@ -18,21 +18,18 @@ from sonify import examples, load_scene
 from sonify.examples.sweep_table import SWEEP as SLIPS
 
 TESTED = (
-    *(
-        "one_motion",
-        "mode_table",
-        "own_mesh",
-        "own_recording",
-        "own_dissipation",
-        "many_scenes",
-        "table_mesh",
-    ),
-    *("sweep_table", "surfaces"),
-    *(
-        "predictions",
-        "contact_circuit",
-        "two_coins",
-    ),  # by tests/rigid/test_predictions.py
+    "one_motion",
+    "mode_table",
+    "own_mesh",
+    "own_recording",
+    "own_dissipation",
+    "many_scenes",
+    "table_mesh",
+    "sweep_table",
+    "surfaces",
+    "predictions",  # and the two below by tests/rigid/test_predictions.py
+    "contact_circuit",
+    "two_coins",
     "four_claims",  # by tests/claims/test_four_claims.py and tests/slow/test_shipped_scenes.py
 )
 

@@ -359,34 +359,32 @@ def test_turns_that_a_frame_rate_cannot_show_are_stated(tmp_path):
     wanted = float(line.partition("--rate ")[2].split()[0])
     assert 2 * turns <= wanted < 2 * turns + 1
     assert aliasing_notice(motion, wanted) == ""
-    asked = ["export", "motion", "published", "--as", "gltf", "--rate", "10"]
+    asked = [
+        "export",
+        "motion",
+        brief_file(tmp_path, 1),
+        "--as",
+        "gltf",
+        "--rate",
+        "10",
+    ]
     out = ["--out", str(tmp_path / "disk.glb")]
-    brief = tmp_path / "brief.toml"
-    shipped = (SCENES_FOLDER / "published.toml").read_text("utf-8")
-    brief.write_text(shipped + "[numerics]\ntime_limit = 1\n", "utf-8")
-    asked[2] = str(brief)
     assert line in CliRunner().invoke(main, asked + out).stderr
 
 
-def test_a_run_is_exported_from_its_folder_and_from_its_record(tmp_path):
-    scene = load_scene("published").replace(
-        "numerics.time_limit=0.2", "friction.mu_static=0.4"
-    )
-    write_json({"scene": json_safe(scene_record(scene))}, tmp_path / "run.json")
-    paths = [
-        export_motion(source, "parquet", tmp_path / f"{i}.parquet")
-        for i, source in enumerate([scene, tmp_path, tmp_path / "run.json"])
-    ]
-    assert len({path.read_bytes() for path in paths}) == 1
+def brief_file(folder, time_limit):
+    """Write the published scene with a time limit [s], and return the path as text."""
+    path = folder / "brief.toml"
+    shipped = (SCENES_FOLDER / "published.toml").read_text("utf-8")
+    path.write_text(f"{shipped}[numerics]\ntime_limit = {time_limit}\n", "utf-8")
+    return str(path)
 
 
 def test_the_command_writes_whole_files_and_names_them(tmp_path):
-    scene = tmp_path / "brief.toml"
-    shipped = (SCENES_FOLDER / "published.toml").read_text("utf-8")
-    scene.write_text(shipped + "[numerics]\ntime_limit = 0.1\n", "utf-8")
+    scene = brief_file(tmp_path, 0.1)
     for form, suffix in (("gltf", "glb"), ("parquet", "parquet"), ("csv", "csv")):
         out = tmp_path / f"out.{suffix}"
-        asked = ["export", "motion", str(scene), "--as", form, "--out", str(out)]
+        asked = ["export", "motion", scene, "--as", form, "--out", str(out)]
         told = CliRunner().invoke(main, asked)
         assert (told.exit_code, told.stdout.split()) == (0, [str(out)])
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [

@@ -5,12 +5,9 @@ Source: sonify/export/scene_source.py. Oracle: the scene that was written.
 
 import json
 
-import pytest
-
 from sonify import load_scene
 from sonify.export.scene_source import scene_to_export
 from sonify.report.write import scene_record
-from sonify.scene_errors import InputError
 
 
 def test_every_source_gives_the_same_scene(tmp_path):
@@ -21,9 +18,3 @@ def test_every_source_gives_the_same_scene(tmp_path):
         found, plan = scene_to_export(source)
         assert found.diff(scene) == {}
         assert plan.scene.disk == scene.disk
-
-
-def test_an_unknown_scene_is_one_line(tmp_path):
-    with pytest.raises(InputError, match="no-such-scene") as refused:
-        scene_to_export("no-such-scene")
-    assert "\n" not in str(refused.value)

@@ -4,8 +4,6 @@ import time
 import warnings
 from math import exp, isnan, log, radians, sin, sqrt
 
-from hypothesis import strategies as st
-
 from sonify import SceneError, solve
 from sonify.scene import from_document
 
@@ -272,14 +270,6 @@ def any_numerics(random, radius):
     if random.random() < 0.05:
         numerics["tolerance"] = decades(random, 1e-16, 1e-9)
     return numerics
-
-
-@st.composite
-def documents(draw):
-    """Draw the document of a scene."""
-    return any_document(
-        draw(st.randoms(use_true_random=True))
-    )  # hypothesis' own numbers are small changes of a few
 
 
 def any_document(random):

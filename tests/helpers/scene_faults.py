@@ -1,19 +1,18 @@
-"""Faulty values of scenes, each with a part of the message that it must give."""
+"""Faulty values of scenes, each with a part of the message that it must give.
+
+The bounds of single keys are tested by test_the_range_in_the_reference_is_what_is_allowed."""
 
 PLATE = "{kind='plate', radius=0.15, thickness=0.006, young=70e9, poisson=0.22, density=2500.0}"
 MODES = "{kind='modes', modes=[{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}]}"
 
 FAULTS = [
     ("disk.radius=-1", "disk.radius = -1: must be greater than 0"),
-    ("disk.radius=0", "disk.radius"),
     ("disk.radius=1e-300", "disk: radius = 1e-300: must not be below 1e-09"),
-    ("disk.mass=-0.4", "disk.mass = -0.4"),
     ("disk.mass=nan", "disk.mass = nan: must be finite"),
     ("disk.radius=inf", "disk.radius = inf: must be finite"),
     ("release.omega=[0.0, nan, 0.0]", "release.omega = nan"),
     ("friction.mu_static=nan", "friction.mu_static = nan"),
     ("friction.mu_dynamic=-inf", "friction.mu_dynamic = -inf"),
-    ("friction.arm_rolling=inf", "friction.arm_rolling = inf"),
     (
         "friction.arm_pivoting=slip",
         "friction.arm_pivoting = 'slip': must be a valid number, or 'contact'",
@@ -22,7 +21,6 @@ FAULTS = [
         "friction.arm_pivoting=-1",
         "friction.arm_pivoting = -1: must be greater than or equal to 0, or 'contact'",
     ),
-    ("audio.distance=inf", "audio.distance = inf"),
     ("audio.distance=0.01", "audio.distance = 0.01"),
     (
         "disk.radios=0.04",
@@ -34,24 +32,17 @@ FAULTS = [
     ("disk.shape=square", "disk.shape = 'square': must be 'solid' or 'shell'"),
     ("disk=3", "disk = 3"),
     ("disk.density=7000", "disk: give either mass or density"),
-    ("release.inclination_deg=0", "release.inclination_deg = 0"),
     (
         "release.inclination_deg=90",
         "release.inclination_deg = 90: must be less than 90",
     ),
-    ("release.inclination_deg=-5", "release.inclination_deg = -5"),
     ("release.omega=[1.0, 2.0]", "release.omega.2: missing"),
     ("release.omega=2024-01-01", "release.omega"),
-    ("material.poisson=0.5", "material.poisson = 0.5: must be less than 0.5"),
-    ("material.poisson=-1", "material.poisson = -1: must be greater than -1"),
-    ("material.young=0", "material.young = 0"),
     ("friction.mu_dynamic=0.6", "mu_dynamic = 0.6 must not exceed mu_static = 0.5"),
-    ("support.half_angle_deg=0", "support.half_angle_deg = 0"),
     (
         "support.half_angle_deg=181",
         "support.half_angle_deg = 181: must be less than or equal to 180",
     ),
-    ("support.kind=glued", "support.kind = 'glued'"),
     (
         "surface.kind=water",
         "surface.kind = 'water': must be one of 'rigid', 'plate', 'modes', 'infinite', 'mesh'",
@@ -80,16 +71,8 @@ FAULTS = [
         "surface.modes.0.frequency = 0: must be greater than 0",
     ),
     (
-        f"surface={MODES.replace('600.0', '-6')}",
-        "surface.modes.0.frequency = -6: must be greater than 0",
-    ),
-    (
         f"surface={MODES.replace('0.02', '1')}",
         "surface.modes.0.damping_ratio = 1: must be less than 1",
-    ),
-    (
-        f"surface={MODES.replace('mass=1.0', 'mass=0')}",
-        "surface.modes.0.modal_mass = 0: must be greater than",
     ),
     (
         f"surface={MODES.replace('order', 'n')}",
@@ -104,30 +87,15 @@ FAULTS = [
         "audio.sample_rate = 44100.5: must be a whole number",
     ),
     ("audio.sample_rate=1e300", "audio.sample_rate = 1e+300: must be a whole number"),
-    ("audio.elevation_deg=91", "audio.elevation_deg = 91"),
-    ("numerics.accuracy=best", "numerics.accuracy = 'best'"),
-    ("numerics.tolerance=0", "numerics.tolerance = 0"),
     ("name=../elsewhere", "name = '../elsewhere'"),
     ("disk", "'disk': expected section.key=value"),
     (".radius=1", "'.radius=1': expected section.key=value"),
     ("disk.radius.x=1", "disk.radius.x: radius is a value, not a section"),
     ("disk=word", "disk = 'word': must be a section"),
-    (
-        "disk.thickness=1e-300",
-        "disk.thickness = 1e-300: must be greater than or equal to 1e-09",
-    ),
     ("release.omega=3.0", "release.omega = 3.0: must be a list"),
     (
         "release.omega=[1.0, 2.0, 3.0, 4.0]",
         "release.omega = [1.0, 2.0, 3.0, 4.0]: must have at most 3 values",
-    ),
-    (
-        "material.loss_factor=2",
-        "material.loss_factor = 2: must be less than or equal to 1",
-    ),
-    (
-        "friction.arm_rolling=1e308",
-        "friction.arm_rolling = 1e+308: must be less than or equal to 100",
     ),
     (
         "friction.arm_pivoting=contact",

@@ -158,9 +158,7 @@ def intervals_hold(take, run):
     ]
 
 
-def train(
-    rate_of_time, duration, rng, lead=0.6, tail=0.8, level_of_time=None, jitter=0.02
-):
+def train(rate_of_time, duration, rng, lead=0.6, tail=0.8, jitter=0.02):
     """Return a train of clicks with a given rate [Hz] as a function of time [s], which stops
     suddenly."""
     grid = np.linspace(0, duration, 20000)
@@ -169,8 +167,7 @@ def train(
     times = np.interp(
         np.arange(1, count + 1) + rng.normal(size=count) * jitter, phase, grid
     )
-    levels = np.ones(count) if level_of_time is None else level_of_time(times)
-    levels = levels * 10 ** (rng.normal(size=count) * rng.uniform(0, 2) / 20)
+    levels = 10 ** (rng.normal(size=count) * rng.uniform(0, 2) / 20)
     sound = clicks(lead + times, levels, lead + duration + tail, rng)
     return with_noise(sound, rng.uniform(20, 40), rng)
 

@@ -15,13 +15,13 @@ QUICK = {
     ],
     "find": ["motion"],
     "axes": {
-        "friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 2},
         "friction.mu_static": [0.2, 0.5],
         "friction.mu_dynamic": [0.1, 0.3],
+        "friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 2},
     },
 }
 """The disk falls within a second; where mu_static = 0.2 is below mu_dynamic = 0.3, a run is
-refused."""
+refused. A range stands last, as it does in the file that `tomli_w` writes."""
 
 
 def found(path) -> pa.Table:

@@ -7,20 +7,10 @@ and CPU times chosen so that the marked rung is known.
 from math import inf
 
 import pytest
+from ladder_rows import row
 
 from sonify.ladder.comparison import QUESTION_KEYS, compare, deviation
 from sonify.ladder.conclusions import deviation_words, screen_line, stretch_sentences
-
-DEFAULTS = {"class": "no", "number": 1.0, "unit": "times", "finding": "one"}
-
-
-def row(rung, seconds, error=None, **answers):
-    """Return a row whose answers are DEFAULTS except for those given by question."""
-    made = {"rung": rung, "cpu_seconds": seconds, "error": error}
-    for key in QUESTION_KEYS:
-        for part, value in (DEFAULTS | answers.get(key, {})).items():
-            made[f"{part}_{key}"] = value
-    return made
 
 
 def test_a_failed_self_check_is_shown():

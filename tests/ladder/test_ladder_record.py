@@ -4,27 +4,20 @@ Source: sonify/ladder/files.py. Oracle: three made rows whose marks and deviatio
 """
 
 import pytest
+from ladder_rows import row
 
 from sonify.ladder.comparison import QUESTION_KEYS, compare
 from sonify.ladder.files import answer_record, stretch_record
 
-
-def row(rung, seconds, number, error=None):
-    """Return a row that answers every question with "no" and a number."""
-    made = {"rung": rung, "cpu_seconds": seconds, "error": error}
-    for key in QUESTION_KEYS:
-        made |= {f"answer_{key}": "no", f"class_{key}": "no", f"unit_{key}": "times"}
-        made |= {f"number_{key}": number, f"finding_{key}": "one"}
-    return made
-
-
-ROWS = [
-    row("low", 1.0, 3.0),
-    row("middle", 2.0, 2.1),
-    row("top", 9.0, 2.0),
-    row("failed", None, 0.0, "out of memory"),
-]
-FOUND = compare(ROWS)
+ROWS = [("low", 1.0, 3.0), ("middle", 2.0, 2.1), ("top", 9.0, 2.0)]
+"""Names, CPU seconds, and the number that answers each question."""
+FOUND = compare(
+    [
+        row(rung, seconds, **{key: {"number": number} for key in QUESTION_KEYS})
+        for rung, seconds, number in ROWS
+    ]
+    + [row("failed", None, "out of memory")]
+)
 
 
 def test_marks_are_the_names_of_rungs():
@@ -59,7 +52,7 @@ def test_an_answer_states_its_parts_and_its_deviation():
 
 
 def test_without_a_valid_rung_nothing_is_marked():
-    record = stretch_record(compare([row("a", None, 1.0, "too slow")]))
+    record = stretch_record(compare([row("a", None, "too slow")]))
     assert record["top"] is None
     assert record["marked"] is None
     assert record["marks"]["sound"] == {"answer": None, "number": None}

@@ -151,11 +151,6 @@ def test_a_wrong_material_is_one_line(material, message):
     assert "\n" not in str(error.value)
 
 
-def test_a_scene_without_mass_density_and_name_is_wrong():
-    with pytest.raises(SceneError, match="give either mass or density"):
-        load_scene("published").replace(DISK)
-
-
 def test_a_name_without_effect_is_reported():
     scene = load_scene("published").replace("material.name=glass")
     assert unused_keys(scene, plan_motion(scene)) == ("material.name",)

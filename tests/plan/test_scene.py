@@ -1,8 +1,9 @@
 """Claim: scenes are read strictly; each error is reported in one line with the key, its value and
 the allowed values.
 
-Source: the format of scene files in the README. Oracle: the numbers of the paper, (7.1) to (7.4);
-for faults, the invalid key of each document.
+Source: the format of scene files in the README. Oracle: other ways of writing the same scene; for
+faults, the invalid key of each document. tests/rigid/test_published_motion.py compares the published
+scene with the numbers of the paper.
 """
 
 import json
@@ -12,7 +13,6 @@ from dataclasses import asdict, fields, replace
 import jsonschema
 import numpy as np
 import pytest
-from arithmetic import gamma
 from paths import ROOT
 from pydantic import ValidationError
 from scene_faults import FAULTS, MODES, PLATE
@@ -43,24 +43,6 @@ TABLES = {
 @pytest.fixture
 def published() -> Scene:
     return load_scene("published")
-
-
-def test_the_published_scene_is_that_of_the_paper(published):
-    disk = published.disk
-    friction = published.friction
-    assert disk.mass == 0.4387
-    assert disk.time_unit == pytest.approx(0.0691712, abs=5e-8)  # (7.2)
-    assert (friction.mu_static, friction.mu_dynamic) == (0.5, 0.3)
-    arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
-    assert [arm / disk.radius for arm in arms] == pytest.approx(
-        [0.0001, 0.0008, 0.008]
-    )  # (7.3)
-    assert math.radians(published.release.inclination_deg) == pytest.approx(
-        math.pi / 2 - 1, rel=gamma(5)
-    )  # (7.4)
-    assert [w * disk.time_unit for w in published.release.omega] == pytest.approx(
-        [0, 0, -1], abs=1e-7
-    )
 
 
 def test_every_shipped_scene_loads_and_says_what_it_is():
@@ -148,15 +130,6 @@ def test_a_table_of_every_kind_is_read_and_written_again(published, kind):
     assert jsonschema.Draft202012Validator(schema()).is_valid(again)
 
 
-def test_replace_can_open_a_section(published):
-    assert published.replace("numerics.accuracy=draft").numerics.accuracy == "draft"
-
-
-def test_infinite_friction_is_physics(published):
-    scene = published.replace("friction.mu_static=inf", "friction.mu_dynamic=inf")
-    assert scene.friction.mu_static == math.inf
-
-
 def test_a_scene_cannot_be_changed_through_its_document(published):
     published.document["disk"]["radius"] = 1.0
     assert published.document["disk"]["radius"] == published.disk.radius
@@ -240,16 +213,6 @@ def test_a_former_name_of_a_scene_loads_it(former, name, tmp_path, monkeypatch):
     assert load_scene(former).name == "published"
 
 
-SCENES = [("toi", "toy"), ("glass_plate", "glass-plate"), ("publishd", "published")]
-
-
-@pytest.mark.parametrize(("name", "meant"), SCENES)
-def test_the_scene_that_was_meant_is_asked_for(name, meant):
-    with pytest.raises(SceneError) as caught:
-        load_scene(name)
-    assert str(caught.value).endswith(f"; did you mean {meant}?")
-
-
 def test_a_whole_number_may_be_written_with_an_exponent(published):
     """TOML reads 44.1e3 as a float; an integer key accepts it as 44100."""
     scene = published.replace(
@@ -271,9 +234,6 @@ def test_a_whole_number_may_be_written_with_an_exponent(published):
 
 
 ROUGH = [
-    ("roughness.rms=0", "roughness.rms = 0: must be greater than 0"),
-    ("roughness.rms=-1e-8", "roughness.rms = -1e-08: must be greater than 0"),
-    ("roughness.shortest=0", "roughness.shortest = 0: must be greater than 0"),
     ("roughness.shortest=0.2", "longest = 0.1: must exceed shortest = 0.2"),
     (
         "roughness.longest=5e-4",
@@ -283,17 +243,11 @@ ROUGH = [
         "roughness.shortest=1e-9",
         "longest = 0.1: must be at most 32768 times shortest = 1e-09",
     ),
-    (
-        "roughness.exponent=17",
-        "roughness.exponent = 17: must be less than or equal to 16",
-    ),
-    ("roughness.seed=-1", "roughness.seed = -1: must be greater than or equal to 0"),
     ("roughness.profile=table.csv", "roughness: give either rms or profile"),
     (
         "roughness.profile_edge=edge.csv",
         "roughness.profile_edge = 'edge.csv': cannot be read: No such file",
     ),
-    ("contact.fillet=0", "contact.fillet = 0: must be greater than 0"),
     (
         "contact.fillet=0.0065",
         "contact.fillet = 0.0065: must be positive and at most 0.0064, so that it fits the disk",
@@ -302,16 +256,9 @@ ROUGH = [
         "contact.fillet=1e-7",
         "contact.fillet = 1e-07: too sharp for an elastic contact, must be at least 2.86e-06",
     ),
-    ("contact.young=0", "contact.young = 0"),
     (
         "contact.young=1.5",
         "too sharp for an elastic contact, as is any fillet up to 0.0064",
-    ),
-    ("contact.loss_factor=1", "contact.loss_factor = 1: must be less than 1"),
-    ("contact.law=soft", "contact.law = 'soft': must be 'rigid' or 'elastic'"),
-    (
-        "numerics.contact=best",
-        "numerics.contact = 'best': must be 'auto', 'filter', 'full' or 'many'",
     ),
     (
         "numerics.contact_rate=2e4",
@@ -376,7 +323,8 @@ def test_a_name_is_a_scene_wherever_one_is_run(tmp_path):
 
 def test_files_that_are_no_scene(tmp_path):
     with pytest.raises(
-        SceneError, match=r"no such scene; give a TOML file or one of: .*published"
+        SceneError,
+        match=r"no such scene; give a TOML file or one of: .*; did you mean published\?$",
     ):
         load_scene("publishd")
     with pytest.raises(SceneError, match="cannot be read"):

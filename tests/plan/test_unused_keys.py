@@ -12,6 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 from prepared_runs import remembered_modes
+from table_models import MODE
 
 from dynamics import plan_motion
 from sonify import SceneError, load_scene, run
@@ -34,7 +35,6 @@ BRIEF = (
     "audio.sample_rate=20000",
     "air.film=auto",
 )
-MODE = "{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}"
 SOLID = "young=7e10, poisson=0.22, density=2500.0"
 PLATE = f"kind='plate', action='motion', radius=0.15, thickness=0.006, {SOLID}, ring_radius=0.1, ring_stiffness=1e6"
 BASES = {

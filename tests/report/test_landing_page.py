@@ -4,10 +4,9 @@ Source: the landing solved by dynamics/landing. Oracle: the motion itself, evalu
 page contains.
 """
 
-import base64
-
 import numpy as np
 import pytest
+from page_arrays import decoded
 from scenes import whirling
 
 from dynamics import Air, simulate
@@ -21,10 +20,6 @@ from sonify.report.page_data import (
 @pytest.fixture(scope="module")
 def motion():
     return simulate(whirling(0.01, air=Air(film="acts")))
-
-
-def decoded(array):
-    return np.frombuffer(base64.b64decode(array["base64"]), array["dtype"])
 
 
 def test_the_page_contains_the_landing_with_its_first_milliseconds(motion):

@@ -31,6 +31,12 @@ def modes():
     return plate_modes(DISK, 20e3)
 
 
+@pytest.fixture(scope="module")
+def none():
+    small = Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27)
+    return plate_modes(small, 20e3)
+
+
 def ink(image, rows, columns):
     """Return the fraction of coloured pixels in one part of a picture."""
     height, width = image.shape[:2]
@@ -113,23 +119,17 @@ def test_a_hole_is_left_out(modes, tmp_path):
     draw_modes(ring, tmp_path / "ring.png")
 
 
-def test_a_disk_without_modes_says_so(tmp_path):
-    none = plate_modes(
-        Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27), 20e3
-    )
+def test_a_disk_without_modes_says_so(none, tmp_path):
     assert len(none) == 0
     draw_modes(none, tmp_path / "none.svg")
     assert "no modes below" in (tmp_path / "none.svg").read_text()
 
 
-def test_the_modes_of_a_table_are_below_those_of_the_disk(tmp_path):
+def test_the_modes_of_a_table_are_below_those_of_the_disk(none, tmp_path):
     """Two artificial shapes on a square fill the two lower cells; the third is empty.
 
     The scale bar is below all cells.
     """
-    none = plate_modes(
-        Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27), 20e3
-    )
     points = np.stack(np.meshgrid(*[np.linspace(0, 0.4, 21)] * 2), axis=-1).reshape(
         -1, 2
     )

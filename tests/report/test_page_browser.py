@@ -6,25 +6,20 @@ compared with the decoded files; the pixels of the canvases; axe-core. Skipped i
 missing.
 """
 
-import queue
-import shutil
-import threading
 import time
 import tomllib
 
 import numpy as np
 import pytest
 import soundfile
+from browser import CHROMIUM, until
+from servers import address_of
 
 from sonify import load_scene, run
 from sonify.studio.application import serve
 
 playwright = pytest.importorskip(
     "playwright.sync_api", reason="needs the extra `browser`"
-)
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
-    None,
 )
 pytestmark = [
     pytest.mark.slow,
@@ -495,7 +490,7 @@ def test_it_can_be_used_by_everyone(open_page, scheme, width):
     ] == []
 
 
-def test_scene_and_command_are_copied(open_page, folder):
+def test_scene_and_command_are_copied(open_page):
     page = open_page(permissions=["clipboard-read", "clipboard-write"])
     page.wait_for_function(READY, timeout=60_000)
     page.evaluate(
@@ -514,20 +509,7 @@ def test_scene_and_command_are_copied(open_page, folder):
 @pytest.fixture(scope="module")
 def address(folder):
     """Return the address at which the folder of the run is served."""
-    told = queue.Queue()
-    threading.Thread(
-        target=serve, args=(folder.parent, "127.0.0.1", 0, told.put), daemon=True
-    ).start()
-    return told.get(timeout=60)
-
-
-def until(page, expression):
-    """Wait until an expression is true; Playwright's own wait needs `eval`, which the policy
-    forbids."""
-    end = time.monotonic() + 60
-    while not page.evaluate(expression):
-        assert time.monotonic() < end, expression
-        page.wait_for_timeout(50)
+    return address_of(serve, folder.parent, "127.0.0.1", 0)
 
 
 def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, address):
@@ -560,7 +542,7 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     page.close()
 
 
-def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder, address):
+def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, address):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     page.goto(address)
     until(page, f"({READY})()")

@@ -22,12 +22,6 @@ from sonify.report.plain_explanation import (
 
 
 @pytest.fixture(scope="module")
-def motion():
-    scene = load_scene("published").replace("numerics.accuracy=draft")
-    return simulate(scene)
-
-
-@pytest.fixture(scope="module")
 def brief():
     scene = load_scene("published").replace(
         "numerics.time_limit=0.5", "numerics.accuracy=draft"
@@ -36,8 +30,8 @@ def brief():
 
 
 def test_every_key_is_a_finding():
-    keys = {*LOUDEST_PARTS, *PITCH_KEYS, "contact_is_lost", "contact_kept", "what_ends"}
-    assert keys | {"tone_is_precession"} <= set(registered_judges())
+    keys = {"contact_is_lost", "contact_kept", "what_ends", "tone_is_precession"}
+    assert keys <= registered_judges().keys()
 
 
 @pytest.mark.parametrize("value", [1.0, -1.0])

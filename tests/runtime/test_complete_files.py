@@ -54,11 +54,11 @@ POSIX = pytest.mark.skipif(
 
 @pytest.fixture
 def writer(tmp_path):
-    """Start processes that write a file in tmp_path until they are stopped."""
+    """Start processes that write a file in tmp_path until they are stopped, and say so first."""
     started = []
 
-    def start(name):
-        call = [sys.executable, "-c", COMMAND, str(tmp_path / name)]
+    def start(name, code=COMMAND, told="writing"):
+        call = [sys.executable, "-c", code, str(tmp_path / name)]
         started.append(
             subprocess.Popen(
                 call,
@@ -68,7 +68,7 @@ def writer(tmp_path):
                 text=True,
             )
         )
-        assert started[-1].stdout.readline() == "writing\n"
+        assert started[-1].stdout.readline() == f"{told}\n"
         return started[-1]
 
     yield start
@@ -271,7 +271,9 @@ def test_results_that_a_full_disk_does_not_take_are_missed():
 
 
 @POSIX
-def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path):
+def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(
+    writer, tmp_path
+):
     """Like some real modules, this one treats any exception as a missing dependency."""
     (tmp_path / "swallows.py").write_text(
         "import time\nprint('importing', flush=True)\ntry:\n    time.sleep(0.5)\nexcept "
@@ -281,16 +283,8 @@ def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path
         "with atomic_write(sys.argv[1])",
         "import swallows\n    with atomic_write(sys.argv[1])",
     )
-    call = [
-        sys.executable,
-        "-c",
-        f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n{code}",
-        str(tmp_path / "x.wav"),
-    ]
-    process = subprocess.Popen(
-        call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert process.stdout.readline() == "importing\n"
+    found = f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n"
+    process = writer("x.wav", found + code, "importing")
     process.send_signal(signal.SIGTERM)
     assert process.communicate(timeout=60)[1] == "sonify: interrupted\n"
     assert process.returncode == 143

@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.cases import contact_case
 from benchmarks.charts import contact_chart
-from benchmarks.timed_runs import Failure, Record, measure
+from benchmarks.timed_runs import Failure, measure
 
 
 def test_every_way_through_the_impact_tends_to_its_closed_form():
@@ -49,30 +49,3 @@ def test_where_each_ends():
         work for work in contact_chart.works(quick=True) if work.family == "rigid"
     )
     assert measure(rigid).failure == "wrong by 1e+02 %"
-
-
-def test_the_conclusion_names_what_its_records_hold():
-    about = {"steps": 1, "seconds": 0.5, "repeats": 1}
-    records = [
-        Record(family=family, method="m", setting="9", case=case, error=error, **about)
-        for family, case, error in (
-            ("full", contact_chart.IMPACT, 1e-6), ("explicit", contact_chart.IMPACT, 2e-3),
-            ("full", contact_chart.ROLLING, 3e-5), ("filter", contact_chart.ROLLING, 4e-4),
-        )
-    ]  # fmt: skip
-    said = " ".join(contact_chart.conclusion(records))
-    assert all(
-        number in said for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04")
-    )
-    assert "fails" not in said
-    torn = Record(
-        family="filter",
-        method="m",
-        setting="1.4",
-        case=contact_chart.SEVERAL_CONTACTS,
-        error=np.inf,
-        failure="wrong",
-    )
-    assert "from rms(z'') R/beta = 1.4 on" in " ".join(
-        contact_chart.conclusion([*records, torn])
-    )

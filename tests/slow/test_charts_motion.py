@@ -3,17 +3,15 @@ none of these failures.
 
 Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) as Filippov's
 differential inclusion. Oracle: quadruple precision (published case); 80-bit arithmetic (sticking
-case). No test depends on speed.
+case). No test depends on speed. test_charts_stability.py tests the failures of all methods on paths
+through three hazards.
 """
 
 import csv
 import json
 import shutil
-from dataclasses import replace
 from functools import partial
-from importlib import import_module
 from importlib.util import find_spec
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,9 +21,9 @@ from paths import REFERENCES, ROOT
 from benchmarks.cases.motion_case import conservative, published, references, sticking
 from benchmarks.charts import CHARTS, motion_chart
 from benchmarks.charts.chart_files import write_chart
-from benchmarks.charts.chart_page import environment, known_environment, write_page
+from benchmarks.charts.chart_page import environment
 from benchmarks.charts.error_time_picture import family_colours
-from benchmarks.methods.event_driven import ours, with_solve_ivp
+from benchmarks.methods.event_driven import ours
 from benchmarks.methods.moreau_time_stepping import moreau
 from benchmarks.methods.sign_friction import naive_sign
 from benchmarks.methods.slip_tolerance import slip_tolerance
@@ -36,7 +34,6 @@ from benchmarks.timed_runs import (
     MIN_TIMING_SECONDS,
     Answer,
     Failure,
-    Record,
     Work,
     measured,
 )
@@ -63,9 +60,7 @@ def test_the_shipped_reference_is_that_of_the_tests():
 
 
 @pytest.mark.parametrize(("name", "tolerance"), OURS)
-@pytest.mark.parametrize(
-    "case", [published(10.0), published(50.0), sticking(20.0), sticking(40.0)], ids=str
-)
+@pytest.mark.parametrize("case", [published(50.0), sticking(40.0)], ids=str)
 def test_ours_is_right_on_both_cases(name, tolerance, case):
     assert case.error(ours(case, name, tolerance).values) < 1e-10
 
@@ -95,11 +90,6 @@ def test_a_slip_tolerance_that_is_too_tight_never_rolls_again():
         slip_tolerance(case, 1e-5, 1e-12, 0.1, 1e-6)
 
 
-def test_a_slip_tolerance_chatters_where_the_nutation_sticks():
-    with pytest.raises(Failure, match="chatters"):
-        slip_tolerance(sticking(), 1e-3, 1e-3, 0.1, 1e-9)
-
-
 def test_a_wide_tanh_is_another_motion():
     case = published(10.0)
     wide, narrow = (
@@ -116,12 +106,6 @@ def test_moreau_is_of_first_order_through_slips():
     assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(1, abs=0.1)
 
 
-def test_an_explicit_method_looser_than_the_slip_speed_that_ends_a_slide_never_grips():
-    with pytest.raises(Failure, match="never grips again"):
-        with_solve_ivp(published(10.0), "DOP853", 1e-6)
-
-
-@pytest.mark.slow
 def test_the_quick_charts_are_written(tmp_path):
     done = CliRunner().invoke(main, ["chart", "all", "--quick", "--out", str(tmp_path)])
     assert done.exit_code == 0, done.output
@@ -135,18 +119,6 @@ def test_the_quick_charts_are_written(tmp_path):
         assert any(not row["failure"] for row in rows)
         assert all(row["failure"] in page for row in rows)
         assert (tmp_path / f"{name}.png").stat().st_size > 20_000
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_every_chart_has_its_module(name):
-    module = import_module(f"benchmarks.charts.{name}_chart")
-    assert callable(module.run)
-    assert callable(module.conclusion)
-
-
-PAGE = SimpleNamespace(
-    PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["One sentence."]
-)
 
 
 def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(
@@ -178,34 +150,7 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(
     assert "".join(calls) == "ab" + "aaaab"
 
 
-def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
-    record = Record(
-        family="f", method="m", setting="s", case="c", error=0.0, seconds=1.0, repeats=1
-    )
-    for records, said in (
-        ([record], "None."),
-        ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |"),
-    ):
-        write_page(
-            "end_to_end",
-            "Title",
-            PAGE,
-            records,
-            ["a machine", "commit abc"],
-            tmp_path / "page.md",
-        )
-        page = (tmp_path / "page.md").read_text("utf-8")
-        assert said in page
-        assert "- One sentence." in page
-        assert "`python -m sonify chart end-to-end`" in page
-        assert page.index("Solve $x = 1$.") < page.index("One sentence.")
-        assert known_environment(tmp_path / "page.md") == ["a machine", "commit abc"]
-    write_page(
-        "end_to_end", "Title", PAGE, [record], environment(), tmp_path / "page.md"
-    )
-    assert "| f: m | 0 of 1 | < 1e-15 | s | 1 |" in (tmp_path / "page.md").read_text(
-        "utf-8"
-    )
+def test_a_page_states_the_commit_of_its_program():
     assert environment()[-1].startswith("commit ")
 
 

@@ -4,8 +4,8 @@ have none.
 Source: (3.3) as Filippov's differential inclusion; the stability limits of the textbook
 integrators; locking and frequency shifts as in Hughes, The Finite Element Method; a clamped square
 of side a has a stiffness ~ a for translation and ~ a^3 for rotation. Oracle: 80-bit arithmetic for
-motions; closed forms for oscillators and thin plates. tests/modal/test_convergence_rates.py tests
-quadratic elements.
+motions; closed forms for oscillators and thin plates. test_charts_motion.py tests failures at
+sticking and slips, tests/modal/test_convergence_rates.py quadratic elements.
 """
 
 import re
@@ -32,16 +32,6 @@ MOTIONS = {
 MODES = {
     (w.case, w.family, w.method, w.setting): w for w in stability_modes.works(False)
 }
-LONG = "small inclination", "0.1"
-OURS = [
-    pytest.param(
-        key,
-        id=" ".join(key),
-        marks=[pytest.mark.slow] if (key[0], key[3]) == LONG else [],
-    )
-    for key in MOTIONS
-    if key[1] == "ours"
-]
 SLIP, NUTATION, PIVOT, FLAT = (
     "small slip",
     "nutation sticks",
@@ -53,8 +43,6 @@ FAILS = {
     (FLAT, "Moreau", "step 1e-5", "1e-10"): "left the table",
     (FLAT, "Euler angles", "DOP853, tol 1e-12", "1e-09"): "creeps",
     (SLIP, "event-driven", "solve_ivp DOP853, tolerance", "1e-06"): "never grips again",
-    (SLIP, "slip tolerance", "1e-5 starts them", "1e-12"): "chatters",
-    (SLIP, "tanh", "LSODA, width", "0.01"): "wrong",
     (SLIP, "tanh", "LSODA, width", "1e-12"): "step underflow|chatters",
     (SLIP, "tanh", "Radau, width", "0.01"): "wrong",
     (
@@ -64,10 +52,6 @@ FAILS = {
         "0.01",
     ): "never grips again",
     (NUTATION, "naive sign()", "RK45, tol 1e-8", "0.05"): "chatters",
-    (NUTATION, "naive sign()", "DOP853, tol 1e-8", "0.05"): "chatters",
-    (NUTATION, "naive sign()", "LSODA, tol 1e-8", "0.05"): "chatters",
-    (NUTATION, "naive sign()", "Radau, tol 1e-8", "0.0001"): "wrong",
-    (NUTATION, "naive sign()", "BDF, tol 1e-8", "0.0001"): "wrong",
     (NUTATION, "slip tolerance", "1e-4", "0.05"): "chatters",
     (NUTATION, "tanh", "LSODA, width 1e-3", "0.01"): "wrong",
     (PIVOT, "naive sign()", "RK45, tol 1e-8", "0.5"): "chatters",
@@ -85,7 +69,7 @@ def record_of(key, works=MOTIONS):
     return measure(works[key])
 
 
-@pytest.mark.parametrize("key", OURS)
+@pytest.mark.parametrize("key", [k for k in MOTIONS if k[1] == "ours"], ids=" ".join)
 def test_our_motions_are_fine_on_every_path(key):
     if "Taylor" in key[2] and not find_spec("heyoka"):
         pytest.skip("heyoka is not installed")

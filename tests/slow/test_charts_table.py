@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from benchmarks.cases import table_case as case
 from benchmarks.charts import table_chart
 from benchmarks.methods.oscillator_steps import bilinear, semi_implicit_euler
-from benchmarks.timed_runs import LEFT_OUT, Failure, Record, distance_from_one, measure
+from benchmarks.timed_runs import LEFT_OUT, Failure, distance_from_one, measure
 
 
 def test_the_closed_form_is_where_a_mode_at_rest_comes_to():
@@ -90,31 +90,3 @@ def test_what_cannot_be_asked_is_a_row():
             work for work in table_chart.works(quick=True) if "flexes" in work.method
         )
         assert "no modes to be given" in measure(flexes).failure
-
-
-def test_the_conclusion_names_what_its_records_hold():
-    about = {
-        "method": "m",
-        "setting": "9 1/s",
-        "case": table_chart.CASE,
-        "steps": 1,
-        "seconds": 0.5,
-        "repeats": 1,
-    }
-    families = {
-        table_chart.ONE_WAY: 1e-6,
-        table_chart.TWO_WAY: 2e-3,
-        table_chart.TEXTBOOK: 3e-5,
-        table_chart.ENGINE: 4e-4,
-    }
-    records = [
-        Record(family=family, error=error, **about)
-        for family, error in families.items()
-    ]
-    said = table_chart.conclusion(records)
-    assert len(said) <= 5
-    assert all(
-        number in " ".join(said)
-        for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04")
-    )
-    assert len(table_chart.conclusion(records[:3])) == 3

@@ -15,8 +15,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from legal_scenes import any_document, documents, faults_of
+from legal_scenes import any_document, faults_of
 from paths import REFERENCES
 from scenes import roll
 
@@ -26,10 +25,8 @@ from dynamics.compliant.stepping.tangential import project_on_friction_circle
 from dynamics.steady_motion import max_steady_inclination, steady_precession
 from modal import eigenmodes
 from modal.spectral.axisymmetric import drawing_mesh_split
-from sonify import SceneError
 from sonify.scene import from_document
 from sonify.sound.fluid_loaded_modes import (
-    MAX_FILM_MESH_CELLS,
     MIN_FILM_MESH_CELLS,
     fluid_loaded_modes,
     mesh_cells,
@@ -42,13 +39,7 @@ MAX_SECONDS = 2400.0
 MOST_REFUSED = 0.6
 
 
-LONGEST_SCENES = ("low_frequency_mode", "failed_check", "traceback_film_modes")
-
-
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(n, marks=[pytest.mark.slow] * (n in LONGEST_SCENES)) for n in KNOWN],
-)
+@pytest.mark.parametrize("name", KNOWN)
 def test_a_scene_that_once_failed(name):
     ending, faults = faults_of(KNOWN[name])
     assert not faults
@@ -134,17 +125,8 @@ def test_steady_motions_exist_up_to_the_steepest(h, K):
 
 
 def test_hundreds_of_modes_take_no_longer_over_the_film():
-    """The cost is modes times the square of the cells; few modes get all the cells they need."""
-    few = mesh_cells(np.linspace(0.5, 20, 30))
+    """The cost is modes times the square of the cells."""
     many = mesh_cells(np.full(600, 40.0))
-    assert (
-        few
-        == np.clip(
-            np.ceil(2.5 * np.linspace(0.5, 20, 30)),
-            MIN_FILM_MESH_CELLS,
-            MAX_FILM_MESH_CELLS,
-        ).tolist()
-    )
     assert sum(c**2 for c in many) <= 5e4
     assert min(many) >= MIN_FILM_MESH_CELLS
 
@@ -159,7 +141,6 @@ def test_many_mode_shapes_fit_into_memory():
     assert 800 * split**3 * 3 * 8 * 1400 <= 4e8
 
 
-@pytest.mark.slow
 def test_every_legal_scene_ends_with_a_name_and_passes_its_checks():
     drawn = [any_document(Random(seed)) for seed in range(1, DRAWN_SCENE_COUNT + 1)]
     with get_context("spawn").Pool(
@@ -174,14 +155,3 @@ def test_every_legal_scene_ends_with_a_name_and_passes_its_checks():
     assert not wrong
     refused = sum(ending.startswith("SceneError") for ending, _ in found)
     assert refused <= MOST_REFUSED * len(drawn)
-
-
-@settings(max_examples=50, deadline=None, database=None, derandomize=True)
-@given(documents())
-def test_a_drawn_scene_is_read_or_refused_in_one_line(document):
-    refusal = ""
-    try:
-        from_document(document)
-    except SceneError as error:
-        refusal = str(error)
-    assert "\n" not in refusal

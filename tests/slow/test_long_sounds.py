@@ -76,7 +76,6 @@ def peak(what, seconds, folder):
     )
 
 
-@pytest.mark.slow
 def test_an_hour_takes_the_memory_of_ten_minutes(tmp_path):
     pytest.importorskip(
         "resource", reason="this system does not tell the memory of a process"
@@ -108,7 +107,6 @@ def test_what_a_wav_file_cannot_hold_is_written_as_rf64(
     )
     assert len(pressure) == sound.samples
     assert np.abs(copy * sound.full_scale - pressure).max() < sound.full_scale * 2**-23
-    assert wav.MAX_RIFF_BYTES < 2**32
 
 
 def test_the_limit_is_that_of_lengths_of_32_bits():

@@ -7,13 +7,13 @@ that hold for every solution.
 
 import warnings
 from collections import Counter
-from math import exp, inf, log, pi, radians, sin, sqrt
+from math import inf, pi, radians, sin, sqrt
 from time import process_time
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
+from legal_scenes import decades
 from scenes import roll, scene
 
 from dynamics import ImpossibleContactError, Outcome
@@ -28,11 +28,6 @@ from sonify.claims.checks import (
 SCENES, MOST_SECONDS = 300, 60.0
 TURNS, UNITS = 200.0, 30.0
 """Limits on the duration: turns of the contact at the initial inclination, and units chi."""
-
-
-def decades(random, low, high):
-    """Draw a number with a uniformly distributed logarithm."""
-    return exp(random.uniform(log(low), log(high)))
 
 
 def any_disk(random):
@@ -120,7 +115,6 @@ def solved(wanted):
         return None
 
 
-@pytest.mark.slow
 def test_every_scene_ends_with_a_name_and_passes_its_checks():
     ends = Counter()
 

@@ -85,7 +85,6 @@ def record(tmp_path_factory):
     return run
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_shipped_scene_passes_its_checks_and_exits_with_0(name, record):
     done, found, _ = record(name)
@@ -94,7 +93,6 @@ def test_a_shipped_scene_passes_its_checks_and_exits_with_0(name, record):
     assert "FAILED" not in done.stdout
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
     """Values agree within 2 % or their margin; verdicts agree unless one is undecided."""
@@ -131,7 +129,6 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
     assert changed == {}
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(shipped_scenes()))
 def test_the_page_of_a_shipped_scene_has_the_size_that_the_how_to_states(name, record):
     text = (ROOT / "docs" / "how_to.md").read_text("utf-8")
@@ -140,7 +137,6 @@ def test_the_page_of_a_shipped_scene_has_the_size_that_the_how_to_states(name, r
     assert least <= (folder / "report.html").stat().st_size / 1e6 <= most
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "contact", "flat", "above"),
     [
@@ -165,7 +161,6 @@ def test_a_table_brings_equal_inclinations_forward(name, contact, flat, above):
     assert earlier.details["advance_at_100_urad"] == pytest.approx(above, rel=0.03)
 
 
-@pytest.mark.slow
 def test_the_toy_on_its_mirror_is_as_loud_as_quiet_speech(record):
     """Median of the A-weighted level [dB] at 0.5 m, where quiet speech has 50 to 60 dB. On a mirror
     that only radiates it is 20 dB higher, on a rigid contact without roughness -32 dB."""
@@ -179,7 +174,6 @@ def test_the_toy_on_its_mirror_is_as_loud_as_quiet_speech(record):
     assert 50.0 < level < 60.0
 
 
-@pytest.mark.slow
 def test_on_wood_the_table_is_louder_than_the_coin_below_6_kHz(record):
     """Levels of the table over those of the disk, by band; at its first mode the coin is louder."""
     _, _, folder = record("coin-wood")
@@ -233,7 +227,6 @@ def same_answers(first, second):
     return all(a == b or "undecided" in a + b for a, b in pairs)
 
 
-@pytest.mark.slow
 def test_the_page_of_surfaces_shows_what_the_scenes_find(record):
     """The words are equal; numbers agree within one unit of the last digit or 10 %, except on the
     light plate, whose slips are chaotic."""
@@ -249,7 +242,6 @@ def test_the_page_of_surfaces_shows_what_the_scenes_find(record):
         assert page[name][1] == pytest.approx(numbers, rel=0.1, abs=1.0)
 
 
-@pytest.mark.slow
 def test_the_verdicts_of_the_readme_are_those_of_the_runs(record):
     """Each cell has the verdict of the run, unless one of both is undecided."""
     shown_cells = claim_cells((ROOT / "README.md").read_text("utf-8"))

@@ -6,14 +6,12 @@ loudness of the decoded sound by BS.1770.
 """
 
 import json
-from base64 import b64decode
-from io import BytesIO
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import soundfile
-from scipy.signal import sosfilt
+from page_arrays import decoded_track, with_gain
 
 from sonify.fitting.least_squares import Value
 from sonify.hearing.audio_source import Recording
@@ -168,17 +166,11 @@ def test_the_player_gets_the_end_of_a_recording_at_the_loudness_of_a_run(tmp_pat
     data = json.loads((tmp_path / "data.json").read_text())
     assert (data["start"], data["duration"], data["source_end"]) == (12.0, 42.0, 40.0)
     sounds = data["sounds"]
-    samples, _ = soundfile.read(
-        BytesIO(b64decode(sounds["tracks"]["recording"].partition(",")[2]))
-    )
+    samples = decoded_track(sounds["tracks"]["recording"])
     kept = noise[12 * rate : 42 * rate, 1]
     assert samples * sounds["full_scale"] == pytest.approx(
         kept, abs=sounds["full_scale"] * 2**-15
     )
-    stored = sounds["audible"]["gain"]
-    gain_db = np.frombuffer(b64decode(stored["base64"]), stored["dtype"]) / 100
-    middle = (np.arange(len(gain_db)) + 0.5) * sounds["audible"]["interval"]
-    gain = 10 ** (np.interp(np.arange(len(kept)) / rate, middle, gain_db) / 20)
-    audible = gain * sosfilt(np.array(sounds["audible"]["sections"]), kept)
+    audible = with_gain(sounds["audible"], kept, rate)
     heard = loudness_lufs(Recording(samples=audible, sample_rate=rate))
     assert heard == pytest.approx(-18.0, abs=0.3)

@@ -7,14 +7,14 @@ disk.
 
 import json
 import os
-import queue
 import re
-import threading
 from contextlib import closing
 from http.client import HTTPConnection
 from types import SimpleNamespace
+from urllib.parse import urlsplit
 
 import pytest
+from servers import address_of
 
 from sonify.report.write import scene_record
 from sonify.scene import load_scene
@@ -74,11 +74,7 @@ def get(root):
 
 def client(root):
     """Return get(path, **headers) -> status, headers and body from a running server."""
-    told = queue.Queue()
-    threading.Thread(
-        target=serve, args=(root, "127.0.0.1", 0, told.put), daemon=True
-    ).start()
-    port = int(told.get(timeout=60).rstrip("/").rpartition(":")[2])
+    port = urlsplit(address_of(serve, root, "127.0.0.1", 0)).port
 
     def get(path, **headers):
         with closing(HTTPConnection("127.0.0.1", port, timeout=60)) as connection:

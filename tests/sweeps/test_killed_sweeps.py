@@ -6,7 +6,6 @@ Source: the README's `sweep`. Oracle: the table of an undisturbed sweep, value b
 processes that are really killed.
 """
 
-import json
 import os
 import signal
 import socket
@@ -17,6 +16,7 @@ from contextlib import contextmanager
 
 import psutil
 import pytest
+import tomli_w
 from paths import ROOT
 from sweep_files import QUICK, found
 
@@ -42,15 +42,7 @@ def truth(tmp_path_factory):
 
 @pytest.fixture
 def file(tmp_path):
-    told = "\n".join(
-        f'"{key}" = {json.dumps(value).replace(": ", " = ")}'
-        for key, value in LONG["axes"].items()
-    )
-    keys = "\n".join(
-        f"{key} = {json.dumps(LONG[key])}"
-        for key in ("name", "accuracy", "set", "find")
-    )
-    (tmp_path / "long.toml").write_text(f"{keys}\n[axes]\n{told}\n")
+    (tmp_path / "long.toml").write_text(tomli_w.dumps(LONG))
     return tmp_path / "long.toml"
 
 
@@ -141,15 +133,6 @@ def test_an_interrupted_driver_keeps_its_rows(file, truth):
     assert driver.returncode == 130
     assert 5 <= found(file.parent / "out" / RUNS_FILE).num_rows < truth.num_rows
     assert found(sonify.sweep(file, out=file.parent / "out")).equals(truth)
-
-
-def test_a_second_driver(file):
-    with begun(file) as first:
-        psutil.Process(first.pid).suspend()
-        second = start("sonify", "sweep", file, "--out", file.parent / "out")
-        told = second.communicate(timeout=PATIENCE)[1]
-    assert (second.returncode, len(told.splitlines())) == (2, 1)
-    assert "another sweep is writing this table" in told
 
 
 @pytest.fixture
