@@ -59,6 +59,9 @@ CHAOTIC_SLIPS = ("light-plate", "wavy")
 """Scenes with hundreds of slips, whose values depend on rounding and therefore on the processor: 310
 slips on one and 325 on another, with a pitch that rises 8.3-fold or 6.3-fold. Only the presence of
 their findings is compared, and the words of the README's row where both are decided."""
+SCATTER = {"coin-polished": 0.4, "glass-plate": 0.05}
+"""Relative changes of the values of scenes that open their contact many times on another processor:
+the pitch of the polished coin rises 4.9-fold or 3.3-fold. Their verdicts are compared."""
 LEAST_CHANGE = {
     "carriers_are_steady": 0.2,
     "modes_carry_the_end": 0.3,
@@ -114,7 +117,7 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
         value, margin, verdict = (
             findings[key][part] for part in ("value", "margin", "verdict")
         )
-        share = LARGEST_CHANGE.get(key, 0.02)
+        share = max(LARGEST_CHANGE.get(key, 0.02), SCATTER.get(name, 0.0))
         tolerance = max(share * abs(float(known[key]["value"])), float(margin), 1e-12)
         tolerance = max(tolerance, LEAST_CHANGE.get(key, 0.0))
         same_verdict = (
@@ -132,7 +135,7 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
 @pytest.mark.parametrize("name", sorted(shipped_scenes()))
 def test_the_page_of_a_shipped_scene_has_the_size_that_the_how_to_states(name, record):
     text = (ROOT / "docs" / "how_to.md").read_text("utf-8")
-    least, most = map(int, re.search(r"have (\d+) to (\d+) MB", text).groups())
+    least, most = map(int, re.search(r"have\s+(\d+) to (\d+) MB", text).groups())
     _, _, folder = record(name)
     assert least <= (folder / "report.html").stat().st_size / 1e6 <= most
 
