@@ -120,6 +120,7 @@ COIN = (
 """A coin on a hard table."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("release", "film", "cause"),
     [
@@ -232,6 +233,7 @@ def test_a_disk_that_precesses_on_is_not_halted_abruptly(scene, motion):
     assert halt_is_abrupt(turning).verdict == "no"
 
 
+@pytest.mark.slow
 def test_a_fall_in_a_vacuum_comes_to_rest_on_its_face():
     still = load_scene("published").replace(
         "release={inclination_deg=1, omega=[0, 0, 0.05]}"

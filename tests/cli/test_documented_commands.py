@@ -34,7 +34,7 @@ from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, load_sweep, shipped_sweep
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 PROGRAM = "python -m sonify "
-QUICK = ("scenes", "export modes", "sweep verdict-", "ladder")
+QUICK = ("scenes", "export modes", "ladder")
 """Beginnings of the commands that take at most 3 s; servers are quick too."""
 SERVERS = ("serve", "studio")
 PLAIN_RUNS = tuple(f"run {name}" for name in shipped_scenes())

@@ -150,6 +150,7 @@ def test_the_compiled_film_is_that_of_the_formulas():
     assert found == pytest.approx(film_forces(sine, nutation, rate, film), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_disk_turns_faster_over_a_hole_before_the_film_carries_it():
     """The film over the hole takes less power and lifts less, so the disk lasts longer and falls
     further; the energy is balanced."""

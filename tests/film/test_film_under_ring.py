@@ -31,6 +31,7 @@ def ring(wall, *changes):
     return smooth_toy(*LATE, shape, *changes)
 
 
+@pytest.mark.slow
 def test_the_film_is_that_over_a_hole_of_the_same_size_in_the_table():
     washer = ring(0.0075)
     share = (0.03755 - 0.0075) / (0.03755 - FILLET)
@@ -106,6 +107,7 @@ def test_a_ring_with_a_small_hole_rolls_like_a_disk():
     assert drag[0] == pytest.approx(drag[1], rel=0.2)  # the compression is left out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wall", [0.0075, 0.02])
 def test_the_film_lifts_a_ring_off_the_table(wall):
     scene = ring(wall)

@@ -108,6 +108,7 @@ def test_a_force_too_large_for_one_contact_is_a_warning(elastic):
         assert ("it exceeds 0.5" in chosen.reason) == is_warned
 
 
+@pytest.mark.slow
 def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
     """The predicted inclination is that of AIRBORNE; down to it the filter is adequate."""
     fine = elastic.replace(
