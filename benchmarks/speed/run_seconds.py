@@ -150,10 +150,18 @@ def measured(sources: dict[str, Path], scenes: tuple[str, ...], runs: int) -> di
     }
 
 
+def commit_of(source: Path) -> str:
+    """Return words for the commit of a checkout."""
+    command = ["git", "-C", str(source), "rev-parse", "--short=8", "HEAD"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return f"at commit {done.stdout.strip()}"
+
+
 def table(record: dict) -> str:
-    """Return the Markdown table of a record."""
+    """Return the Markdown table of a record, whose head names the measured commits."""
     versions = record["versions"]
-    head = ["run", *(f"CPU seconds, {v}" for v in versions), "seconds", "folder [MB]"]
+    cpu_heads = [f"CPU seconds {record['commits'][v]}" for v in versions]
+    head = ["run", *cpu_heads, "seconds", "folder [MB]"]
     lines = [head, ["---"] * len(head)]
     for row, found in record["rows"].items():
         own = found[versions[-1]]
@@ -215,6 +223,7 @@ def main() -> int:
     write_record(
         {
             "versions": list(sources),
+            "commits": {name: commit_of(source) for name, source in sources.items()},
             "runs": options.runs,
             "load": load,
             "calibration": round(calibration, 3),

@@ -432,10 +432,10 @@ def theory_record() -> Record:
             ),
         }
     coin = load_scene("coin")
-    numbers["coin_depth"] = Number(
-        value=float(contact_law(coin).approach(np.array([0.1]), coin.disk.weight)[0]),
-        unit="m",
-    )
+    steep = np.array([0.1])
+    depth = contact_law(coin).approach(steep, coin.disk.weight)
+    numbers["coin_depth"] = Number(value=float(depth[0]), unit="m")
+    numbers["coin_depth.inclination"] = Number(value=float(steep[0]), unit="rad")
     numbers["coin_slowest_rate"] = Number(
         value=float(
             np.sqrt(GRAVITY / ((0.25 + coin.disk.aspect**2 / 3) * coin.disk.radius))

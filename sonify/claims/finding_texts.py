@@ -475,8 +475,8 @@ _END: dict[str, FindingText] = {
             "undecided: impacts, {value:.0%} of the energy",
         ),
         headline=HeadlineClauses(
-            "impacts dissipate most of its final energy",
-            "impacts dissipate less than half of its final energy",
+            "impacts dissipate most of its energy",
+            "impacts dissipate less than half of its energy",
         ),
     ),
     "halt_comes_earlier": FindingText(

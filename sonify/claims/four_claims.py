@@ -5,7 +5,7 @@ from math import isclose
 from typing import NamedTuple
 
 from sonify.claims.finding import Verdict
-from sonify.claims.phrases import PART_WORDS
+from sonify.claims.phrases import PART_WORDS, percentage
 
 NO_DETAILS: Mapping[str, float] = {}
 
@@ -54,11 +54,11 @@ CASES = {
 def vibration_number(found: Answer) -> str:
     """Return the number that decides whether vibrations break the contact, in words."""
     if "force_rms" in found.details:
-        return f"the force varies by {found.value:.0%} of the weight"
+        return f"the force varies by {percentage(found.value)} of the weight"
     if "open_by_vibration" in found.details:
-        return f"open for {found.value:.0%} of the time"
+        return f"open for {percentage(found.value)} of the time"
     if "open_share" in found.details:
-        return f"{found.value:.0%} of the time out of contact"
+        return f"they cause {percentage(found.value)} of the time without contact"
     return f"{found.value:.0f} losses of contact"
 
 

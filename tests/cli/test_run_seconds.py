@@ -11,6 +11,7 @@ from benchmarks.speed import run_seconds
 
 RECORD = {
     "versions": ["before", "now"],
+    "commits": {"before": "at commit 1a2b3c4d", "now": "at commit 5e6f7a8b"},
     "runs": 5,
     "load": "0.1",
     "calibration": 0.5,
@@ -49,6 +50,8 @@ def test_the_table_replaces_only_the_one_between_its_marks(tmp_path, monkeypatch
     run_seconds.write_record(RECORD)
     lines = page.read_text("utf-8").splitlines()
     assert (lines[0], lines[-1]) == ("before", "after")
+    heads = "CPU seconds at commit 1a2b3c4d|CPU seconds at commit 5e6f7a8b"
+    assert f"|run|{heads}|seconds|folder [MB]|" in lines
     assert "|published|8.00|5.00|4.0|43.1|" in lines
     assert "|published: sound|0.70|0.65|||" in lines
     assert "old" not in lines
