@@ -81,6 +81,7 @@ def test_a_recording_of_ones_own(capsys):
     assert f"{heard.tone.t_end.value:.3f} s" in lines[0]
 
 
+@pytest.mark.slow
 def test_a_law_of_ones_own_is_the_built_in_one_of_its_power(capsys):
     motion, _ = told("own_dissipation", capsys)
     law = ("dissipation.power_coefficient=1e-9", "dissipation.power_exponent=3.0")

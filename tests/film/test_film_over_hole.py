@@ -132,6 +132,7 @@ def test_the_law_of_the_rolling_film_is_the_closed_ring(hole):
         assert parts[2] == pytest.approx(about / fall, rel=0.05)
 
 
+@pytest.mark.slow
 def test_the_table_of_the_landing_is_the_ring_between_its_nodes():
     generator = np.random.default_rng(5)
     for hole in (0.3, 0.83):

@@ -50,6 +50,7 @@ def test_of_two_holes_the_larger_one_counts():
     assert wide == pytest.approx(0.0325 / 0.03595)
 
 
+@pytest.mark.slow
 def test_a_level_ring_meets_the_resistance_of_an_annular_squeeze_film():
     """F = -3 pi mu z'/(2 h^3) (b^4 - a^4 - (b^2 - a^2)^2/ln(b/a))."""
     air = ring(0.0075).air

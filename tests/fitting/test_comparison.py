@@ -62,6 +62,7 @@ def test_the_decay_of_bursts_with_silence_between_them_is_finite():
     assert np.isfinite([line["decay_rate"][name] for name in ("low", "high")]).all()
 
 
+@pytest.mark.slow
 def test_bursts_are_compared_with_bursts_and_turns_with_turns(monkeypatch):
     """Two bursts of different strength per turn: a recording and a simulation with the same sound
     have equal numbers; only the simulation knows the turns without doubt.

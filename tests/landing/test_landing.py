@@ -387,6 +387,7 @@ def test_high_waves_break_the_contact_before_the_film_lifts_the_disk(
     assert rolling.state[-1, 1] == pytest.approx(found.inclination, rel=0.15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "scene",
     [

@@ -114,6 +114,7 @@ def test_a_fall_with_bounces_closes_the_energy_to_its_tolerance(
     assert np.ptp(total) < 2e-8 * total[0]
 
 
+@pytest.mark.slow
 def test_a_thick_disk_that_leans_a_little_stands_up_and_stays_on_its_edge():
     disk = Disk(radius=0.012, thickness=0.006, mass=0.02)
     model = model_of(disk, 0.46, RimFriction(0.3, (0.0, 1e-5, 1e-4)))

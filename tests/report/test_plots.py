@@ -40,6 +40,7 @@ def test_modes_plot_their_frequencies_and_decay_times(scene):
     assert orders.get_legend_handles_labels()[1] == list(dict.fromkeys(modes.family))
 
 
+@pytest.mark.slow
 def test_a_sound_plots_its_pressure(scene):
     sound = solve(
         scene.replace("release.inclination_deg=1", "release.omega=[0, 0, 0]"), "draft"

@@ -34,6 +34,7 @@ from sonify.claims.rigid_motion import motion_findings
 from sonify.claims.sound import tone_rate_findings
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "module", "factor"),
     [("FIRST_SLIDE_STEP", switching, 0.3), ("STOP_SLIP_SPEED", regime, 10.0)],

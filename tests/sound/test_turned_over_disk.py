@@ -30,6 +30,7 @@ def with_faces_exchanged(motion: LandingMotion) -> LandingMotion:
     return replace(motion, solution=other, start=turned_over(motion.start))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("support", "film"), [("free", "none"), ("contact", "acts")])
 def test_a_disk_on_its_other_face_sounds_the_same(support, film):
     scene = load_scene("published").replace(

@@ -352,6 +352,7 @@ def test_a_rough_contact_keeps_its_energy_on_a_table_that_acts_back(elastic, dam
     assert_never_gained(model, state, first)
 
 
+@pytest.mark.slow
 def test_a_rough_contact_on_a_heavy_table_is_that_of_a_rigid_one(elastic):
     """Another program, normal.py, reads the heights at the lowest point of the rim, not at the
     minimum gap.

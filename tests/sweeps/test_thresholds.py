@@ -54,6 +54,7 @@ def logistic_answers(seed, middle, slope, n=128):
     return columns, x, random.random(n) < expit(slope * (x - middle))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slope", [8.0, -20.0])
 def test_the_interval_contains_the_true_threshold_in_95_percent_of_all_samples(slope):
     """Of 100 samples, 95 +- 2.2; four standard deviations are allowed below."""
@@ -68,6 +69,7 @@ def test_the_interval_contains_the_true_threshold_in_95_percent_of_all_samples(s
     assert inside >= 86
 
 
+@pytest.mark.slow
 def test_the_interval_is_that_of_a_bootstrap():
     _, x, yes = logistic_answers(3, 0.4, 8.0, n=256)
     fit = logistic_fit(x, yes)
