@@ -110,10 +110,11 @@ def contact_sentence(by_key: dict[str, Finding]) -> str:
     carried = by_key.get("carried_by_air")
     lost = by_key.get("contact_is_lost")
     kept = by_key.get("contact_kept")
+    floats = carried is not None and carried.holds and carried.cause == "film"
     if lost is not None and lost.holds is not None:
         leaves = lost.holds
-    elif carried is not None and carried.holds and carried.cause == "film":
-        return "The disk rolls on the table until the air under it carries its weight."
+    elif floats:
+        leaves = False
     elif kept is not None and kept.holds is not None:
         leaves = not kept.holds
     else:
@@ -123,6 +124,8 @@ def contact_sentence(by_key: dict[str, Finding]) -> str:
             "The disk leaves the table for brief moments, and every landing is a small "
             "knock."
         )
+    if floats:
+        return "The disk rolls on the table until the air under it carries its weight."
     return "The disk never leaves the table: the sound comes from a rolling edge, not from knocks."
 
 

@@ -68,7 +68,7 @@ class ProgressFile(Stages):
 
         try:
             with super().stage(name):
-                self.write()
+                self.write(at_once=True)
                 yield watch
         finally:
             with self._lock:

@@ -149,13 +149,14 @@ $("run-list").addEventListener("click", ({ target }) => {
 $("compare").addEventListener("click", () => attempt(display({ a: shown.a, b: former })));
 
 async function refreshList() {
-  const answer = await fetch("list");
+  const answer = await fetch("list", { cache: "no-store" });
   if (answer.ok) $("run-list").innerHTML = await answer.text();
   markChoice();
 }
 
 /** Show the runs of the last visit, or the first run. */
 async function openFirst() {
+  await refreshList(); // the browser shows an old list after its Back button
   const before = stored();
   const exists = (place) => place === OPENING || Boolean(rowOf(place));
   const first = [...document.querySelectorAll("#run-list input[name=a]:not(:disabled)")][0]?.value;
