@@ -600,6 +600,8 @@ def end_over_film(
     begun = past.losses[:, 0]
     if reason == EndReason.IS_AIRBORNE:
         return int(begun[-1] / past.row_duration), reason
+    if reason == EndReason.CONTINUES:  # the time limit, which may be reached in flight
+        return row, reason
     before = last_row_before_flight(past.losses, past.row_duration, row)
     if reason != EndReason.LIES_FLAT:
         return before, reason

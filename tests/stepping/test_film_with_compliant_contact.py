@@ -197,5 +197,7 @@ def test_a_disk_that_floats_down_at_the_table_ends_where_its_contact_is_lost_lat
     assert end_over_film(disk, past, 9, flat) == (9, flat)  # the contact bears it
     flown = past._replace(losses=np.array([[0.0131, 5e-3, 1e-6]]))
     assert end_over_film(disk, flown, 16, flat) == (13, EndReason.IS_AIRBORNE)
+    limit = EndReason.CONTINUES  # the time limit ends a flight, too
+    assert end_over_film(disk, flown, 16, limit) == (16, limit)
     never = past._replace(losses=losses[:1])
     assert end_over_film(disk, never, 20, flat) == (20, flat)
