@@ -108,9 +108,7 @@ def rate_below_elastic(plate: Plate) -> float:
     return (-eigenvalue_shift(plate, Support(kind="free"))) ** 0.5
 
 
-def free_disk(
-    plate: Plate, element: str, split: int, curved: bool = True, whole: bool = False
-):
+def free_disk(plate: Plate, element: str, split: int, whole: bool = False):
     """Return the `Solid` of a quarter or whole disk: split^2 cells per block, `split`
     layers per half thickness."""
     plane = half_disk(pi, MeshSize(width=pi / 4, depth=0.5, rings=0, split=split))
@@ -122,7 +120,7 @@ def free_disk(
             np.linspace(-height if whole else 0, height, split + 1),
         )
     )
-    if element != "Q2" or not curved:
+    if element != "Q2":
         mesh = MeshHex(mesh.doflocs[:, : mesh.t.max() + 1], mesh.t)
     mesh = mesh.to_meshtet() if element[0] == "P" else mesh
     return assemble_solid(
