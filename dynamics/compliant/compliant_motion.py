@@ -59,7 +59,7 @@ from dynamics.switching import ImpossibleContactError
 if TYPE_CHECKING:
     from dynamics.motion_plan import MotionPlan
 
-MAX_REPEATED_STEP_RATE = 1.6e6
+MAX_REPEATED_STEP_RATE = 3e6
 """Rate [1/s] below which a motion with an unsolved step is solved again with half the step."""
 
 FORCE_SAMPLE_RATE = 1e5

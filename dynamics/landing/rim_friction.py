@@ -144,8 +144,9 @@ class RimFriction(NamedTuple):
         lean = -rolling_arm * load * _smooth_sign(rolling, still)
         nod = -nutation_arm * load * _smooth_sign(omega_q, still)
         rate = abs(omega_p) / steep
-        contour = sum(c * rate ** (exponent - 1) for c, exponent in self.laws) / steep
-        contour *= -_smooth_sign(omega_p, still) * share * load / model.disk.weight
+        moment = sum(c * rate ** (exponent - 1) for c, exponent in self.laws) / steep
+        contour_arm = min(share * moment / model.disk.weight, R)  # pressed at the rim
+        contour = -contour_arm * load * _smooth_sign(omega_p, still)
         about_z = out * force_q + swivel
         return RimLoads(
             force_u,

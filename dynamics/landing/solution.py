@@ -149,7 +149,8 @@ def solve_landing(
     end = None
     while end is None:
         message = solver.step()
-        if solver.status == "failed":
+        if solver.status == "failed" or solver.t == solver.t_old:
+            message = message or "the time step is too short"
             raise ArithmeticError(
                 f"the landing of the disk cannot be solved: {message}"
             )

@@ -81,6 +81,28 @@ def test_a_rolling_disk_rolls_as_the_exact_solver_says():
     assert found.energy_lost(duration)["moments"][0] > 0
 
 
+@pytest.mark.parametrize("coefficient", [1e-9, 1e-6, 1e-3])
+def test_the_moment_that_resists_a_disk_which_slaps_down_is_bounded(
+    coefficient,
+):
+    """The inclination vanishes within picoseconds, and the rate of its direction has no bound."""
+    light = Disk(radius=0.12, thickness=0.0033, mass=1.5e-4)
+    model = model_of(light, friction=RimFriction(0.04, laws=((coefficient, 2.5),)))
+    for inclination in (1e-10, 1e-6, 1e-3):
+        pressed = tilted(light, inclination, 7.0 / inclination, -0.9)
+        state = pressed._replace(height=pressed.height - 1e-8)
+        at = model.geometry(state)
+        loads = model.loads(at)
+        rim = model.rim_loads(state, at, loads)
+        assert loads.stop.force > 0
+        assert 0 < abs(rim.moment_p) <= light.radius * loads.stop.force * 1.01
+    begin = tilted(light, 1.2e-4, rise=-0.88)._replace(turn_x=0.0, turn_y=7.37)
+    found = solve_landing(model, begin, 1e-4)
+    assert found.end is LandingEnd.TIME_LIMIT
+    total = [model.energy(y) + sum(y[LOSSES]) for y in found.path.c[-1]]
+    assert np.ptp(total) < 1e-6 * total[0]
+
+
 def test_a_disk_that_falls_over_comes_to_rest_on_its_face():
     still = load_scene("published").replace(
         "release={inclination_deg=5, omega=[0, 0, 0]}"
