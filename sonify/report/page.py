@@ -24,6 +24,7 @@ from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
 from sonify.report.plain_explanation import plain_explanation
+from sonify.report.run_names import run_name, scene_record
 from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
 from sonify.runtime.json_values import plain_value
@@ -46,6 +47,7 @@ def write_page(result: "Result", path: Path, numbers: dict[str, Any]) -> None:
         .get_template("report.html")
         .render(
             result=result,
+            name=run_name(scene_record(result.scene)).words,
             modes=[*zip(modes.frequency, modes.decay_time, shapes, strict=True)],
             headline=headline(result.findings),
             explanation=plain_explanation(result.motion, result.findings),

@@ -22,6 +22,7 @@ from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
 from sonify.report.headline import headline
 from sonify.report.pictures import Pictures
+from sonify.report.run_names import scene_record
 from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
 from sonify.runtime.json_values import json_safe, write_json
@@ -31,7 +32,6 @@ from sonify.sound.mastering import mastering_record, true_peak_dbtp
 
 if TYPE_CHECKING:
     from sonify.result import Result
-    from sonify.scene import Scene
 
 DISTRIBUTION_NAME = "eulers-disk-sonify"
 RECORDED_LIBRARIES = (
@@ -141,14 +141,6 @@ def copy_table_mesh(file: Path, out: Path) -> None:
     if (out / file.name).resolve() != file.resolve():
         with atomic_write(out / file.name) as temporary:
             shutil.copyfile(file, temporary)
-
-
-def scene_record(scene: "Scene") -> dict[str, Any]:
-    """Return all keys of a scene; the file name of a mesh has no folder."""
-    record = json_safe(asdict(scene))
-    if scene.surface.kind == "mesh":
-        record["surface"]["file"] = Path(scene.surface.file).name
-    return record
 
 
 def run_record(result: "Result") -> dict[str, Any]:

@@ -35,7 +35,7 @@ from starlette.responses import (
 from starlette.routing import Mount, Route
 
 from sonify.report.page import page_assets
-from sonify.report.write import scene_record
+from sonify.report.run_names import run_name, scene_record
 from sonify.runtime.files import create_folder, first_matching_folder, readable_text
 from sonify.runtime.workers import WorkerDiedError
 from sonify.scene import load_scene, present_scene_name, shipped_scenes
@@ -47,7 +47,6 @@ from sonify.studio.run_list import (
     finished_runs,
     shipped_run_entry,
 )
-from sonify.studio.run_names import run_name
 from sonify.studio.server import (
     LOOPBACK,
     address,

@@ -2,12 +2,13 @@
 values."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cache
 from importlib import resources
 from math import inf
 from typing import Any
 
+from sonify.report.run_names import QUANTITIES
 from sonify.scene import (
     Scene,
     from_document,
@@ -17,7 +18,6 @@ from sonify.scene import (
 )
 from sonify.scene_errors import SceneError
 from sonify.scene_keys import meaning_and_unit, schema
-from sonify.studio.run_names import QUANTITIES
 
 MAIN_KEYS = (
     "release.inclination_deg",
@@ -69,7 +69,7 @@ class Control:
     high: float | None = None
     logarithmic: bool = False
     optional: bool = False
-    choices: tuple[str, ...] = ()
+    choices: dict[str, str] = field(default_factory=dict)
 
 
 def controls(scene: Scene) -> list[dict[str, Any]]:
@@ -279,8 +279,22 @@ def _choice_control(scene: Scene, key: str) -> Control:
         unit="",
         is_main=key != "air.film",
         value=value,
-        choices=tuple(names),
+        choices={name: _choice_text(key, name) for name in names},
     )
+
+
+def _choice_text(key: str, choice: str) -> str:
+    """Return how the studio shows a choice."""
+    if choice == KEEP_SCENE_VALUE:
+        return "as in the scene"
+    if key != "surface":
+        return choice
+    surface = load_scene(choice).surface
+    if surface.kind == "rigid":
+        return "rigid"
+    thickness = f", {1e3 * surface.thickness:.3g} mm" if surface.kind == "plate" else ""
+    sounds_only = ", sounds without moving the disk" * (surface.action == "sound")
+    return f"that of {choice}{thickness}{sounds_only}"
 
 
 def _schema_of(key: str) -> dict[str, Any]:

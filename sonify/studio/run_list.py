@@ -12,8 +12,8 @@ from starlette.exceptions import HTTPException
 
 from sonify.claims.checks import Check
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE_PA
+from sonify.report.run_names import run_name
 from sonify.runtime.files import readable_text
-from sonify.studio.run_names import run_name
 
 
 def finished_runs(root: Path) -> list[dict[str, Any]]:
@@ -65,9 +65,18 @@ def _entry_of_record(record: Mapping[str, Any]) -> dict[str, Any]:
         "level": level_at_listener(record.get("sound", {})),
         "outcome": record["outcome"]["sentence"],
         "headline": record.get("headline", ""),
+        "excessive": _takes_too_much(record.get("findings", [])),
         "failed": _failed_check_lines(record["checks"]),
         "checks": len(record["checks"]),
     }
+
+
+def _takes_too_much(findings: Iterable[Mapping[str, Any]]) -> bool:
+    """Return True if the table of a run takes more power than the disk loses."""
+    return any(
+        found["key"] == "disk_supplies_table" and found["verdict"] == "no"
+        for found in findings
+    )
 
 
 def level_at_listener(sound: dict[str, Any]) -> float | None:

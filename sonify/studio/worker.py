@@ -44,9 +44,11 @@ class ProgressFile(Stages):
         self._folder = folder
         self._running: dict[str, StageProgress] = {}
         self._lock = Lock()
+        self._began = perf_counter()
         self._written = 0.0
         self.notices: list[str] = []
         self.expected = ""
+        self.expected_seconds = inf
         self.found: dict[str, Any] | None = None
         self.heard = False
         self.streams = False
@@ -82,6 +84,7 @@ class ProgressFile(Stages):
     def expect(self, seconds: float) -> None:
         """Write the predicted duration of the run."""
         self.expected = duration_in_words(seconds)
+        self.expected_seconds = seconds
         self.write(at_once=True)
 
     def results_so_far(self, found: dict[str, Any]) -> None:
@@ -137,6 +140,7 @@ class ProgressFile(Stages):
                 "share": min(shares, default=None),
                 "notices": self.notices,
                 "expected": self.expected,
+                "exceeded": perf_counter() - self._began > self.expected_seconds,
                 "found": self.found,
                 "heard": self.heard,
                 "streams": self.streams,

@@ -30,7 +30,7 @@ from modal.export import UNIT_STRIKE_PEAK
 from sonify.__main__ import main
 from sonify.export.modes import export_modes
 from sonify.plan.preflight import plan_with_modes
-from sonify.report.write import scene_record
+from sonify.report.run_names import scene_record
 from sonify.runtime.json_values import write_json
 from sonify.scene import load_scene
 from sonify.scene_errors import InputError

@@ -34,7 +34,8 @@ from sonify.plan.table import (
     solve_table,
     table_exit_time,
 )
-from sonify.report.write import copy_table_mesh, scene_record
+from sonify.report.run_names import scene_record
+from sonify.report.write import copy_table_mesh
 from sonify.runtime.json_values import write_json
 from sonify.scene_errors import SceneError
 

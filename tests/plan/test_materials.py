@@ -17,7 +17,8 @@ from modal import Material, eigenmodes
 from modal.materials import MATERIALS
 from sonify import SceneError, load_scene
 from sonify.plan.unused import unused_keys
-from sonify.report.write import json_safe, scene_record
+from sonify.report.run_names import scene_record
+from sonify.runtime.json_values import json_safe
 from sonify.scene import Scene, from_document
 from sonify.scene_keys import keys
 

@@ -55,6 +55,14 @@ def test_finished_runs_are_listed_newest_first(tmp_path):
     assert not (runs[0]["picture"])
 
 
+def test_a_run_whose_table_takes_more_power_than_the_disk_loses_is_marked():
+    for verdict in ("yes", "no"):
+        finding = {"key": "disk_supplies_table", "verdict": verdict}
+        entry = shipped_run_entry(RECORD | {"findings": [finding]}, "")
+        assert entry["excessive"] == (verdict == "no")
+    assert not shipped_run_entry(RECORD, "")["excessive"]
+
+
 def test_a_shipped_run_is_listed_without_files():
     """Its data can be shown, and it has length and level, so that a run can be compared with it."""
     entry = shipped_run_entry(RECORD, "")

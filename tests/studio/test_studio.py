@@ -26,7 +26,7 @@ from sonify.__main__ import main
 from sonify.pipeline import TableModesCache
 from sonify.plan.preflight import check_solvable_scene
 from sonify.report.page import page_assets
-from sonify.report.write import scene_record
+from sonify.report.run_names import RunName, run_name, scene_record
 from sonify.runtime.workers import WorkerDiedError
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.playback import a_weighting
@@ -40,7 +40,6 @@ from sonify.studio.controls import (
 )
 from sonify.studio.job_queue import Job, JobQueue
 from sonify.studio.recording_summary import write_recording
-from sonify.studio.run_names import RunName, run_name
 from sonify.studio.slider_ends import slider_ends
 from sonify.studio.worker import (
     PROGRESS_FILE,
@@ -240,10 +239,21 @@ def test_the_controls_have_the_values_and_limits_of_the_scene(scene):
         90,
         "degrees",
     )
-    assert given["air.film"]["choices"] == ("auto", "none", "acts")
+    assert [*given["air.film"]["choices"]] == ["auto", "none", "acts"]
     for control in given.values():
         if control["low"] is not None and control["value"] is not None:
             assert control["low"] <= control["value"] <= control["high"]
+
+
+def test_the_tables_of_a_list_differ_in_words():
+    (table,) = (c for c in controls(load_scene("toy")) if c["key"] == "surface")
+    words = [*table["choices"].values()]
+    assert len(set(words)) == len(words)
+    assert table["choices"]["published"] == "rigid"
+    assert table["choices"]["glass-plate"] == "that of glass-plate, 6 mm"
+    sounding = "that of coin-wood, sounds without moving the disk"
+    assert table["choices"]["coin-wood"] == sounding
+    assert table["choices"]["wood-table"] == "that of wood-table"
 
 
 SCENES_OF_SLIDERS = ("published", "wavy", "light-plate")
@@ -366,7 +376,9 @@ def test_the_first_results_of_a_recording_are_part_of_the_progress(tmp_path):
     stages.results_so_far({"summary": ["It stopped at 2.00 s."]})
     progress = json.loads((tmp_path / PROGRESS_FILE).read_text("utf-8"))
     assert progress["found"] == {"summary": ["It stopped at 2.00 s."]}
-    assert progress["expected"] == "2 min"
+    assert (progress["expected"], progress["exceeded"]) == ("2 min", False)
+    stages.expect(0.0)
+    assert json.loads((tmp_path / PROGRESS_FILE).read_text("utf-8"))["exceeded"]
 
 
 def test_the_sliders_do_the_experiments_of_the_classroom():

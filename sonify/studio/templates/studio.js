@@ -113,7 +113,9 @@ function comparison(a, b) {
   else if (louder) parts.push(`is ${Math.abs(louder)} dB ${louder > 0 ? "louder" : "quieter"} than A at the listener`);
   if (!parts.length) return "";
   const hint = louder ? " To hear the difference in loudness, tick “as loud as it is”." : "";
-  return `B ${parts.join(", and ")}.${hint}`;
+  const excessive = [a, b].flatMap((row, i) => (row?.dataset.excessive ? ["AB"[i]] : []));
+  const reserve = excessive.length ? ` But in ${excessive.join(" and ")} the table takes more power than the disk loses: its sound is too loud.` : "";
+  return `B ${parts.join(", and ")}.${reserve}${hint}`;
 }
 
 const rounded3 = (value) => Number(value.toPrecision(3));
@@ -216,18 +218,12 @@ function numberField(control) {
   return [label, number, slider];
 }
 
-function choiceText(control, choice) {
-  if (choice === "") return "as in the scene";
-  if (control.key === "surface") return choice === "published" ? "rigid" : `that of ${choice}`;
-  return choice;
-}
-
 function choiceField(control) {
   const id = `control-${control.key}`;
   const label = element("label", { htmlFor: id, textContent: control.label, title: control.meaning });
   const list = element("select", { id });
-  for (const choice of control.choices) {
-    list.append(element("option", { value: choice, textContent: choiceText(control, choice) }));
+  for (const [value, textContent] of Object.entries(control.choices)) {
+    list.append(element("option", { value, textContent }));
   }
   list.value = control.key in changed ? changed[control.key] : control.value;
   list.addEventListener("change", () => {
@@ -250,7 +246,7 @@ async function showControls(values = {}) {
     controls
       .filter((control) => control.is_main === isMain)
       .map((control) => {
-        const parts = control.choices.length ? choiceField(control) : numberField(control);
+        const parts = Object.keys(control.choices).length ? choiceField(control) : numberField(control);
         const fault = element("span", { id: `fault-${control.key}`, className: "fault" });
         parts[1].setAttribute("aria-describedby", fault.id);
         return element("div", { className: "field" }, ...parts, fault);
@@ -299,7 +295,8 @@ function progressText(status) {
 function showProgress(status) {
   $("doing").textContent = progressText(status);
   const seconds = Math.round((performance.now() - began) / 1000);
-  $("elapsed").textContent = status.expected ? `${seconds} s so far; about ${status.expected} in all on two idle cores` : "";
+  const expected = status.exceeded ? `more than the ${status.expected} expected` : `about ${status.expected} in all`;
+  $("elapsed").textContent = status.expected ? `${seconds} s so far; ${expected} on two idle cores` : "";
   if (status.share === null || status.share === undefined) $("progress").removeAttribute("value");
   else $("progress").value = status.share;
 }

@@ -1,12 +1,14 @@
-"""Name runs in words: a shipped scene and its changed values, "glass, edge rougher"."""
+"""Name runs in words, "glass, edge rougher", and record their scenes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
-from sonify.report.write import scene_record
+from sonify.runtime.json_values import json_safe
 from sonify.scene import (
+    Scene,
     differing_values,
     load_scene,
     present_scene_name,
@@ -119,6 +121,14 @@ QUANTITIES = {
     ),
 }
 """Words for the quantities that the studio changes, by key."""
+
+
+def scene_record(scene: Scene) -> dict[str, Any]:
+    """Return all keys of a scene; the file name of a mesh has no folder."""
+    record = json_safe(asdict(scene))
+    if scene.surface.kind == "mesh":
+        record["surface"]["file"] = Path(scene.surface.file).name
+    return record
 
 
 @dataclass(frozen=True, kw_only=True)
