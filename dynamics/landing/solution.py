@@ -55,7 +55,7 @@ MAX_KINETIC_SHARE = 1e-3
 """Kinetic over potential energy of a disk that sinks quasi-statically on its cushion."""
 REST_ENERGY_SHARE = 1e-6
 """Share of the initial energy with which a disk on its asperities counts as resting."""
-MAX_STEPS = 400_000
+MAX_STEPS = 500_000
 """Largest number of time steps of all landings of a motion."""
 POINTS_PER_STEP = 4
 """Number of pieces of cubic polynomials per time step; half of it while a disk tumbles."""
