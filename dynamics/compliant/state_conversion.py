@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dynamics.compliant.law.height_profile import mean_height
+from dynamics.compliant.law.height_profile import height_at
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.state_layout import (
@@ -72,7 +72,7 @@ def preloaded_compliant_state(
         )
     y = np.zeros(STATE_SIZE)
     y[STATE_SLICES.roughness_heights] = [
-        mean_height(p, -law.disk.radius * state[2], c[LAW_COLUMNS.half_length])
+        height_at(p, -law.disk.radius * state[2], c[LAW_COLUMNS.half_length])
         for p in model.profiles
     ]
     y[:2] = state[3:5]

@@ -35,6 +35,14 @@ rolling = Regime(False, (False,) * 3, (1.0,) * 3)
 constants = DiskConstants(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 print(compile_branch(Branch.of(rolling, constants, None)).flow.cache_hits)
 """
+RUN_SCRIPT = """
+import sys
+from numba.core.event import install_recorder
+from sonify import load_scene, pipeline
+with install_recorder("numba:compile") as recorder:
+    pipeline.solve(load_scene(sys.argv[1]).replace("numerics.time_limit=0.5"), "draft")
+print(len(recorder.buffer))
+"""
 
 
 @pytest.fixture(params=INTEGRATORS)
@@ -150,6 +158,14 @@ def test_a_second_process_compiles_no_flow(tmp_path):
         subprocess.check_output(command, env=environment, text=True) for _ in range(2)
     ]
     assert hits == ["0\n", "1\n"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["toy", "glass-plate"])
+def test_a_second_run_compiles_no_kernel(name):
+    command = [sys.executable, "-c", RUN_SCRIPT, name]
+    _, second = (subprocess.check_output(command, text=True) for _ in range(2))
+    assert second == "0\n"
 
 
 def test_flows_compile_where_no_cache_can_be_written(tmp_path, monkeypatch):

@@ -120,6 +120,11 @@ def mean_heights(profile: Profile, s: np.ndarray, a: np.ndarray) -> np.ndarray:
     return out
 
 
+def height_at(profile: Profile, s: float, a: float) -> float:
+    """Return the `mean_height` [m], from machine code that is cached."""
+    return float(mean_heights(profile, np.array([s]), np.array([a]))[0])
+
+
 def profile_from_csv(file: str | Path, period: float | None = None) -> Profile:
     """Read a profile from a CSV file with lengths [m] and heights [m].
 

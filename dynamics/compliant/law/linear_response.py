@@ -18,7 +18,12 @@ from dynamics.compliant.law.driven_table import (
     driven_table,
     set_contact_circle,
 )
-from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile, mean_height
+from dynamics.compliant.law.height_profile import (
+    SMOOTH_PROFILE,
+    Profile,
+    height_at,
+    mean_height,
+)
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.sections import Roughness
@@ -164,8 +169,8 @@ def linear_contact_force_blocks(
         if np.isnan(z):
             half_length, path, edge = system[0][0, :3]
             heights, rim = profiles
-            z = mean_height(heights, path, half_length)
-            z += mean_height(rim, edge, half_length)
+            z = height_at(heights, path, half_length)
+            z += height_at(rim, edge, half_length)
         if modes is not None:
             set_contact_circle(yielding, modes, modes.place + block.centre, radius)
         out, x, z = _filter_steps(

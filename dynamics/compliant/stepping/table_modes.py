@@ -16,7 +16,7 @@ from scipy.interpolate import make_interp_spline
 
 from dynamics.compliant.law.height_profile import Profile, mean_rim_height
 from dynamics.compliant.stepping.state_layout import STATE, STATE_SLICES, ModelConstants
-from dynamics.numba_kernels import kernel
+from dynamics.numba_kernels import cached, kernel
 from dynamics.stepping_core.layout import first_indices
 from dynamics.stepping_core.oscillators import MidpointModes, midpoint_modes
 from dynamics.stepping_core.rim_modes import (
@@ -403,7 +403,7 @@ def advance_modes(modes: ContactModes, N: float, h: float) -> tuple[float, float
     return lost, total - lost
 
 
-@kernel
+@cached
 def mode_energies(modes: ContactModes) -> tuple[float, float]:
     """Return the energies of the table modes and of the disk modes [J]."""
     energy = 0.0
