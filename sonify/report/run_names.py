@@ -152,8 +152,11 @@ def run_name(record: Mapping[str, Any]) -> RunName:
     words = [name, *_replaced_sections(record, shipped)]
     changes = words[1:]
     for key, (before, value) in _changed_values(record, shipped).items():
+        if key == "release.omega":
+            before, spin = abs(before[2]), abs(value[2])
+            value = value if spin == before else spin
         quantity = QUANTITIES.get(key)
-        if quantity is None:
+        if quantity is None or isinstance(value, list):
             changes.append(f"{key} = {value}")
         else:
             words.append(quantity.comparison(before, value))
@@ -212,19 +215,13 @@ def _changed_values(
             name in (side.get(section) or {name}) for side in (record, shipped)
         )
         if is_given and (key in QUANTITIES or None not in (before, value)):
-            found[key] = (_magnitude(before), _magnitude(value))
+            found[key] = (before, value)
     return found
 
 
 def _agrees(one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
     """Return True if all values that both sections contain are equal."""
     return all(one[key] == other[key] for key in one.keys() & other.keys())
-
-
-def _magnitude(value: Any) -> Any:
-    """Return the spin of an angular velocity as a positive number; other values are
-    returned unchanged."""
-    return abs(value[2]) if isinstance(value, list) else value
 
 
 @cache

@@ -10,6 +10,7 @@ import threading
 import time
 from contextlib import closing
 from http.client import HTTPConnection
+from random import Random
 from types import SimpleNamespace
 from urllib.parse import quote, urlsplit
 
@@ -18,6 +19,7 @@ import pytest
 import soundfile
 from browser import CHROMIUM, until
 from click.testing import CliRunner
+from legal_scenes import any_document
 from scipy.signal import sosfilt
 from servers import address_of
 
@@ -28,6 +30,7 @@ from sonify.plan.preflight import check_solvable_scene
 from sonify.report.page import page_assets
 from sonify.report.run_names import RunName, run_name, scene_record
 from sonify.runtime.workers import WorkerDiedError
+from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.playback import a_weighting
 from sonify.studio import application as studio_pages
@@ -418,6 +421,22 @@ def test_the_sliders_do_the_experiments_of_the_classroom():
 def test_a_run_is_named_in_words(scene, values, words):
     record = json.loads(json.dumps(scene_record(changed_scene(scene, values))))
     assert run_name(record).words == words
+
+
+def test_every_legal_scene_has_a_name():
+    """Lists of listeners and angular velocities are no numbers to compare."""
+    named = 0
+    for seed, name in enumerate(3 * [*shipped_scenes()]):
+        try:
+            drawn = from_document(any_document(Random(seed)) | {"name": name})
+        except SceneError:
+            continue  # impossible values
+        assert run_name(scene_record(drawn)).words.startswith(name)
+        named += 1
+    assert named > len(shipped_scenes())
+    rocking = load_scene("glass").replace("release.omega=[1.0, 4.5, 24.0]")
+    changes = run_name(scene_record(rocking)).changes
+    assert changes == ("release.omega = [1.0, 4.5, 24.0]",)
 
 
 def test_a_record_of_another_version_is_named():
