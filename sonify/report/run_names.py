@@ -212,7 +212,8 @@ def _changed_values(
         if section in replaced or key in replaced or key in dependent:
             continue
         is_given = all(
-            name in (side.get(section) or {name}) for side in (record, shipped)
+            section in side and name in (side[section] or {name})
+            for side in (record, shipped)
         )
         if is_given and (key in QUANTITIES or None not in (before, value)):
             found[key] = (before, value)

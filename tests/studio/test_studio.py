@@ -446,6 +446,7 @@ def test_a_record_of_another_version_is_named():
     record["friction"]["former_key"] = 3.0
     assert run_name(record).words == "glass"
     assert run_name({"name": "mine"}) == RunName(words="mine")
+    assert run_name({"name": "glass"}) == RunName(words="glass")
     toy = scene_record(load_scene("toy"))
     assert run_name(toy | {"name": "mirror-base"}).words == "toy"
 
