@@ -219,6 +219,6 @@ def test_the_documentation_has_the_verdicts_of_the_shown_tables():
 
     text = verdict_page.VERDICT_PAGE.read_text("utf-8")
     assert text.count("<!-- verdicts: ") == 2
-    assert verdict_page.with_verdicts(text) == text
-    cut = text.replace("yes in all", "no in all", 1)
-    assert verdict_page.with_verdicts(cut) == text
+    other = text.replace("yes in all", "no in all", 1)
+    assert other != text
+    assert verdict_page.with_verdicts(other) == text
