@@ -257,6 +257,7 @@ def tone(frequency, seconds, rate=48000):
     return np.sin(2 * np.pi * frequency * np.arange(int(seconds * rate)) / rate + 0.01)
 
 
+@pytest.mark.slow
 def test_the_last_seconds_of_the_audible_copy_are_written(tmp_path):
     """The file is the end of the sound of audible.wav, with a fade where it is cut; its loudness
     and true peak are those of that copy."""

@@ -156,7 +156,11 @@ def test_what_was_heard_before_a_tone_began_is_left_out():
 
 @pytest.mark.parametrize(
     ("shares", "verdict"),
-    [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
+    [
+        ([1e-4, 0, 0], "rolling"),
+        pytest.param([0, 1.0, 0], "air", marks=pytest.mark.slow),
+        pytest.param([5e-5, 1.0, 0], "both", marks=pytest.mark.slow),
+    ],
 )
 def test_the_truth_is_found_and_named(decay, shares, verdict):
     found = fit_same_disk(

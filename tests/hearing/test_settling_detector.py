@@ -186,6 +186,7 @@ def test_a_take_that_is_cut_has_a_lower_bound_of_its_end(made, seed, before_end)
     assert run.heard_until == pytest.approx(stop, abs=0.002)
 
 
+@pytest.mark.slow
 def test_a_cut_take_is_reported_with_its_missing_end(tmp_path):
     samples, stop = cut_take(settling_sounds.settling_take(8), 0.1)
     path = tmp_path / "cut.wav"
@@ -276,6 +277,7 @@ def test_the_searched_share_of_a_sound_grows_to_all_of_it():
     assert shares == [0.75, 1.0]
 
 
+@pytest.mark.slow
 def test_the_loudest_channel_is_heard():
     take = settling_sounds.settling_take(4)
     both = np.stack(
@@ -429,6 +431,7 @@ def test_a_real_run_that_is_cut_has_a_lower_bound_of_its_end(name, before_end):
 
 
 @needs_recordings
+@pytest.mark.slow
 def test_a_coin_with_a_loud_line_and_a_last_knock_is_heard():
     """Matched filters in three bands give n 0.45 to 0.55 and an end at 2.80 to 2.84 s."""
     (run,) = analysed("coins/spinning-coin.flac").runs

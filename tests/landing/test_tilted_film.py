@@ -82,7 +82,13 @@ def test_the_table_is_the_solution_between_its_nodes():
         (20e-6, 1e-6, {"mean_free_path": 66.3e-9}, 15.6996),
         (20e-6, 5e-6, {"depth": 107.93e-6}, 0.05077),
         (20e-6, 1e-6, {"depth": 107.93e-6}, 0.33909),
-        (20e-6, 5e-6, {"depth": 1e-5, "radius": 0.03595, "hole": 0.05}, 0.008706),
+        pytest.param(
+            20e-6,
+            5e-6,
+            {"depth": 1e-5, "radius": 0.03595, "hole": 0.05},
+            0.008706,
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_a_level_disk_sinks_in_the_closed_time(gap, final, changes, time):

@@ -193,10 +193,11 @@ def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
 
 SPAN = 5 * scene().disk.time_unit
 STIFF = [
-    (
+    pytest.param(
         "integrators.slow_slides._integrate_slide",
         lambda *_, **__: Arc(np.empty(0), np.empty((0, 1, 11)), [], None),
         {"mu_dynamic": 0.5},
+        marks=pytest.mark.slow,
     ),
     ("incipient_slip.SlipAcceleration.aligned_direction_near", lambda *_: None, {}),
 ]

@@ -220,9 +220,10 @@ def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
             ("release.omega=[0.0, 0.0, 0.0]", "release.inclination_deg=5", FLAT[1]),
             "FELL",
         ),
-        (
+        pytest.param(
             ("release.omega=[-10.0, 0.0, 0.0]", "release.inclination_deg=80", FLAT[1]),
             "UPRIGHT",
+            marks=pytest.mark.slow,
         ),
     ],
 )

@@ -73,6 +73,7 @@ def test_the_film_takes_its_power(carried):
     )
 
 
+@pytest.mark.slow
 def test_a_table_pressed_by_the_film_does_not_throw_the_disk(monkeypatch):
     """The light plate bends by a fifth of the gap, and the disk leaves it once, for good.
 

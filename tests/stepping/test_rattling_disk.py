@@ -324,6 +324,7 @@ def test_a_disk_on_crests_comes_to_rest_on_them():
         assert motion.inclination(motion.t[-1:])[0] * RADIUS < crest
 
 
+@pytest.mark.slow
 def test_the_effective_restitution_is_that_of_the_flat_limit():
     """A kicked rim on a flat table without gravity; the modes change its rebound by 0.2."""
     scene = coin(1e-6, 1.0, 0.5, 0, 0.05, "contact.body=elastic")

@@ -84,6 +84,7 @@ def test_the_interval_is_that_of_a_bootstrap():
     assert fit.high == pytest.approx(high, abs=0.3 * width)
 
 
+@pytest.mark.slow
 def test_a_deterministic_threshold_is_between_the_draws_on_both_sides():
     inside = 0
     for seed in range(50):

@@ -211,6 +211,7 @@ def test_a_rough_edge_breaks_the_contact_by_the_force_on_the_yielding_table(
     assert rough("surface.action=sound", "roughness.rms_edge=30e-9") == 0.0
 
 
+@pytest.mark.slow
 def test_a_row_of_a_verdict_renders_no_sound():
     row = row_of(load_sweep("verdict-paper").scene_of(0), ("verdict",))
     assert row["error" if "error" in row else "outcome"] == "AIRBORNE"
