@@ -22,6 +22,7 @@ from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.materials import MATERIALS
 from modal.modes import Material, Support
+from sonify.runtime.json_values import json_safe
 from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene_errors import (
     ContradictionError,
@@ -463,6 +464,15 @@ def _scene_of_record(record: Any) -> dict[str, Any]:
         if document[section][key] == "inf":
             document[section][key] = inf
     return document
+
+
+def scene_record(scene: Scene) -> dict[str, Any]:
+    """Return all keys of a scene, as run.json contains them; the file name of a mesh has
+    no folder."""
+    record: dict[str, Any] = json_safe(asdict(scene))
+    if scene.surface.kind == "mesh":
+        record["surface"]["file"] = Path(scene.surface.file).name
+    return record
 
 
 def differing_values(

@@ -24,10 +24,11 @@ from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
 from sonify.report.plain_explanation import plain_explanation
-from sonify.report.run_names import run_name, scene_record
+from sonify.report.run_names import run_name
 from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
 from sonify.runtime.json_values import plain_value
+from sonify.scene import scene_record
 
 if TYPE_CHECKING:
     from sonify.result import Result

@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from sonify.report.run_names import scene_record
-from sonify.scene import Scene, differing_values, load_scene
+from sonify.scene import Scene, differing_values, load_scene, scene_record
 from sonify.scene_errors import SceneError
 
 

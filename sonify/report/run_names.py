@@ -1,17 +1,15 @@
-"""Name runs in words, "glass, edge rougher", and record their scenes."""
+"""Name runs in words: a shipped scene and its changed values, "glass, edge rougher"."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
-from sonify.runtime.json_values import json_safe
 from sonify.scene import (
-    Scene,
     differing_values,
     load_scene,
     present_scene_name,
+    scene_record,
     shipped_scenes,
 )
 
@@ -19,13 +17,19 @@ from sonify.scene import (
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
     """Words for a key of a scene: its `label`, and how a run with a larger or a smaller
-    value is called. `factor` converts the value to the displayed `unit`."""
+    value is called. `factor` converts the value to the displayed `unit`. Of a vector, the
+    component `axis` is compared, without its sign."""
 
     label: str
     larger: str
     smaller: str
     unit: str
     factor: float = 1.0
+    axis: int | None = None
+
+    def number(self, value: Any) -> float | None:
+        """Return the number that is compared and displayed."""
+        return value if self.axis is None else abs(value[self.axis])
 
     def comparison(self, before: float | None, value: float | None) -> str:
         """Return words for a changed value; None means that there is none."""
@@ -52,6 +56,7 @@ QUANTITIES = {
         larger="spun faster",
         smaller="spun slower",
         unit="rad/s",
+        axis=2,
     ),
     "friction.mu_static": Quantity(
         label="friction",
@@ -123,14 +128,6 @@ QUANTITIES = {
 """Words for the quantities that the studio changes, by key."""
 
 
-def scene_record(scene: Scene) -> dict[str, Any]:
-    """Return all keys of a scene; the file name of a mesh has no folder."""
-    record = json_safe(asdict(scene))
-    if scene.surface.kind == "mesh":
-        record["surface"]["file"] = Path(scene.surface.file).name
-    return record
-
-
 @dataclass(frozen=True, kw_only=True)
 class RunName:
     """Name of a run in words, and its changed values."""
@@ -152,15 +149,13 @@ def run_name(record: Mapping[str, Any]) -> RunName:
     words = [name, *_replaced_sections(record, shipped)]
     changes = words[1:]
     for key, (before, value) in _changed_values(record, shipped).items():
-        if key == "release.omega":
-            before, spin = abs(before[2]), abs(value[2])
-            value = value if spin == before else spin
         quantity = QUANTITIES.get(key)
-        if quantity is None or isinstance(value, list):
+        if quantity is None or quantity.number(before) == quantity.number(value):
             changes.append(f"{key} = {value}")
         else:
-            words.append(quantity.comparison(before, value))
-            changes.append(f"{quantity.label} {quantity.text(value)}")
+            number = quantity.number(value)
+            words.append(quantity.comparison(quantity.number(before), number))
+            changes.append(f"{quantity.label} {quantity.text(number)}")
     return RunName(words=", ".join(dict.fromkeys(words)), changes=tuple(changes))
 
 

@@ -22,11 +22,11 @@ from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
 from sonify.report.headline import headline
 from sonify.report.pictures import Pictures
-from sonify.report.run_names import scene_record
 from sonify.result import output_folder
 from sonify.runtime.files import atomic_write
 from sonify.runtime.json_values import json_safe, write_json
 from sonify.runtime.progress import Stages, Watch
+from sonify.scene import scene_record
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.mastering import mastering_record, true_peak_dbtp
 

@@ -35,10 +35,10 @@ from starlette.responses import (
 from starlette.routing import Mount, Route
 
 from sonify.report.page import page_assets
-from sonify.report.run_names import run_name, scene_record
+from sonify.report.run_names import run_name
 from sonify.runtime.files import create_folder, first_matching_folder, readable_text
 from sonify.runtime.workers import WorkerDiedError
-from sonify.scene import load_scene, present_scene_name, shipped_scenes
+from sonify.scene import load_scene, present_scene_name, scene_record, shipped_scenes
 from sonify.scene_errors import InputError
 from sonify.studio.controls import changed_scene, control_key_of_error, controls
 from sonify.studio.job_queue import Job, JobQueue

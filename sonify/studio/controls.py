@@ -261,17 +261,16 @@ def _choice_control(scene: Scene, key: str) -> Control:
             "Table under the disk with its elastic constants, optionally those of another "
             "scene; friction and roughness remain."
         )
-        names = ["published"]
-        names += [n for n in shipped_scenes() if load_scene(n).surface.kind != "rigid"]
+        choices = table_choices()
     else:
         described = _schema_of(key)
         meaning, _ = meaning_and_unit(described["description"])
-        names = described["enum"]
+        choices = {name: name for name in described["enum"]}
     if key == "air.film":
         value: str = scene.air.film
     else:
         value = KEEP_SCENE_VALUE
-        names = [KEEP_SCENE_VALUE, *names]
+        choices = {KEEP_SCENE_VALUE: "as in the scene"} | choices
     return Control(
         key=key,
         label=CHOICE_LABELS[key],
@@ -279,22 +278,24 @@ def _choice_control(scene: Scene, key: str) -> Control:
         unit="",
         is_main=key != "air.film",
         value=value,
-        choices={name: _choice_text(key, name) for name in names},
+        choices=choices,
     )
 
 
-def _choice_text(key: str, choice: str) -> str:
-    """Return how the studio shows a choice."""
-    if choice == KEEP_SCENE_VALUE:
-        return "as in the scene"
-    if key != "surface":
-        return choice
-    surface = load_scene(choice).surface
-    if surface.kind == "rigid":
-        return "rigid"
-    thickness = f", {1e3 * surface.thickness:.3g} mm" if surface.kind == "plate" else ""
-    sounds_only = ", sounds without moving the disk" * (surface.action == "sound")
-    return f"that of {choice}{thickness}{sounds_only}"
+@cache
+def table_choices() -> dict[str, str]:
+    """Return the tables of the shipped scenes in words, by the name of the scene."""
+    words = {"published": "rigid"}
+    for name in shipped_scenes():
+        surface = load_scene(name).surface
+        if surface.kind == "rigid":
+            continue
+        words[name] = f"that of {name}"
+        if surface.kind == "plate":
+            words[name] += f", {1e3 * surface.thickness:.3g} mm"
+        if surface.action == "sound":
+            words[name] += ", sounds without moving the disk"
+    return words
 
 
 def _schema_of(key: str) -> dict[str, Any]:

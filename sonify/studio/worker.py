@@ -47,8 +47,7 @@ class ProgressFile(Stages):
         self._began = perf_counter()
         self._written = 0.0
         self.notices: list[str] = []
-        self.expected = ""
-        self.expected_seconds = inf
+        self.expected_seconds: float | None = None
         self.found: dict[str, Any] | None = None
         self.heard = False
         self.streams = False
@@ -83,7 +82,6 @@ class ProgressFile(Stages):
 
     def expect(self, seconds: float) -> None:
         """Write the predicted duration of the run."""
-        self.expected = duration_in_words(seconds)
         self.expected_seconds = seconds
         self.write(at_once=True)
 
@@ -135,12 +133,13 @@ class ProgressFile(Stages):
                 for stage in self._running.values()
                 if stage.share is not None
             ]
+            expected = self.expected_seconds
             content = {
                 "line": line,
                 "share": min(shares, default=None),
                 "notices": self.notices,
-                "expected": self.expected,
-                "exceeded": perf_counter() - self._began > self.expected_seconds,
+                "expected": "" if expected is None else duration_in_words(expected),
+                "exceeded": expected is not None and now - self._began > expected,
                 "found": self.found,
                 "heard": self.heard,
                 "streams": self.streams,

@@ -29,7 +29,7 @@ from scenes import smooth_toy
 from sonify import load_scene, shipped_scenes
 from sonify.__main__ import main
 from sonify.fitting.decay_model import DecayModel
-from sonify.report.run_names import scene_record
+from sonify.scene import scene_record
 from sonify.sweeps.sweep import SHIPPED_SWEEPS_FOLDER, load_sweep, shipped_sweeps
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]

@@ -27,9 +27,9 @@ from sonify import load_scene
 from sonify.__main__ import main
 from sonify.export.model_geometry import body_poses, disk_mesh, rim_sides
 from sonify.export.motion import aliasing_notice, export_motion
-from sonify.report.run_names import scene_record
 from sonify.runtime.json_values import json_safe, write_json
 from sonify.scene import SHIPPED_SCENES_FOLDER as SCENES_FOLDER
+from sonify.scene import scene_record
 from sonify.scene_errors import InputError
 
 SCENES = {

@@ -7,7 +7,7 @@ import json
 
 from sonify import load_scene
 from sonify.export.scene_source import scene_to_export
-from sonify.report.run_names import scene_record
+from sonify.scene import scene_record
 
 
 def test_every_source_gives_the_same_scene(tmp_path):

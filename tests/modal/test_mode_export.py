@@ -30,9 +30,8 @@ from modal.export import UNIT_STRIKE_PEAK
 from sonify.__main__ import main
 from sonify.export.modes import export_modes
 from sonify.plan.preflight import plan_with_modes
-from sonify.report.run_names import scene_record
 from sonify.runtime.json_values import write_json
-from sonify.scene import load_scene
+from sonify.scene import load_scene, scene_record
 from sonify.scene_errors import InputError
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)

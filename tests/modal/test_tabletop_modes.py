@@ -34,9 +34,9 @@ from sonify.plan.table import (
     solve_table,
     table_exit_time,
 )
-from sonify.report.run_names import scene_record
 from sonify.report.write import copy_table_mesh
 from sonify.runtime.json_values import write_json
+from sonify.scene import scene_record
 from sonify.scene_errors import SceneError
 
 GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}

@@ -16,9 +16,8 @@ from modal import eigenmodes
 from modal.materials import MATERIALS
 from sonify import SceneError, load_scene
 from sonify.plan.unused import unused_keys
-from sonify.report.run_names import scene_record
 from sonify.runtime.json_values import json_safe
-from sonify.scene import from_document
+from sonify.scene import from_document, scene_record
 
 COIN = "radius=0.016385, mass=0.03393"
 GOLD = "material={young=95e9, poisson=0.42, loss_factor=2e-4}"

@@ -17,9 +17,8 @@ from modal import Material, eigenmodes
 from modal.materials import MATERIALS
 from sonify import SceneError, load_scene
 from sonify.plan.unused import unused_keys
-from sonify.report.run_names import scene_record
 from sonify.runtime.json_values import json_safe
-from sonify.scene import Scene, from_document
+from sonify.scene import Scene, from_document, scene_record
 from sonify.scene_keys import keys
 
 DISK = "disk={radius=0.0375, thickness=0.0125}"

@@ -16,8 +16,7 @@ from urllib.parse import urlsplit
 import pytest
 from servers import address_of
 
-from sonify.report.run_names import scene_record
-from sonify.scene import load_scene
+from sonify.scene import load_scene, scene_record
 from sonify.scene_errors import InputError
 from sonify.studio.application import serve
 

@@ -28,9 +28,9 @@ from sonify.__main__ import main
 from sonify.pipeline import TableModesCache
 from sonify.plan.preflight import check_solvable_scene
 from sonify.report.page import page_assets
-from sonify.report.run_names import RunName, run_name, scene_record
+from sonify.report.run_names import RunName, run_name
 from sonify.runtime.workers import WorkerDiedError
-from sonify.scene import from_document
+from sonify.scene import from_document, scene_record
 from sonify.scene_errors import InputError, SceneError
 from sonify.sound.playback import a_weighting
 from sonify.studio import application as studio_pages
