@@ -31,6 +31,7 @@ from dynamics.switching import (
     NoContactAtReleaseError,
     next_regime,
     slide_to_rest,
+    state_after_reversal,
     with_rotation_zero,
 )
 
@@ -168,6 +169,10 @@ class RollingDisk:
             case (
                 GuardKind.REVERSES | GuardKind.UNSTICKS
             ):  # by far the most frequent case
+                branch = Branch.of(regime, self.constants, self.loads)
+                after = state_after_reversal(y, regime, branch, guard, self.constants)
+                if after:
+                    return Switch(after[1], after[0])
                 fired = {guard.axis + 1} if guard.kind is GuardKind.UNSTICKS else ()
                 return self._select_next_regime(
                     with_rotation_zero(y, guard.axis),

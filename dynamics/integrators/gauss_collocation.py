@@ -19,13 +19,15 @@ from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.integrators.runge_kutta import (
     BISECTION_COUNT,
     MAX_GUARDS,
+    STATE_SIZE,
     Flow,
-    copy_into,
+    convert_to_powers_of_time,
+    copy_state,
     evaluate_polynomial,
     guard_crossing_between,
 )
 from dynamics.numba_kernels import cached
-from dynamics.regime import DISSIPATED, V1, V2, W1, R
+from dynamics.regime import V1, V2, W1, R
 
 ORDER = 14
 COLLOCATION_NODES = (1 + chebpts1(ORDER)) / 2
@@ -57,7 +59,6 @@ STEP_TOLERANCE = 1e-12
 DIFFERENCE_ANGLE = 1e-7
 """Step [rad] of the difference quotient in Newton's method; the iteration removes the
 error of the quotient."""
-STATE_SIZE = DISSIPATED + 1
 NUTATION_SENSE_INDEX = len(DiskConstants._fields) - 1
 """Index of the sign of nutation among the constants of a flow (branch_formulas.py)."""
 REST_SLIP_SPEED = 1e-13
@@ -195,7 +196,7 @@ def collocation_step(
         return c, np.inf
     series = np.dot(INTEGRAL_SERIES, rates)
     c = dt * np.dot(CHEBYSHEV_TO_POWERS, series)
-    copy_into(y, c[0])
+    copy_state(y, c[0])
     evaluate_polynomial(c, 1.0, end)
     flow(end, p, series[0], guards[ORDER])
     return c, dt * np.max(np.abs(series[ORDER])) / STEP_TOLERANCE + 1e-30
@@ -264,16 +265,16 @@ def write_cartesian_powers(
         slip[j, 1] = gain * sin + turn * cos
     powers = np.dot(CHEBYSHEV_TO_POWERS, dt * np.dot(INTEGRAL_SERIES, slip))
     for j in range(ORDER + 1):
-        copy_into(c[j], out[j])
-        copy_into(powers[j], out[j, V1 : V2 + 1])
-    copy_into(cartesian_slip(c[0]), out[0])
+        copy_state(c[j], out[j])
+        out[j, V1] = powers[j, 0]
+        out[j, V2] = powers[j, 1]
+    copy_state(cartesian_slip(c[0]), out[0])
     evaluate_polynomial(c, place, end)
     wanted = cartesian_slip(end)
     evaluate_polynomial(out, place, end)
     for a in (V1, V2):
         out[1, a] += (wanted[a] - end[a]) / place
-    for j in range(ORDER + 1):
-        copy_into(out[j] / dt**j, out[j])
+    convert_to_powers_of_time(out, dt)
 
 
 @cached

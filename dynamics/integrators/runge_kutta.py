@@ -13,7 +13,7 @@ from scipy.integrate import DOP853
 from dynamics.hybrid import MAX_STEPS_PER_ARC
 from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.numba_kernels import cached
-from dynamics.regime import V1, V2, W1, W2, W3, R
+from dynamics.regime import DISSIPATED, V1, V2, W1, W2, W3, R
 
 Flow = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], None]
 """Compiled flow (state, constants, output for rates, output for guards)."""
@@ -27,6 +27,8 @@ STAGE_WEIGHTS[13:] = DOP853.A_EXTRA
 ERROR_WEIGHTS = np.zeros((2, 13))
 ERROR_WEIGHTS[:] = DOP853.E5, DOP853.E3
 BISECTION_COUNT = 54  # for the location of a guard crossing
+STATE_SIZE = DISSIPATED + 1
+"""Size of every state y and of its rates."""
 MAX_GUARDS = 16
 """Array size that is sufficient for the guards of any branch."""
 
@@ -63,22 +65,31 @@ def max_step(y: np.ndarray) -> float:
 
 
 @cached
-def copy_into(values: np.ndarray, out: np.ndarray) -> None:
-    """Copy values (k,) into out (k,).
-
-    The statement `out[:] = values` would add seconds to the compilation time of numba.
-    """
-    for a in range(len(out)):
-        out[a] = values[a]
+def copy_state(y: np.ndarray, out: np.ndarray) -> None:
+    """Copy a state into `out`."""
+    for a in range(STATE_SIZE):
+        out[a] = y[a]
 
 
 @cached
 def evaluate_polynomial(c: np.ndarray, x: float, y: np.ndarray) -> None:
-    """Write the values of polynomials c (order + 1, k) at x into y (k,)."""
-    copy_into(c[-1], y)
+    """Write the state at x on the curve c (order + 1, STATE_SIZE) into y."""
+    copy_state(c[-1], y)
     for j in range(len(c) - 2, -1, -1):
-        for a in range(len(y)):
+        for a in range(STATE_SIZE):
             y[a] = y[a] * x + c[j, a]
+
+
+@cached
+def add_weighted_rates(
+    h: float, weights: np.ndarray, count: int, rates: np.ndarray, out: np.ndarray
+) -> None:
+    """Add h times the weighted sum of the first `count` rates to `out`."""
+    for j in range(count):
+        weight = h * weights[j]
+        if weight != 0:
+            for a in range(STATE_SIZE):
+                out[a] += weight * rates[j, a]
 
 
 @cached
@@ -89,22 +100,56 @@ def step_and_error(
     h: float,
     rates: np.ndarray,
     y_end: np.ndarray,
+    state: np.ndarray,
     guards: np.ndarray,
 ) -> float:
-    """Fill the rates (16, k) and the end (k,) of a step of length h; return its error.
+    """Fill the rates (16, STATE_SIZE) and the end of a step of length h; return its error.
 
-    The first row of the rates must be given. The error norm is that of SciPy for
-    relative and absolute tolerances of 1.
+    The first row of the rates must be given; `state` and `guards` are overwritten. The
+    error norm is that of SciPy for relative and absolute tolerances of 1.
     """
     for i in range(1, 16):
-        state = y + h * (STAGE_WEIGHTS[i, :i] @ rates[:i])
+        copy_state(y, state)
+        add_weighted_rates(h, STAGE_WEIGHTS[i], i, rates, state)
         flow(state, p, rates[i], guards)
         if i == 12:
-            copy_into(state, y_end)
-    scale = 1 + np.maximum(np.abs(y), np.abs(y_end))
-    fifth = np.sum(((ERROR_WEIGHTS[0] @ rates[:13]) / scale) ** 2)
-    third = np.sum(((ERROR_WEIGHTS[1] @ rates[:13]) / scale) ** 2)
-    return h * fifth / np.sqrt((fifth + 0.01 * third) * len(y)) if fifth > 0 else fifth
+            copy_state(state, y_end)
+    fifth = 0.0
+    third = 0.0
+    for a in range(STATE_SIZE):
+        scale = 1 + max(abs(y[a]), abs(y_end[a]))
+        error5 = 0.0
+        error3 = 0.0
+        for j in range(13):
+            error5 += ERROR_WEIGHTS[0, j] * rates[j, a]
+            error3 += ERROR_WEIGHTS[1, j] * rates[j, a]
+        fifth += (error5 / scale) ** 2
+        third += (error3 / scale) ** 2
+    if fifth == 0:
+        return 0.0
+    return h * fifth / np.sqrt((fifth + 0.01 * third) * STATE_SIZE)
+
+
+@cached
+def write_dense_output(
+    y: np.ndarray, h: float, rates: np.ndarray, c: np.ndarray
+) -> None:
+    """Write the curve (8, STATE_SIZE) of a step from y, on [0, 1], into c."""
+    copy_state(y, c[0])
+    for j in range(1, 8):
+        for a in range(STATE_SIZE):
+            c[j, a] = 0.0
+        add_weighted_rates(h, DENSE_OUTPUT[j], 16, rates, c[j])
+
+
+@cached
+def convert_to_powers_of_time(c: np.ndarray, h: float) -> None:
+    """Convert a curve from powers of x in [0, 1] to powers of x h."""
+    scale = 1.0
+    for j in range(1, len(c)):
+        scale /= h
+        for a in range(STATE_SIZE):
+            c[j, a] *= scale
 
 
 @cached
@@ -115,8 +160,8 @@ def guard_root(
 
     The result is rounded to the side on which the guard is not positive.
     """
-    y = np.empty(c.shape[1])
-    rates = np.empty(c.shape[1])
+    y = np.empty(STATE_SIZE)
+    rates = np.empty(STATE_SIZE)
     guards = np.empty(MAX_GUARDS)
     for _ in range(BISECTION_COUNT):
         middle = (low + high) / 2
@@ -167,8 +212,8 @@ def first_guard_crossing(
     fall.
     """
     guard_evaluations_per_step = 4
-    y = np.empty(c.shape[1])
-    rates = np.empty(c.shape[1])
+    y = np.empty(STATE_SIZE)
+    rates = np.empty(STATE_SIZE)
     now = np.empty(MAX_GUARDS)
     place = 1.0
     fired = -1
@@ -185,7 +230,8 @@ def first_guard_crossing(
             (look - 1) / guard_evaluations_per_step,
             look / guard_evaluations_per_step,
         )
-        copy_into(now, before)
+        for i in range(count):
+            before[i] = now[i]
         if fired >= 0:
             break
     return place, fired
@@ -206,13 +252,18 @@ INTEGRATE_SIGNATURE = RESULT_TYPE(
 
 
 def integrate_dop853(
-    flow: Flow, y: np.ndarray, p: np.ndarray, count: int, span: float, tolerance: float
+    flow: Flow,
+    start: np.ndarray,
+    p: np.ndarray,
+    count: int,
+    span: float,
+    tolerance: float,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
-    """Integrate from y (k,) until one of `count` guards falls through zero, for at most
-    `span`.
+    """Integrate from `start` until one of `count` guards falls through
+    zero, for at most `span`.
 
     It takes at most MAX_STEPS_PER_ARC steps. Returns the end times of the steps (n,),
-    their Taylor coefficients (n, 8, k), the last state (k,) and the index of the guard
+    their Taylor coefficients (n, 8, STATE_SIZE), the last state and the index of the guard
     (-1 if none). The integration also ends, possibly before the first step, if no step
     meets the tolerance.
     """
@@ -221,11 +272,14 @@ def integrate_dop853(
     min_step_ratio = 0.2
     max_step_ratio = 10.0
     times = np.empty(MAX_STEPS_PER_ARC)
-    coefficients = np.empty((MAX_STEPS_PER_ARC, 8, len(y)))
-    rates = np.empty((16, len(y)))
-    y_end = np.empty(len(y))
+    coefficients = np.empty((MAX_STEPS_PER_ARC, 8, STATE_SIZE))
+    y = np.empty(STATE_SIZE)
+    copy_state(start, y)
+    rates = np.empty((16, STATE_SIZE))
+    y_end = np.empty(STATE_SIZE)
+    state = np.empty(STATE_SIZE)
     guards = np.empty(MAX_GUARDS)
-    guard_values = np.empty(MAX_GUARDS)
+    unused = np.empty(MAX_GUARDS)
     flow(y, p, rates[0], guards)
     t = 0.0
     h = max_step(y)
@@ -235,7 +289,7 @@ def integrate_dop853(
         h = min(h, max_step(y), span - t)
         if not h > 1e-13 * y[R]:  # too short
             break
-        error = step_and_error(flow, y, p, h, rates, y_end, guard_values) / tolerance
+        error = step_and_error(flow, y, p, h, rates, y_end, state, unused) / tolerance
         if not error < 1:  # NaN if the step leaves the domain of the formulas
             h *= (
                 max(min_step_ratio, step_safety * error ** (-1 / 8))
@@ -243,18 +297,17 @@ def integrate_dop853(
                 else min_step_ratio
             )
             continue
-        c = h * (DENSE_OUTPUT @ rates)
-        copy_into(y, c[0])
+        c = coefficients[n]
+        write_dense_output(y, h, rates, c)
         place, fired = first_guard_crossing(flow, p, c, count, guards)
-        for j in range(8):
-            copy_into(c[j] / h**j, coefficients[n, j])
         t = span if fired < 0 and h == span - t else t + place * h
         times[n] = t
         n += 1
-        y = y_end.copy()
-        copy_into(rates[12], rates[0])
+        copy_state(y_end, y)
+        copy_state(rates[12], rates[0])
         if fired >= 0:
             evaluate_polynomial(c, place, y)
+        convert_to_powers_of_time(c, h)
         h *= (
             min(max_step_ratio, step_safety * error ** (-1 / 8))
             if error > 0

@@ -3,7 +3,9 @@ reason."""
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import inf
 from pathlib import Path
+from time import perf_counter
 from typing import Any
 
 from dynamics import ImpossibleContactError, Motion, MotionPlan, Outcome
@@ -141,8 +143,15 @@ def solve_motion(motion: MotionPlan, watch: Watch = ignore_progress) -> Motion:
     contact force satisfies the balance laws.
     """
     progress = MotionProgress(motion)
+    min_interval = 0.05  # s, between two reports of an inclination
+    reported = -inf
 
     def show(t: float, inclination: float, doing: str) -> None:
+        nonlocal reported
+        now = perf_counter()
+        if not doing and now - reported < min_interval:
+            return
+        reported = now
         note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
         watch(progress.solved_fraction(t, inclination), note)
 
