@@ -767,3 +767,9 @@ def piece_ends_and_middles(motion: Motion) -> np.ndarray:
     """Return the sorted ends and midpoints (2n - 1,) [s] of the pieces of a motion."""
     middles = (motion.t[:-1] + motion.t[1:]) / 2
     return read_only(np.sort(np.concatenate([motion.t, middles])))
+
+
+@lru_cache(maxsize=1)
+def force_at_ends_and_middles(motion: Motion) -> np.ndarray:
+    """Return the contact force (2n - 1, 3) [N] at `piece_ends_and_middles`."""
+    return read_only(motion.force(piece_ends_and_middles(motion)))

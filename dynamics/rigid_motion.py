@@ -22,7 +22,7 @@ from dynamics.motion import (
     MotionEvent,
     Outcome,
     Transition,
-    piece_ends_and_middles,
+    force_at_ends_and_middles,
     read_only,
     times_within,
 )
@@ -131,7 +131,8 @@ class RigidMotion(MotionBase):
         It is the solution of the balance laws (4.6) and (5.2), without numerical
         differentiation.
         """
-        return self.at_and_force(t)[1]
+        tau, piece = self._time_and_piece(t)
+        return self._force(self.path(tau, piece), piece)
 
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation."""
@@ -240,17 +241,17 @@ class RigidMotion(MotionBase):
 
     def friction_excess(self) -> float:
         """Return `Motion.friction_excess`, evaluated at the midpoints of the pieces."""
-        t = piece_ends_and_middles(self)
-        force = self.force(t)[1::2]
+        force = force_at_ends_and_middles(self)[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
-        sliding = np.char.startswith(self.regime(t[1::2]), "slide")
+        sliding = np.array([regime.sliding for regime in self.regimes])
+        sliding = sliding[self.regime_of_piece]
         excess = ratio[~sliding] - self.constants.mu_static
         deviation = np.abs(ratio[sliding] - self.constants.mu_dynamic)
         return float(max(excess.max(initial=0.0), deviation.max(initial=0.0)))
 
     def tensile_time(self) -> float:
         """Return `Motion.tensile_time`, from the start and the middle of each piece."""
-        force = self.force(piece_ends_and_middles(self)[:-1])[:, 2]
+        force = force_at_ends_and_middles(self)[:-1, 2]
         lowest = force.reshape(-1, 2).min(axis=1)
         return float(np.diff(self.t) @ (lowest < 0))
 

@@ -1,11 +1,12 @@
 """Findings on the claims of the paper about the motion and the modes of the disk."""
 
+from functools import lru_cache
 from math import inf
 
 import numpy as np
 
 from dynamics import Motion
-from dynamics.motion import piece_ends_and_middles
+from dynamics.motion import force_at_ends_and_middles
 from dynamics.observables import (
     nutation_end_time,
     nutation_frequency,
@@ -44,7 +45,7 @@ def contact_kept(motion: Motion) -> Measured:
     It is 0 if contact is lost, also where the last force is zero only up to
     rounding."""
     rounding = 1e-9
-    load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
+    load = force_at_ends_and_middles(motion)[:, 2] / motion.disk.weight
     min_load = float(load.min())
     if motion.contact_losses or abs(min_load) < rounding:
         return Measured(0.0)
@@ -102,6 +103,7 @@ def sliding_costs_more(motion: Motion) -> Measured:
     return median_with_margin(power[slides] / around)
 
 
+@lru_cache(maxsize=1)
 def powers_by_regime(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean power lost [W] in each interval of rolling or sliding, and
     indices of slides.

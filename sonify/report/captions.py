@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dynamics.motion import force_at_ends_and_middles
 from dynamics.observables import nutation_frequency, precession_rate
 from sonify.claims.details import unit_and_details
 from sonify.claims.energy_causes import CAUSE_IN_WORDS
@@ -52,7 +53,7 @@ def describe_motion(result: "Result") -> str:
     solved = result.motion.rolling
     state = solved.at(solved.t[[0, -1]])
     first, last = np.degrees(state[:, 1])
-    load = solved.force(solved.t)[:, 2]
+    load = force_at_ends_and_middles(solved)[::2, 2]
     turns = np.abs(precession_rate(state)) / (2 * np.pi)
     reach = 1e3 * np.abs(solved.state[:, 3:5]).max()
     nutation = nutation_frequency(solved)[1]

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import chain
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -150,7 +151,10 @@ class ShapeSet:
     begins: np.ndarray
 
 
-@lru_cache
+_choosing_shapes = Lock()
+"""Held by the thread that chooses shapes; those that need the same ones wait for it."""
+
+
 def families(
     distance: float,
     only: str | None = None,
@@ -162,6 +166,12 @@ def families(
     `distance` is their spacing, as in `covering_shapes`, and `min_ratio` the minimum
     ratio of the rates of a disk.
     """
+    with _choosing_shapes:
+        return _families(distance, only, min_ratio)
+
+
+@lru_cache
+def _families(distance: float, only: str | None, min_ratio: float) -> ShapeSet:
     every = ("disk", "flat", "slowing", "linear", "exponential")
     names = every if only is None else (only,)
     shapes = [_shapes_of_family(name, distance, min_ratio) for name in names]
@@ -174,17 +184,17 @@ def _shapes_of_family(name: str, distance: float, min_ratio: float) -> list[Shap
     """Return the searched shapes of a family; see `families`."""
     high = SETTLING.rate_ratios[1]
     steady = SETTLING.max_steady_ratio
-    disk_laws = np.geomspace(min_ratio, high, 40), np.linspace(*SETTLING.exponents, 18)
-    rising_laws = np.geomspace(steady, high, 60), [0.0]
+    if name == "slowing":  # mirrored laws are at the same distances from each other
+        rising = chain.from_iterable(
+            _shapes_of_family(mirrored, distance, min_ratio)
+            for mirrored in ("disk", "linear", "exponential")
+        )
+        return [replace(shape, family=f"slowing {shape.family}") for shape in rising]
     if name == "disk":
-        return covering_shapes("disk", *disk_laws, distance)
+        ratios = np.geomspace(min_ratio, high, 40)
+        exponents = np.linspace(*SETTLING.exponents, 18)
+        return covering_shapes("disk", ratios, exponents, distance)
     if name == "flat":
         ratios = np.geomspace(1 / steady, steady, 31)
         return covering_shapes("linear", ratios, [0.0], distance)
-    if name == "slowing":
-        return [
-            *covering_shapes("slowing disk", *disk_laws, distance),
-            *covering_shapes("slowing linear", *rising_laws, distance),
-            *covering_shapes("slowing exponential", *rising_laws, distance),
-        ]
-    return covering_shapes(name, *rising_laws, distance)
+    return covering_shapes(name, np.geomspace(steady, high, 60), [0.0], distance)
