@@ -73,7 +73,7 @@ ACCURACY_LEVELS = {
     ),
     "standard": MotionAccuracyLevel(
         taylor_tolerance=1e-16,
-        dop853_tolerance=1e-14,
+        dop853_tolerance=1e-15,
         final_rate_factor=10.0,
         max_contact_turn=0.2,
         range_db=60.0,

@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import zipfile
+from importlib.util import find_spec
 
 import pytest
 from importlinter.cli import lint_imports
@@ -139,6 +140,9 @@ def test_help_loads_nothing_heavy(command):
     assert done.stdout
 
 
+@pytest.mark.skipif(
+    not find_spec("heyoka"), reason="heyoka, which compiles them, is not installed"
+)
 def test_flows_are_compiled_before_anything_heavy_is_loaded():
     """The compiler releases Python's global lock, so that it runs in parallel with the imports."""
     code = (

@@ -163,8 +163,9 @@ def test_turning_the_release_about_the_vertical_turns_the_path(turn):
     y = initial_state(start.disk, start.release)
     y[PRECESSION] = turn
     turned, _ = run_events(system_of(start), y, 20.0)
+    # at the starts of the arcs, because rounding may change the steps within one
     a, b = (
-        np.concatenate([block[:, 0] for block in path.coefficients])
+        np.array([block[0, 0] for block in path.coefficients])
         for path in (straight, turned)
     )
     rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])

@@ -51,7 +51,7 @@ def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
     """For equal coefficients of friction the number of pieces is comparable to that for unequal
     ones; with explicit steps it is unbounded."""
     unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
-    assert len(roll(equal("published", 12.0)).t) < 2 * len(roll(unequal).t)
+    assert len(roll(equal("published", 12.0)).t) < 3 * len(roll(unequal).t)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 1.001])
