@@ -176,7 +176,7 @@ def resolved_integrator_name(name: str) -> str:
     if name == "auto":
         return "taylor" if installed else "dop853"
     if name == "taylor" and not installed:
-        missing = "requires heyoka, which is not installed: use 'dop853'"
+        missing = "requires heyoka, which is not installed (extra fast): use 'dop853'"
         raise ValueError(f"numerics.integrator = 'taylor' {missing}")
     return name
 

@@ -36,7 +36,7 @@ UNTYPED = re.compile(
     r"`[^`]*`|\$\$.*?\$\$|\$[^$]*\$"  # code and formulas
     r"|\[\[[^\]]*\]\]|\]\([^)]*\)|\[@[^\]]*\]|@(?:fig|tbl):\w+|<!--.*?-->"  # names and references
     r"|^\d+\. |\(\d+\.\d+\)|(?:section|footnote) \d+"  # places
-    r"|\b(?:19|20)\d\d\b|\bRK45\b|\b95 %",  # years, a method, and the level of every interval
+    r"|\b(?:19|20)\d\d\b|\bRK45\b|\bDOP853\b|\b95 %",  # years, methods, and the level of every interval
     re.MULTILINE | re.DOTALL,
 )
 """Parts of a text that may contain digits."""
