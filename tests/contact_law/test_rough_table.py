@@ -55,6 +55,7 @@ def test_the_force_on_the_yielding_table_selects_the_model(
     assert "more than 1 dB" in table_action(plan).reason
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("edge", "contact", "limit"),
     [

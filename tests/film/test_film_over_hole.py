@@ -116,6 +116,7 @@ def test_a_small_hole_tends_to_no_hole_with_the_logarithm_of_its_size():
     assert turning == pytest.approx(ROTATION_POWER_COEFFICIENT, rel=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hole", HOLES)
 def test_the_law_of_the_rolling_film_is_the_closed_ring(hole):
     """On a plane and over bowls, for drag, resistance to a fall, and lever of the lift."""

@@ -57,6 +57,7 @@ def test_a_rough_contact_on_a_plate_has_both_couplings():
     assert two_way.filter_is_two_way
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", shipped_scenes())
 def test_values_can_be_given_to_set(name):
     scene = load_scene(name)

@@ -49,6 +49,7 @@ def turns_per_second(motion, time, window=0.1):
     return abs(last - first) / (2 * pi) / (span[1] - span[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("row", ROWS, ids=[row[0] for row in ROWS])
 def test_a_row_is_the_run(row):
     scene = scene_of(row[1])

@@ -206,6 +206,7 @@ def test_steady_precession_is_kept():
     assert np.log2(errors[1] / errors[2]) == pytest.approx(2, abs=0.2)
 
 
+@pytest.mark.slow
 def test_rigid_limit(scene, motion):
     """Before the first slip the difference from the rigid motion falls as 1/k over two decades."""
     start = motion.at([0.0])[0]

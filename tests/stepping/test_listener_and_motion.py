@@ -59,6 +59,7 @@ def test_every_key_of_the_listener_is_varied():
     assert {"glass-plate", "light-plate", "wood-table"} <= set(MOVING_TABLES)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MOVING_TABLES)
 def test_no_listener_changes_the_modes_that_move_the_disk(name, monkeypatch):
     """The solver of the modes is asked for the same modes, and the motion gets them all."""

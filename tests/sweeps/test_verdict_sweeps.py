@@ -97,6 +97,7 @@ def test_draws_without_an_answer_do_not_count():
     assert (found.answer, found.share.draws) == ("yes", 412)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", VERDICTS)
 def test_the_shown_conclusion_is_that_of_the_table(name):
     folder = Path(sonify.__file__).parents[1] / "outputs/shown/sweeps" / name
