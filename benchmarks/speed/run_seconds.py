@@ -5,9 +5,10 @@ Run as `python -m benchmarks.speed.run_seconds [--before FOLDER] [--runs N] [--c
 Without `--check`, the medians of N runs are written to run_seconds.json and to the table
 in docs/speed_and_accuracy.md. `--before` names the checkout of another version, such as a
 Git worktree; both versions are measured in turns, so that the load of the machine affects
-them equally. With `--check`, the second run of the first scene is compared with the stated
-one; the exit status is 1 if it takes more than 1.5 times the CPU seconds. The unit of the
-comparison is a calibration loop of the same process, so that the machine does not matter.
+them equally. A checkout that contains a virtual environment `.venv` runs in it. With
+`--check`, the second run of the first scene is compared with the stated one; the exit
+status is 1 if it takes more than 1.5 times the CPU seconds. The unit of the comparison is
+a calibration loop of the same process, so that the machine does not matter.
 
 CPU seconds are user plus system time of all processes. Before a second run, the caches are
 filled by a first one; "empty caches" is the state after the installation, with the byte
@@ -51,14 +52,24 @@ class Usage(NamedTuple):
     output: str
 
 
-def usage(arguments: list[str], source: Path, **variables: str) -> Usage:
-    """Run Python with the arguments on the sources in a folder; it stores byte code."""
+def interpreter(source: Path) -> str:
+    """Return the Python of the environment in a checkout, or else of this process."""
+    own = source / ".venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
+    return str(own) if own.exists() else sys.executable
+
+
+def usage(
+    arguments: list[str], source: Path, python: str | None = None, **variables: str
+) -> Usage:
+    """Run Python with the arguments on the sources in a folder; it stores byte code.
+
+    `python` is the `interpreter` of the folder by default."""
     environment = os.environ | {"PYTHONPATH": str(source), "OPENBLAS_NUM_THREADS": "1"}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)
     before = sum(os.times()[2:4])
     began = perf_counter()
     done = subprocess.run(
-        [sys.executable, *arguments],
+        [python or interpreter(source), *arguments],
         env=environment | variables,
         cwd=source,
         capture_output=True,
@@ -93,7 +104,8 @@ def run_from_empty_caches(source: Path, folder: str) -> Usage:
     for package in PACKAGES:
         copytree(source / package, copy / package, ignore=ignored)
     caches = {name: f"{folder}/{name}" for name in CACHE_VARIABLES}
-    return usage(["-m", "sonify", "run", "--out", f"{folder}/out"], copy, **caches)
+    arguments = ["-m", "sonify", "run", "--out", f"{folder}/out"]
+    return usage(arguments, copy, interpreter(source), **caches)
 
 
 def listening(source: Path, folder: str) -> Usage:
