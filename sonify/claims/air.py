@@ -111,8 +111,11 @@ def air_negligible(motion: Motion, film: Film) -> Measured:
 def final_loss_shares(motion: Motion) -> dict[str, float]:
     """Return the share of each cause in the final tenth of the energy loss."""
     energy = motion.energy(motion.t)
-    last = energy - energy[-1] <= FINAL_ENERGY_SHARE * (energy[0] - energy[-1])
-    lost = motion.energy_lost(np.array([motion.t[last][0], motion.t[-1]]))
+    begin = (1 - FINAL_ENERGY_SHARE) * energy[-1] + FINAL_ENERGY_SHARE * energy[0]
+    first = int(np.argmax(energy <= begin))
+    around = [first, max(first - 1, 0)]
+    since = np.interp(begin, energy[around], motion.t[around])
+    lost = motion.energy_lost(np.array([since, motion.t[-1]]))
     taken = {cause: float(until - since) for cause, (since, until) in lost.items()}
     whole = sum(taken.values()) or 1.0
     return {cause: energy / whole for cause, energy in taken.items()}

@@ -5,6 +5,9 @@ Source: the claims themselves, which name a disk, a table, a decline or a tone. 
 balance of a motion, the exact zero of a lost contact, and the constants of the shipped scenes.
 """
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 from made_findings import found as made
 from scenes import smooth_toy
@@ -99,6 +102,20 @@ def test_the_answer_to_what_ends_a_hoop_is_a_cause_without_any_air(hoop):
     answer = complete_answers(found)["what ends the motion"]
     assert answer == f"friction of rolling and pivoting: {cause.value:.0%}"
     assert "friction_exponent" not in keys(found)
+
+
+def test_the_final_tenth_begins_between_the_ends_of_pieces():
+    """The energy falls evenly; in the last twentieth the film takes it, before it the moments."""
+    motion = SimpleNamespace(
+        t=np.array([0.0, 0.5, 1.0]),
+        energy=lambda t: 1 - t,
+        energy_lost=lambda t: {
+            "moments": np.minimum(t, 0.95),
+            "film": np.maximum(t - 0.95, 0.0),
+        },
+    )
+    shares = air.final_loss_shares(motion)
+    assert shares == pytest.approx({"moments": 0.5, "film": 0.5})
 
 
 def test_a_motion_that_does_not_end_has_no_cause_of_its_end(hoop):
