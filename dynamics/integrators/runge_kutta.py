@@ -259,8 +259,8 @@ def integrate_dop853(
     span: float,
     tolerance: float,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
-    """Integrate from `start` until one of `count` guards falls through
-    zero, for at most `span`.
+    """Integrate from `start` until one of `count` guards falls through zero, for at most
+    `span`.
 
     It takes at most MAX_STEPS_PER_ARC steps. Returns the end times of the steps (n,),
     their Taylor coefficients (n, 8, STATE_SIZE), the last state and the index of the guard

@@ -111,11 +111,11 @@ def air_negligible(motion: Motion, film: Film) -> Measured:
 def final_loss_shares(motion: Motion) -> dict[str, float]:
     """Return the share of each cause in the final tenth of the energy loss."""
     energy = motion.energy(motion.t)
-    begin = (1 - FINAL_ENERGY_SHARE) * energy[-1] + FINAL_ENERGY_SHARE * energy[0]
-    first = int(np.argmax(energy <= begin))
+    held = (1 - FINAL_ENERGY_SHARE) * energy[-1] + FINAL_ENERGY_SHARE * energy[0]
+    first = int(np.argmax(energy <= held))
     around = [first, max(first - 1, 0)]
-    since = np.interp(begin, energy[around], motion.t[around])
-    lost = motion.energy_lost(np.array([since, motion.t[-1]]))
+    begin = np.interp(held, energy[around], motion.t[around])
+    lost = motion.energy_lost(np.array([begin, motion.t[-1]]))
     taken = {cause: float(until - since) for cause, (since, until) in lost.items()}
     whole = sum(taken.values()) or 1.0
     return {cause: energy / whole for cause, energy in taken.items()}
