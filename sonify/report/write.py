@@ -106,22 +106,31 @@ def mode_changes_record(result: "Result") -> dict[str, Any]:
     return {"over_the_run": rows} if rows else {}
 
 
+MAX_MOTION_ROWS = 30_000
+"""Largest number of times in motion.npz."""
+
+
 def write_motion(motion: Motion, path: Path) -> None:
     """Write the motion to a NumPy archive.
 
     The archive contains times [s], states, forces [N] and regimes at the ends of the
-    pieces, the jumps, and the transitions between regimes.
+    pieces, or at every k-th end if there are more than MAX_MOTION_ROWS, and at the last
+    one; also the jumps, and the transitions between regimes.
     """
     jumps = motion.jumps
     events = motion.transitions
+    last = len(motion.t) - 1
+    every = last // MAX_MOTION_ROWS + 1
+    rows = np.append(np.arange(0, last, every), last)
+    t = motion.t[rows]
     with atomic_write(path) as temporary:
         np.savez(
             temporary,
-            t=motion.t,
-            state=motion.state,
+            t=t,
+            state=motion.state[rows],
             columns=np.array(COLUMNS),
-            force=motion.force(motion.t),
-            regime=motion.regime(motion.t),
+            force=motion.force(t),
+            regime=motion.regime(t),
             jump_time=jumps.t,
             jump_before=jumps.before,
             jump_after=jumps.after,

@@ -37,6 +37,7 @@ from sonify.claims.surface_summary import complete_answers
 from sonify.hearing.audio_source import Recording
 from sonify.report import page as report
 from sonify.report import page_data
+from sonify.report import write as files
 from sonify.studio.application import OPENING_RUN
 
 FILES = {
@@ -204,7 +205,7 @@ def test_run_json_says_what_was_done(result, record):
 
 def test_the_files_are_read_by_others(result):
     motion = np.load(result.out / "motion.npz", allow_pickle=False)
-    assert np.array_equal(motion["t"], result.motion.t)
+    assert np.isin(motion["t"], result.motion.t).all()
     assert motion["state"].shape == (len(motion["t"]), len(motion["columns"]))
     assert len(motion["regime"]) == len(motion["t"])
     assert len(motion["transition_time"]) == len(result.motion.transitions)
@@ -214,6 +215,23 @@ def test_the_files_are_read_by_others(result):
     assert [mode["frequency"] for mode in modes["modes"]] == pytest.approx(
         result.modes.frequency.tolist()
     )
+
+
+@pytest.mark.parametrize("most", [1, 7, 100])
+def test_a_long_motion_is_written_at_few_of_its_times(
+    result, tmp_path, monkeypatch, most
+):
+    monkeypatch.setattr(files, "MAX_MOTION_ROWS", most)
+    files.write_motion(result.motion, tmp_path / "few.npz")
+    few = np.load(tmp_path / "few.npz", allow_pickle=False)
+    t = result.motion.t
+    rows = np.flatnonzero(np.isin(t, few["t"]))
+    assert len(rows) == len(few["t"]) <= most + 1 < len(t)
+    assert (rows[0], rows[-1]) == (0, len(t) - 1)
+    assert len(rows) == 2 or np.ptp(np.diff(rows)[:-1]) == 0
+    assert np.array_equal(few["state"], result.motion.state[rows])
+    assert np.array_equal(few["force"], result.motion.force(t[rows]))
+    assert np.array_equal(few["regime"], result.motion.regime(t[rows]))
 
 
 def test_the_page_needs_no_other_file(result):
