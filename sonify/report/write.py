@@ -106,7 +106,7 @@ def mode_changes_record(result: "Result") -> dict[str, Any]:
     return {"over_the_run": rows} if rows else {}
 
 
-MAX_MOTION_ROWS = 30_000
+MAX_MOTION_ROWS = 25_000
 """Largest number of times in motion.npz."""
 
 
