@@ -62,7 +62,7 @@ class MotionAccuracyLevel(NamedTuple):
 ACCURACY_LEVELS = {
     "draft": MotionAccuracyLevel(
         taylor_tolerance=1e-16,
-        dop853_tolerance=1e-12,
+        dop853_tolerance=1e-15,
         final_rate_factor=1.0,
         max_contact_turn=0.8,
         range_db=40.0,
@@ -109,7 +109,7 @@ class Numerics:
     --------
     >>> from dynamics import Numerics
     >>> Numerics(accuracy="draft", integrator="dop853").chosen_tolerance
-    1e-12
+    1e-15
     """
 
     accuracy: Literal["draft", "standard", "reference"] = "standard"

@@ -8,6 +8,7 @@ what ends the motion, and the film.
 
 import json
 from functools import cache
+from importlib.util import find_spec
 
 import numpy as np
 import pytest
@@ -194,6 +195,8 @@ NOT_REACHED = {
 }
 """Keys that may have no effect in some bases, with the reason; each has an effect in at least one.
 """
+if not find_spec("heyoka"):
+    NOT_REACHED["numerics.integrator"] = "without heyoka there is only one"
 
 
 def stages(scene, motion_plan):

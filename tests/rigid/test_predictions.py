@@ -53,7 +53,8 @@ def test_the_predictions_for_the_mirror_are_those_of_a_run():
 
 @pytest.mark.slow
 def test_the_table_is_what_the_script_prints():
-    assert_same_tables(predictions.main(), "mirror")
+    integrators_differ = 0.02  # by 1 %, in one of the numbers
+    assert_same_tables(predictions.main(), "mirror", integrators_differ)
 
 
 @pytest.mark.slow

@@ -6,6 +6,7 @@ Oracle: Newton and Euler (test_equations.py); the energy of the state; closed fo
 straight motion; another integrator; the compliant motion.
 """
 
+from importlib.util import find_spec
 from math import pi
 
 import numpy as np
@@ -116,6 +117,7 @@ def test_an_upright_disk_rolls_along_a_bowl_as_a_pendulum():
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 def test_two_integrators_and_the_compliant_contact_agree():
     """Both integrators to 1e-8; the compliant disk with an error of its creep, which is inversely
     proportional to the size of the ellipse, the cube root of the stiffness."""
