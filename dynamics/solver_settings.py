@@ -25,13 +25,16 @@ disk.
 """
 
 
+INTEGRATOR_TOLERANCES = {"taylor": 1e-16, "dop853": 1e-15}
+"""Relative tolerance of each integrator, at every level of accuracy: with larger ones,
+the direction of friction at the end of a slide is wrong."""
+
+
 class MotionAccuracyLevel(NamedTuple):
     """Settings of one of the accuracy levels draft, standard and reference.
 
     Parameters
     ----------
-    taylor_tolerance, dop853_tolerance : float
-        Relative tolerances of the two integrators.
     final_rate_factor : float
         The motion ends where the precession frequency reaches this multiple of
         MAX_AUDIBLE_FREQUENCY.
@@ -48,8 +51,6 @@ class MotionAccuracyLevel(NamedTuple):
         Rate of the time steps of an elastic contact [1/s].
     """
 
-    taylor_tolerance: float
-    dop853_tolerance: float
     final_rate_factor: float
     max_contact_turn: float
     range_db: float
@@ -61,8 +62,6 @@ class MotionAccuracyLevel(NamedTuple):
 
 ACCURACY_LEVELS = {
     "draft": MotionAccuracyLevel(
-        taylor_tolerance=1e-16,
-        dop853_tolerance=1e-15,
         final_rate_factor=1.0,
         max_contact_turn=0.8,
         range_db=40.0,
@@ -72,8 +71,6 @@ ACCURACY_LEVELS = {
         contact_rate=1e5,
     ),
     "standard": MotionAccuracyLevel(
-        taylor_tolerance=1e-16,
-        dop853_tolerance=1e-15,
         final_rate_factor=10.0,
         max_contact_turn=0.2,
         range_db=60.0,
@@ -83,8 +80,6 @@ ACCURACY_LEVELS = {
         contact_rate=4e5,
     ),
     "reference": MotionAccuracyLevel(
-        taylor_tolerance=1e-16,
-        dop853_tolerance=1e-15,
         final_rate_factor=inf,
         max_contact_turn=0.0,
         range_db=inf,
@@ -143,9 +138,7 @@ class Numerics:
         """Relative tolerance of the integrator."""
         if self.tolerance:
             return self.tolerance
-        if resolved_integrator_name(self.integrator) == "taylor":
-            return self.level.taylor_tolerance
-        return self.level.dop853_tolerance
+        return INTEGRATOR_TOLERANCES[resolved_integrator_name(self.integrator)]
 
     def stopping_inclination(self, disk: Disk) -> float:
         """Return the inclination at which the motion of a disk counts as settled.

@@ -6,6 +6,7 @@ mass on a moving board; sums of independent noises.
 """
 
 import re
+from importlib.util import find_spec
 from types import SimpleNamespace
 
 import numpy as np
@@ -52,9 +53,12 @@ def test_the_predictions_for_the_mirror_are_those_of_a_run():
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(
+    not find_spec("heyoka"),
+    reason="heyoka made the table; without it one number differs by 1 %",
+)
 def test_the_table_is_what_the_script_prints():
-    integrators_differ = 0.02  # by 1 %, in one of the numbers
-    assert_same_tables(predictions.main(), "mirror", integrators_differ)
+    assert_same_tables(predictions.main(), "mirror")
 
 
 @pytest.mark.slow

@@ -6,6 +6,8 @@ the same slide in explicit steps of another method, as short as the stiff direct
 number of pieces of a motion.
 """
 
+from importlib.util import find_spec
+
 import numpy as np
 import pytest
 from law_scenes import named_scene
@@ -47,11 +49,28 @@ def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, spa
     assert len(ours.t) < len(explicit.t)
 
 
+@pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
     """For equal coefficients of friction the number of pieces is comparable to that for unequal
     ones; with explicit steps it is unbounded."""
     unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
-    assert len(roll(equal("published", 12.0)).t) < 3 * len(roll(unequal).t)
+    assert len(roll(equal("published", 12.0)).t) < 2 * len(roll(unequal).t)
+
+
+def test_dop853_takes_no_more_pieces_between_changes_without_a_jump_than_with_one():
+    """For equal coefficients there are more changes of regime, and DOP853 needs pieces for each."""
+    dop853 = "numerics.integrator=dop853"
+    unequal = load_scene("published").replace(
+        "numerics.time_limit=12", "air.film=none", dop853
+    )
+    smooth, abrupt = (
+        len(motion.t) / len(motion.transitions)
+        for motion in (
+            roll(equal("published", 12.0).replace(dop853)),
+            roll(unequal),
+        )
+    )
+    assert smooth < 2 * abrupt
 
 
 @pytest.mark.parametrize("ratio", [1.0, 1.001])
