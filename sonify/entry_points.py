@@ -5,13 +5,9 @@ from typing import TYPE_CHECKING, Literal
 
 from dynamics.motion_plan import MotionPlan
 from dynamics.simulation import compile_in_background
-from dynamics.solver_settings import resolved_integrator_name
 from sonify.plan.motion import planned_scene
 from sonify.report.render_worker import painter
-from sonify.runtime.imports import (
-    import_heyoka_without_sympy,
-    import_signal_without_stats,
-)
+from sonify.runtime.imports import import_signal_without_stats
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene
 
@@ -78,7 +74,5 @@ def begin_run(
     """Return the scene with the given accuracy and the decisions of its motion, and start
     to compile its flows."""
     scene, motion_plan = planned_scene(scene, accuracy)
-    if resolved_integrator_name(scene.numerics.integrator) == "taylor":
-        import_heyoka_without_sympy()
     compile_in_background(motion_plan)
     return scene, motion_plan

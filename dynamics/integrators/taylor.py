@@ -1,11 +1,12 @@
 """Integration by heyoka's adaptive Taylor method, which finds every root of the guards."""
 
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from functools import lru_cache
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-import heyoka
 import numpy as np
 
 from dynamics.dissipation import Resistance, laws_of
@@ -30,6 +31,23 @@ from dynamics.switching import state_after_reversal
 if TYPE_CHECKING:
     from concurrent.futures._base import Future
 
+
+def _import_heyoka() -> Any:
+    """Import heyoka as if its optional dependency SymPy were not installed.
+
+    SymPy takes longer to import than heyoka itself; only conversions between the two
+    need it.
+    """
+    if "sympy" in sys.modules:
+        return import_module("heyoka")
+    sys.modules["sympy"] = None  # type: ignore[assignment]
+    try:
+        return import_module("heyoka")
+    finally:
+        del sys.modules["sympy"]
+
+
+heyoka = _import_heyoka()
 SYMBOLIC_FORMULAS = FlowFormulas(
     heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent
 )

@@ -4,7 +4,6 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
-from importlib.util import find_spec
 from types import ModuleType
 from typing import Any
 
@@ -62,18 +61,3 @@ class _StatsPlaceholder(ModuleType):
         if sys.modules.get("scipy.stats") is self:
             del sys.modules["scipy.stats"]
         return getattr(import_module("scipy.stats"), name)
-
-
-def import_heyoka_without_sympy() -> None:
-    """Import heyoka, if it is installed, as if its optional dependency SymPy were not.
-
-    SymPy takes longer to import than heyoka itself; only conversions between the two
-    need it.
-    """
-    if {"sympy", "heyoka"} & sys.modules.keys() or not find_spec("heyoka"):
-        return
-    sys.modules["sympy"] = None  # type: ignore[assignment]
-    try:
-        import_module("heyoka")
-    finally:
-        del sys.modules["sympy"]
