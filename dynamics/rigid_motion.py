@@ -192,34 +192,40 @@ class RigidMotion(MotionBase):
 
     @cached_property
     def _energy_lost(self) -> dict[str, np.ndarray]:
-        middle = (self.t[1:] + self.t[:-1]) / 2
         half_length = np.diff(self.t) / 2
+        middle = (self.t[1:] + self.t[:-1]) / 2
         offset = half_length / np.sqrt(3)
-        nodes = np.column_stack([middle - offset, middle + offset])
-        lost = {}
-        for cause, power in self._slip_and_film_powers(
-            *self.at_and_force(nodes.ravel())
-        ).items():
-            work = power.reshape(nodes.shape).sum(axis=1) * half_length
-            lost[cause] = np.append(0.0, np.cumsum(work))
+        nodes = np.stack([middle - offset, middle + offset])
+        sliding = self._pieces_that_slide
+        powers = {"slip": np.zeros(nodes.shape)}
+        powers["slip"][:, sliding] = _slip_power(
+            *self.at_and_force(nodes[:, sliding].ravel())
+        ).reshape(2, -1)
+        if self.film:
+            state = self.at(nodes.ravel())
+            powers["film"] = _film_power(self.disk, self.film, state).reshape(2, -1)
+        lost = {
+            cause: np.append(0.0, np.cumsum(power.sum(axis=0) * half_length))
+            for cause, power in powers.items()
+        }
         moments = self.state[:, 10] - sum(lost.values())
         nothing = dict.fromkeys(CAUSES, np.zeros(len(self.t)))
         return nothing | lost | {"moments": moments}
 
-    def _slip_and_film_powers(
-        self, state: np.ndarray, force: np.ndarray
-    ) -> dict[str, np.ndarray]:
-        """Return the powers (k,) [W] dissipated by sliding friction and by the film."""
-        powers = {"slip": -np.sum(force[:, :2] * state[:, 8:10], axis=1)}
-        if self.film:
-            powers["film"] = film_powers(self.disk, self.film, state).sum(axis=0)
-        return powers
+    @property
+    def _pieces_that_slide(self) -> np.ndarray:
+        """The mask (n - 1,) of the pieces in which the contact point slides."""
+        sliding = np.array([regime.sliding for regime in self.regimes])
+        return sliding[self.regime_of_piece]
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
         """Return the power (k,) [W] dissipated by each of CAUSES at times t (k,) [s]."""
         tau, piece = self._time_and_piece(t)
         y = self.path(tau, piece)
-        known = self._slip_and_film_powers(self._columns(y), self._force(y, piece))
+        state = self._columns(y)
+        known = {"slip": _slip_power(state, self._force(y, piece))}
+        if self.film:
+            known["film"] = _film_power(self.disk, self.film, state)
         moments = self._power(y, piece)
         for power in known.values():
             moments = moments - power
@@ -243,8 +249,7 @@ class RigidMotion(MotionBase):
         """Return `Motion.friction_excess`, evaluated at the midpoints of the pieces."""
         force = force_at_ends_and_middles(self)[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
-        sliding = np.array([regime.sliding for regime in self.regimes])
-        sliding = sliding[self.regime_of_piece]
+        sliding = self._pieces_that_slide
         excess = ratio[~sliding] - self.constants.mu_static
         deviation = np.abs(ratio[sliding] - self.constants.mu_dynamic)
         return float(max(excess.max(initial=0.0), deviation.max(initial=0.0)))
@@ -357,3 +362,14 @@ class RigidMotion(MotionBase):
         sense = np.where(start.any(axis=0), -1.0, 1.0)
         direction = np.where(is_gentle, curvature, slope) * sense
         y[V1 : V2 + 1, resting] = tiny_speed * direction / np.abs(direction).max(axis=0)
+
+
+def _slip_power(state: np.ndarray, force: np.ndarray) -> np.ndarray:
+    """Return the power (k,) [W] that sliding friction dissipates at states (k, 11) with
+    the forces (k, 3) [N]."""
+    return -np.sum(force[:, :2] * state[:, 8:10], axis=1)
+
+
+def _film_power(disk: Disk, film: Film, state: np.ndarray) -> np.ndarray:
+    """Return the power (k,) [W] that the film dissipates at states (k, 11)."""
+    return film_powers(disk, film, state).sum(axis=0)

@@ -10,7 +10,7 @@ from sonify.claims.reference_scenes import is_toy_disk
 from sonify.claims.rigid_motion import nutates_while_declining, stays_in_contact
 from sonify.claims.sound import weighted_power
 from sonify.hearing.loudness import level_db
-from sonify.hearing.settling.detector import SettlingRun
+from sonify.hearing.settling.settling_law import SettlingLaw
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -21,7 +21,7 @@ def literature_findings(
     motion: Motion,
     modes: Modes,
     sound: Sound,
-    tone: SettlingRun | None,
+    tone: SettlingLaw | None,
 ) -> list[Finding]:
     """Return the findings on claims of other authors that apply to this run.
 

@@ -13,7 +13,7 @@ from sonify.hearing.audible_levels import AudibleLevels, audible_levels
 from sonify.hearing.beats import find_beats, find_bursts
 from sonify.hearing.noise_band import NoiseBand, noise_band_to_end
 from sonify.hearing.recording import Heard
-from sonify.hearing.settling.detector import SettlingRun
+from sonify.hearing.settling.settling_law import SettlingLaw
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
@@ -123,7 +123,7 @@ def pitch_rises(parts: list[RisingPart], audible: bool = True) -> Measured:
 
 
 def tone_part(
-    tone: SettlingRun, sound: Sound, levels: AudibleLevels
+    tone: SettlingLaw, sound: Sound, levels: AudibleLevels
 ) -> RisingPart | None:
     """Return the rising tone where its third-octave band is audible; None if it hardly
     is."""

@@ -23,7 +23,7 @@ from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track
 
 if TYPE_CHECKING:
-    from sonify.hearing.settling.detector import SettlingRun
+    from sonify.hearing.settling.settling_law import SettlingLaw
     from sonify.hearing.settling.tone_ridge import ToneRidge
 
 FINAL_INTERVAL_DURATION = 1.0
@@ -78,7 +78,7 @@ def sound_findings(
 
 
 def tone_rate_findings(
-    tone: "SettlingRun", motion: Motion, sound: Sound
+    tone: "SettlingLaw", motion: Motion, sound: Sound
 ) -> list[Finding]:
     """Return the findings that compare the tone with solved rates; empty without
     nutation.
@@ -102,7 +102,7 @@ def tone_rate_findings(
     return found
 
 
-def rise_of(tone: "SettlingRun") -> Measured:
+def rise_of(tone: "SettlingLaw") -> Measured:
     """Return the ratio of the final to the initial frequency of a tone."""
     assert tone.exponent.value is not None, "only an end can be missing"
     factor = _ridge_of(tone).factor
@@ -112,7 +112,7 @@ def rise_of(tone: "SettlingRun") -> Measured:
 
 @finding(needs=("tone", "motion", "sound"), at_least=0.97, at_most=1.03)
 def tone_is_precession(
-    tone: "SettlingRun", last: np.ndarray, motion: Motion, sound: Sound
+    tone: "SettlingLaw", last: np.ndarray, motion: Motion, sound: Sound
 ) -> Measured:
     """The median ratio of the tone frequency to the solved precession in the frames
     `last` (r,)."""
@@ -121,7 +121,7 @@ def tone_is_precession(
 
 @finding(needs=("tone", "motion", "sound"), at_least=0.97, at_most=1.03)
 def tone_was_nutation(
-    tone: "SettlingRun", early: np.ndarray, motion: Motion, sound: Sound
+    tone: "SettlingLaw", early: np.ndarray, motion: Motion, sound: Sound
 ) -> Measured:
     """The median ratio of the tone frequency to the solved nutation in the frames
     `early` (r,)."""
@@ -129,7 +129,7 @@ def tone_was_nutation(
 
 
 @finding(needs=("tone", "sound"), at_least=-0.1, at_most=0.1)
-def tone_ends_with_the_motion(tone: "SettlingRun", sound: Sound) -> Measured:
+def tone_ends_with_the_motion(tone: "SettlingLaw", sound: Sound) -> Measured:
     """The time [s] from the end of the motion, at the listener, to the fitted end of
     the tone."""
     assert tone.t_end.value is not None, "the sound of a run is not cut"
@@ -137,7 +137,7 @@ def tone_ends_with_the_motion(tone: "SettlingRun", sound: Sound) -> Measured:
 
 
 @finding(needs=("tone", "sound"), at_least=0.5)
-def tone_is_heard(tone: "SettlingRun", sound: Sound) -> Measured:
+def tone_is_heard(tone: "SettlingLaw", sound: Sound) -> Measured:
     """The time before the end [s] from which the third-octave band of the tone stays
     above the threshold of hearing."""
     window = LEVEL_WINDOW_S / 4
@@ -236,14 +236,14 @@ def carriers_are_modes(heard: Heard, modes: Modes) -> Measured:
     return Measured(distance, 2 * 1200 / np.log(2) * one.error / one.frequency)
 
 
-def _ridge_of(tone: "SettlingRun") -> "ToneRidge":
+def _ridge_of(tone: "SettlingLaw") -> "ToneRidge":
     """Return the ridge of a run that was detected as a tone."""
     assert tone.ridge is not None, "the run was detected by its bursts"
     return tone.ridge
 
 
 def _tone_ratio(
-    tone: "SettlingRun",
+    tone: "SettlingLaw",
     frames: np.ndarray,
     motion: Motion,
     sound: Sound,

@@ -16,7 +16,8 @@ from sonify.hearing.loudness import (
     a_weighting_db,
     level_db,
 )
-from sonify.hearing.settling.detector import SettlingRun, strongest_tone
+from sonify.hearing.settling.detector import strongest_tone
+from sonify.hearing.settling.settling_law import SettlingLaw
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -28,7 +29,7 @@ def table_findings(
     motion: Motion,
     sound: Sound,
     listener: Listener,
-    tone: SettlingRun | None,
+    tone: SettlingLaw | None,
     error: float = 0.0,
     table: SurfaceModes | None = None,
 ) -> list[Finding]:
@@ -113,14 +114,14 @@ def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measure
 
 
 @finding(needs=("sound",), at_least=2.0)
-def table_tone_rises(tone: SettlingRun) -> Measured:
+def table_tone_rises(tone: SettlingLaw) -> Measured:
     """The ratio of the final to the initial frequency of the rising tone in the stem of
     the table."""
     return rise_of(tone)
 
 
 @finding(needs=("tone", "sound"), at_least=0.0)
-def table_carries_the_tone(sound: Sound, tone: SettlingRun, error: float) -> Measured:
+def table_carries_the_tone(sound: Sound, tone: SettlingLaw, error: float) -> Measured:
     """The level of the table relative to all other sound, in the third-octave band of
     the tone during the last second [dB]."""
     window = LEVEL_WINDOW_S / 4

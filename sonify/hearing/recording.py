@@ -25,6 +25,7 @@ from sonify.hearing.settling.detector import (
     settling_events,
     strongest_tone,
 )
+from sonify.hearing.settling.settling_law import SettlingLaw
 from sonify.hearing.spectral_lines import SpectralLine, find_spectral_lines
 from sonify.runtime.progress import Watch, ignore_progress
 
@@ -48,9 +49,10 @@ class Heard:
         Sample rate of the sound [Hz].
     start : float
         Start of the analysed part in the file [s].
-    tone : SettlingRun or None
-        The detected rising tone of highest score; None if there is none or if it was
-        not searched for.
+    tone : SettlingLaw or None
+        The rising tone: of a recording, the SettlingRun of highest score; of a known
+        disk, the tone that explains most octaves of frequency. None if there is none or
+        if it was not searched for.
     carriers : list of SpectralLine
         Spectral lines and noise bands, sorted by decreasing level.
     missing : float
@@ -72,7 +74,7 @@ class Heard:
     duration: float
     sample_rate: int
     start: float
-    tone: SettlingRun | None
+    tone: SettlingLaw | None
     carriers: list[SpectralLine]
     missing: float = 0.0
     truncation: Truncation | None = None
@@ -183,7 +185,7 @@ def _with_spectral_lines(
     source: AudioSource,
     part: tuple[np.ndarray, int, float, float],
     begin: float = 0.0,
-    tone: SettlingRun | None = None,
+    tone: SettlingLaw | None = None,
 ) -> Heard:
     """Return the analysis of a sound that begins at a time [s] of its file, with the
     spectral lines of the `part` that `read` returned, and with the tone of the sound."""

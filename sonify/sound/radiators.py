@@ -210,14 +210,14 @@ def _apply_taps(
     row of the table are mean + sharpness * (deviation + share * slope), where share is
     the fractional part of the row.
     """
-    tap = np.empty(len(mean))
     for n in range(len(where)):
         row = int(where[n])
-        weight = sharpness[n]
         share = where[n] - row
-        slope = slopes[row % len(deviation)]
-        middle = deviation[row % len(deviation)]
-        for c in range(len(tap)):
-            tap[c] = (slope[c] * share + middle[c]) * weight + mean[c]
+        row %= len(deviation)
         for s in range(len(samples)):
-            out[n, s] = np.dot(tap, samples[s, n * modes : n * modes + len(tap)])
+            pressure = 0.0
+            for c in range(len(mean)):
+                varying = deviation[row, c] + share * slopes[row, c]
+                tap = mean[c] + sharpness[n] * varying
+                pressure += tap * samples[s, n * modes + c]
+            out[n, s] = pressure

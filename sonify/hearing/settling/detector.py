@@ -16,7 +16,6 @@ from sonify.hearing.settling.candidates import (
 )
 from sonify.hearing.settling.ends import knee
 from sonify.hearing.settling.joint_region import (
-    Estimate,
     JointRegion,
     joint_region,
     region_of_law,
@@ -35,6 +34,7 @@ from sonify.hearing.settling.prediction_score import (
     predicted_gain,
 )
 from sonify.hearing.settling.settings import SETTLING
+from sonify.hearing.settling.settling_law import SettlingLaw
 from sonify.hearing.settling.tone_ridge import ToneRidge, tone_ridge
 from sonify.runtime.progress import Watch, ignore_progress
 from sonify.scene_errors import InputError
@@ -45,21 +45,17 @@ PIECE_SPACING_S = 60
 """Time between the beginnings of the pieces in which a long sound is searched."""
 
 
-@dataclass(frozen=True)
-class SettlingRun:
-    """A disk or coin that comes to rest, with times in s, rates in Hz and 95 %
-    intervals.
+@dataclass(frozen=True, kw_only=True, repr=False)
+class SettlingRun(SettlingLaw):
+    """A disk or coin that comes to rest in a sound, and the evidence for it.
+
+    The attributes of `SettlingLaw` describe its rate.
 
     Attributes
     ----------
     kind : str
         "tone" if it is detected in the sound itself, "repetition" if in the power of
         bands.
-    start, t_end, exponent, rate_at_1s : float, Estimate, Estimate, Estimate
-        Start of the best window, and the law rate ~ (t_end - t)^-exponent; the rate is
-        that one second before the end, or at the start if that is later. If the sound
-        stops before the end, `t_end` has no value, only limits, and the rate is that one
-        second before the sound stops.
     events_per_turn : int
         2 if successive bursts alternate in strength, otherwise 1. The number of turns
         may be wrong by a factor of two.
@@ -71,99 +67,42 @@ class SettlingRun:
         sounds.
     bands : tuple of (float, float)
         Bands in which the run is detected [Hz].
-    region : JointRegion
-        Laws that the windows of this end admit.
     law_scores : dict
         Scores of the disk and of the rival laws.
-    ridge : ToneRidge or None
-        Ridge of a tone.
     false_alarm : float
         Expected number of events of this score in a sound of this length without a
-        disk; 0 in the sound of a known disk.
+        disk.
     """
 
     kind: str
-    start: float
-    t_end: Estimate
-    exponent: Estimate
-    rate_at_1s: Estimate
     events_per_turn: int
     score: float
     certain: bool
     bands: tuple[tuple[float, float], ...]
-    region: JointRegion
     law_scores: dict[str, float]
-    ridge: ToneRidge | None = None
     false_alarm: float = 0.0
 
     def __repr__(self) -> str:
-        exponent = self.exponent
-        missing = ", end missing" if self.t_end.value is None else ""
-        return (
-            f"SettlingRun({self.kind} from {self.start:.2f} to {self.heard_until:.3f} s{missing}, "
-            f"n {exponent.low:.2f} to {exponent.high:.2f}, "
-            f"{self.rate_at_1s.value:.1f} Hz, score {self.score:.1f})"
-        )
-
-    @property
-    def heard_until(self) -> float:
-        """The end [s], or the time at which the sound stops if the end is missing."""
-        if self.region.missing_from is None:
-            return self.region.best_end
-        return self.region.missing_from
-
-    @property
-    def reference_time(self) -> float:
-        """Remaining time [s] at which the rate is `rate_at_1s`."""
-        return self.region.reference_time
-
-    @property
-    def _known_rate(self) -> float:
-        assert self.rate_at_1s.value is not None, "only an end can be missing"
-        return self.rate_at_1s.value
-
-    def turns_left(self, time: float | np.ndarray) -> np.ndarray:
-        """Return the number of turns (or bursts) between times [s] and the end."""
-        reference = self.reference_time
-        left = np.maximum(self.region.best_end - np.asarray(time), 1e-6) / reference
-        turns = self._known_rate * reference
-        exponent = self.region.best_exponent
-        if abs(exponent - 1) < 1e-3:
-            return turns * np.log(left * 1e6)
-        return turns * left ** (1 - exponent) / (1 - exponent)
-
-    def rate(self, time: float | np.ndarray) -> np.ndarray:
-        """Return the rate [Hz] of the law at times before the end [s]."""
-        left = (self.region.best_end - np.asarray(time)) / self.reference_time
-        return self._known_rate * left**-self.region.best_exponent
-
-    def later(self, seconds: float) -> "SettlingRun":
-        """Return the run shifted to later times by `seconds`."""
-        return replace(
-            self,
-            start=self.start + seconds,
-            t_end=self.t_end.later(seconds),
-            region=self.region.later(seconds),
-            ridge=self.ridge and self.ridge.later(seconds),
-        )
+        return f"SettlingRun({self.kind} {self._words}, score {self.score:.1f})"
 
 
-def strongest_tone(sound: AudioSource) -> SettlingRun | None:
-    """Return the event of the kind "tone" whose law explains most octaves of frequency in
-    the sound of one known disk, or None.
+def strongest_tone(sound: AudioSource) -> SettlingLaw | None:
+    """Return the law of the tone that explains most octaves of frequency in the sound of
+    one known disk, or None.
 
-    The tone must merely stand out, because the resonances of a table shift its phase and
-    lower its score."""
-    events: list[SettlingRun] = []
-    for begin, samples, span in _searched_pieces(sound):
-        found = tones(samples, sound.sample_rate, span, known_disk=True)
-        events += [run.later(begin) for run in found]
+    The tone must merely stand out, because the resonances of a table shift its phase;
+    its law is not compared with those of other sounds."""
+    laws = []
+    for begin, samples, (first_end, last_end) in _searched_pieces(sound):
+        ridge = tone_ridge(samples, sound.sample_rate)
+        if ridge and _rises(ridge) and first_end <= ridge.law[0] < last_end:
+            laws.append(SettlingLaw.of_ridge(ridge).later(begin))
 
-    def explained_octaves(event: SettlingRun) -> float:
-        assert event.ridge is not None, "a tone has a ridge"
-        return event.ridge.law[1] * event.ridge.octaves
+    def explained_octaves(law: SettlingLaw) -> float:
+        assert law.ridge is not None, "the law is that of a ridge"
+        return law.ridge.law[1] * law.ridge.octaves
 
-    return max(events, key=explained_octaves, default=None)
+    return max(laws, key=explained_octaves, default=None)
 
 
 def settling_runs(
@@ -267,27 +206,22 @@ def tones(
     samples: np.ndarray,
     rate: float,
     span: tuple[float, float],
-    known_disk: bool = False,
 ) -> list[SettlingRun]:
     """Return the runs of the kind "tone" in samples (n,) that end within a time span
     [s].
 
-    The parts before and after a tone are searched too, except in the sound of a known
-    disk.
+    The parts before and after a tone are searched too.
     """
     ridge = tone_ridge(samples, rate)
-    can_be_cut = math.isinf(span[1]) and not known_disk
     if ridge is None:
         return []
-    run = _tone_run(samples, rate, ridge, known_disk, can_be_cut)
+    run = _tone_run(samples, rate, ridge, can_be_cut=math.isinf(span[1]))
     if run is None:
         return []
     end = ridge.law[0]
     before = samples[: int(ridge.time[0] * rate)]
     after = int((end + 0.1) * rate)
     found = [run] if span[0] <= end < span[1] else []
-    if known_disk:
-        return found
     if len(before) > MIN_LENGTH_S * rate:
         found += tones(before, rate, (span[0], min(span[1], end)))
     if len(samples) - after > MIN_LENGTH_S * rate:
@@ -298,23 +232,25 @@ def tones(
     return found
 
 
+def _rises(ridge: ToneRidge) -> bool:
+    """Return True if a ridge is long enough and rises."""
+    min_octaves = 2.0  # of the remaining time; sounds without a disk reach 1.7
+    min_rise = 0.5  # octaves
+    end, exponent, _ = ridge.law
+    rise = exponent * np.ptp(np.log2(end - ridge.time))
+    return bool(ridge.octaves >= min_octaves and rise >= min_rise)
+
+
 def _tone_run(
-    samples: np.ndarray,
-    rate: float,
-    ridge: ToneRidge,
-    known_disk: bool,
-    can_be_cut: bool,
+    samples: np.ndarray, rate: float, ridge: ToneRidge, can_be_cut: bool
 ) -> SettlingRun | None:
     """Return the run of a ridge, or None if it is not sufficient evidence of a disk.
 
     If it `can_be_cut`, the end of the law may be missing in the samples."""
-    min_octaves = 2.0  # of the remaining time; sounds without a disk reach 1.7
-    min_rise = 0.5  # octaves
+    if not _rises(ridge):
+        return None
     min_stop_time = 0.02  # s, between the windows of a tone and its end
     end, exponent, height = ridge.law
-    rise = exponent * np.ptp(np.log2(end - ridge.time))
-    if ridge.octaves < min_octaves or rise < min_rise:
-        return None
     waveform = waveform_of(samples, rate)
     onsets = tone_strength(waveform)
     highest = 0.9 * SETTLING.waveform_band[1]
@@ -323,7 +259,7 @@ def _tone_run(
     heard = [
         candidate
         for candidate in tone_candidates(waveform, onsets, stop)
-        if known_disk or (is_heard(candidate) and not is_bouncing(candidate))
+        if is_heard(candidate) and not is_bouncing(candidate)
     ]
     if not heard:
         return None
