@@ -156,9 +156,12 @@ class ElasticFace:
             if second_ear is None:
                 return stems
             second = _radiate_modes(
-                acceleration, turns + second_ear / (2 * np.pi), sharpness, self._taps
+                acceleration.sum(axis=0, keepdims=True),
+                turns + second_ear / (2 * np.pi),
+                sharpness,
+                self._taps,
             )
-            return np.hstack([stems, second.sum(axis=1, keepdims=True)])
+            return np.hstack([stems, second])
 
         return advance
 
