@@ -197,7 +197,7 @@ class RigidMotion(MotionBase):
         offset = half_length / np.sqrt(3)
         nodes = np.stack([middle - offset, middle + offset])
         sliding = self._pieces_that_slide
-        powers = {"slip": np.zeros(nodes.shape)}
+        powers: dict[str, np.ndarray] = {"slip": np.zeros(nodes.shape)}
         powers["slip"][:, sliding] = _slip_power(
             *self.at_and_force(nodes[:, sliding].ravel())
         ).reshape(2, -1)

@@ -233,12 +233,21 @@ def tones(
 
 
 def _rises(ridge: ToneRidge) -> bool:
-    """Return True if a ridge is long enough and rises."""
+    """Return True if a ridge is long enough and rises, from the band of the waveform."""
     min_octaves = 2.0  # of the remaining time; sounds without a disk reach 1.7
     min_rise = 0.5  # octaves
-    end, exponent, _ = ridge.law
-    rise = exponent * np.ptp(np.log2(end - ridge.time))
-    return bool(ridge.octaves >= min_octaves and rise >= min_rise)
+    rise = ridge.law[1] * np.ptp(np.log2(ridge.law[0] - ridge.time))
+    is_long = ridge.octaves >= min_octaves and rise >= min_rise
+    return bool(is_long and _last_time_in_band(ridge) >= min(SETTLING.window_lengths))
+
+
+def _last_time_in_band(ridge: ToneRidge) -> float:
+    """Return the time [s] at which a tone leaves the band of the waveform, at the latest
+    20 ms before its end."""
+    min_stop_time = 0.02  # s
+    end, exponent, height = ridge.law
+    highest = 0.9 * SETTLING.waveform_band[1]
+    return float(end - max((2**height / highest) ** (1 / exponent), min_stop_time))
 
 
 def _tone_run(
@@ -249,13 +258,9 @@ def _tone_run(
     If it `can_be_cut`, the end of the law may be missing in the samples."""
     if not _rises(ridge):
         return None
-    min_stop_time = 0.02  # s, between the windows of a tone and its end
-    end, exponent, height = ridge.law
     waveform = waveform_of(samples, rate)
     onsets = tone_strength(waveform)
-    highest = 0.9 * SETTLING.waveform_band[1]
-    stop = end - max((2**height / highest) ** (1 / exponent), min_stop_time)
-    stop = min(int(stop * FRAME_RATE), len(waveform))
+    stop = min(int(_last_time_in_band(ridge) * FRAME_RATE), len(waveform))
     heard = [
         candidate
         for candidate in tone_candidates(waveform, onsets, stop)
@@ -265,7 +270,7 @@ def _tone_run(
         return None
     start = heard[0].window.first / FRAME_RATE
     length = len(samples) / rate
-    stop_of_sound = length if can_be_cut and end > length else None
+    stop_of_sound = length if can_be_cut and ridge.law[0] > length else None
     region = region_of_law(ridge.law, ridge.errors, start, stop_of_sound)
     return _run_of_candidates(heard, onsets, region, ridge)
 
