@@ -192,8 +192,8 @@ class RigidMotion(MotionBase):
 
     @cached_property
     def _energy_lost(self) -> dict[str, np.ndarray]:
-        half_length = np.diff(self.t) / 2
         middle = (self.t[1:] + self.t[:-1]) / 2
+        half_length = np.diff(self.t) / 2
         offset = half_length / np.sqrt(3)
         nodes = np.stack([middle - offset, middle + offset])
         sliding = self._pieces_that_slide

@@ -45,7 +45,7 @@ PIECE_SPACING_S = 60
 """Time between the beginnings of the pieces in which a long sound is searched."""
 
 
-@dataclass(frozen=True, kw_only=True, repr=False)
+@dataclass(frozen=True, kw_only=True)
 class SettlingRun(SettlingLaw):
     """A disk or coin that comes to rest in a sound, and the evidence for it.
 
