@@ -227,8 +227,8 @@ def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz,
 
 @pytest.mark.slow
 def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_table():
-    """Three surfaces agree within 2 % over the run of `granite`; a softer table does not."""
-    for seed in range(3):
+    """Two surfaces agree within 2 % over the run of `granite`; a softer table does not."""
+    for seed in range(2):
         scene = load_scene("granite").replace(
             f"roughness.seed={seed}", "numerics.accuracy=draft"
         )

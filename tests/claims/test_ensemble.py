@@ -56,7 +56,7 @@ def test_perturbed_motions_on_a_light_plate_end_alike():
     scene = load_scene("light-plate")
     plan = motion_plan_with_table(scene, plan_motion(scene))
     motion = solve_motion(plan)
-    found = repeat_final_part(scene, motion, 4)
+    found = repeat_final_part(scene, motion, 2)
     assert losses_above_flat(motion) == 0
     assert not found.claims["contact is lost"].any()
     assert np.ptp(found.quantities[0].values) < 0.02 * motion.t[-1]

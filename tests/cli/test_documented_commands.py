@@ -2,9 +2,9 @@
 
 Source: README.md and docs/*.md, in code blocks and within the text. Oracle: the exit status; the
 files; the options that click declares. Recordings and earlier results are inputs that the tests
-make. To save time, a run of a scene has the accuracy draft, a ladder is only planned, a sweep has
-two values per axis or, with more than 300 runs, is only loaded, and a chart is drawn from its
-stored records.
+make. To save time, a run of a scene has the accuracy draft and ends after a second, a ladder is only
+planned, a sweep has two values per axis or, with more than 300 runs, is only loaded, and a chart is
+drawn from its stored records.
 tests/slow/test_shipped_scenes.py runs the shipped scenes.
 """
 
@@ -140,7 +140,7 @@ def shortened(arguments: list[str], folder: Path) -> list[str]:
     if shlex.join(arguments) in PLAIN_RUNS:
         return []
     if command == "run" and rest:
-        return [*arguments, "--accuracy", "draft"]
+        return [*arguments, "--accuracy", "draft", "--set", "numerics.time_limit=1.0"]
     if command == "ladder":
         return [command, rest[0], "--plan"]
     if command == "chart":

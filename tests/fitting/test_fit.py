@@ -427,9 +427,9 @@ def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decay):
 
 @pytest.mark.slow
 def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decay):
-    """Ten minutes of a voice are refused. In three and a half of them, the voice before and after
+    """Four minutes of a voice are refused. In three and a half of them, the voice before and after
     a run is as loud as the run."""
-    talk = voice(600, 5) + 0.01 * np.random.default_rng(0).standard_normal(600 * RATE)
+    talk = voice(240, 5) + 0.01 * np.random.default_rng(0).standard_normal(240 * RATE)
     with pytest.raises(RecordingError, match="no disk"):
         detect_run(Recording(samples=talk, sample_rate=RATE), "talk")
     run = recording(
@@ -563,14 +563,14 @@ def test_the_command_writes_what_it_found(decay, scene, tmp_path, monkeypatch):
 
 @pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_say(decay):
-    """Over 60 degraded telephone-like recordings, 95 % intervals contain the truth in 90 to 99 %.
+    """Over 30 degraded telephone-like recordings, 95 % intervals contain the truth in 90 to 99 %.
 
     The upper bound is compared with the interval of the counts. The fit never names a mechanism that was absent.
     """
     random = np.random.default_rng(11)
     inside = []
     named = []
-    for seed in range(60):
+    for seed in range(30):
         shares = [[1e-4, 0, 0], [0, 1.0, 0], [6e-5, 1.0, 0]][seed % 3]
         shares = (np.array(shares) * random.uniform(0.6, 1.6)).tolist()
         how = {

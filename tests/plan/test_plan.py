@@ -84,8 +84,9 @@ def disagreements(scene):
     return wrong
 
 
-LIKE_GRANITE = ("polished",)
-"""Scenes that differ from `granite` in the height of their roughness alone."""
+LIKE_GRANITE = ("coin-polished", "glass", "polished")
+"""Scenes with the models of `granite`, whose contact is rough and whose air film acts, and another
+disk, table or height of the roughness."""
 
 
 @pytest.mark.slow

@@ -46,12 +46,12 @@ def test_a_sound_file_is_the_same_in_any_folder(folder, tmp_path):
 @pytest.mark.slow
 def test_commands_write_into_such_a_folder(folder, tmp_path):
     """The sound of a scene from such a file is that of the scene with a plain name."""
-    brief = ["--accuracy", "draft", "--set", "release.inclination_deg=2"]
+    brief = ["--accuracy", "draft", "--set", "numerics.time_limit=0.5"]
     scene = Path(__file__).parents[2] / "sonify" / "scenes" / "published.toml"
     (folder / f"{NAME}.toml").write_bytes(scene.read_bytes())
     (folder / "sweep.toml").write_text(
         'name = "two"\nscene = "published"\naccuracy = "draft"\n[axes]\n'
-        '"release.inclination_deg" = [1.0, 2.0]\n'
+        '"numerics.time_limit" = [0.2, 0.3]\n'
     )
     inner = os.path.join(NAME, NAME)
     for arguments in (

@@ -100,7 +100,9 @@ def test_no_listener_changes_any_other_motion(name):
 @pytest.mark.slow
 def test_a_run_moves_as_without_its_listener():
     """One member of most pairs is inaudible; the motion of a run uses both."""
-    scene = load_scene("light-plate").replace("numerics.accuracy=draft")
+    scene = load_scene("light-plate").replace(
+        "numerics.accuracy=draft", "numerics.time_limit=0.5"
+    )
     one, other = (
         solve(scene.replace(change))
         for change in ("audio.elevation_deg=45.0", "audio.elevation_deg=80.0")

@@ -664,7 +664,7 @@ def test_a_recording_without_a_disk_has_a_plain_sentence(tmp_path):
 def test_a_run_has_the_pressure_of_the_command_line(tmp_path):
     from sonify import run
 
-    values = {"release.inclination_deg": 5.0, "disk.radius": 0.038}
+    values = {"numerics.time_limit": 1.0, "disk.radius": 0.038}
     scene = changed_scene("published", values)
     (tmp_path / "session").mkdir()
     run_scene(scene.document, tmp_path / "studio", tmp_path / "session")
