@@ -10,7 +10,6 @@ read from the waveform; 60 clips without a disk.
 import json
 import os
 import warnings
-from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from pathlib import Path
@@ -20,15 +19,16 @@ import pytest
 import settling_sounds
 import soundfile
 from paths import ROOT
-from scipy.signal import butter, resample_poly, sosfilt
+from scipy.signal import resample_poly
 from scipy.stats import binomtest, gamma
+from settling_sounds import Samples, heard
 
-from sonify import Heard, listen, load_scene, solve
+from sonify import Heard, listen
 from sonify.fitting.line_selection import detect_run as sound_to_fit
 from sonify.hearing.audio_source import SoundFile, excerpt
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.ring_down import decaying_lines, free_ringing
-from sonify.hearing.settling.detector import SettlingRun, settling_runs
+from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.settling.ends import power_drop
 from sonify.hearing.settling.prediction_score import (
     noise_at_rates,
@@ -51,27 +51,6 @@ needs_recordings = pytest.mark.skipif(
     not RECORDINGS.is_dir(),
     reason="the real recordings are not here; set SONIFY_RECORDINGS to their folder",
 )
-
-
-@dataclass(frozen=True)
-class Samples:
-    """An audio source of samples (n, channels) in memory."""
-
-    channels: np.ndarray
-    sample_rate: int = settling_sounds.RATE
-
-    @property
-    def frames(self):
-        return len(self.channels)
-
-    def blocks(self, start=0):
-        for first in range(start, self.frames, 65536):
-            yield self.channels[first : first + 65536]
-
-
-def heard(samples, rate=settling_sounds.RATE) -> list[SettlingRun]:
-    """Return the settling runs found in samples (n,)."""
-    return settling_runs(Samples(np.asarray(samples, dtype=np.float32)[:, None], rate))
 
 
 @cache
@@ -312,39 +291,6 @@ def test_a_run_is_told_in_two_lines_and_in_plain_numbers():
     first, second = run_sentences(run)
     assert f"{run.t_end.value:.3f} s" in first
     assert f"n {run.exponent.value:.2f}" in second
-
-
-def degraded(samples, rate):
-    """Return samples (n,) of the end of a sound, and four degraded copies, by name."""
-    noise = np.random.default_rng(0).standard_normal(len(samples)) * samples.std()
-    low = butter(8, 3000, fs=rate, output="sos")
-    return {
-        "clean": samples,
-        "clipped": np.clip(samples, *np.array([-0.3, 0.3]) * np.abs(samples).max()),
-        "low-passed": sosfilt(low, samples),
-        "noise at 20 dB": samples + 0.1 * noise,
-        "noise at 10 dB": samples + 10**-0.5 * noise,
-    }
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["granite", "glass", "coin-polished", "published"])
-def test_the_last_five_seconds_of_a_scene_are_heard(name):
-    """The paper's law of friction, n = 1, is heard only without noise."""
-    scene = load_scene(name).replace("numerics.accuracy=draft")
-    if scene.surface.kind != "rigid":
-        scene = scene.replace("surface.action=sound")
-    sound = solve(scene).sound
-    rate = sound.sample_rate
-    stop = int((sound.source_end + 0.6) * rate)
-    samples = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])[:stop][
-        -5 * rate :
-    ]
-    for kind, made in degraded(samples, rate).items():
-        if name != "published" or kind == "clean":
-            (run,) = heard(0.5 * made / np.abs(made).max(), rate)
-            if name == "published":
-                assert run.exponent.value == pytest.approx(1.0, abs=0.06)
 
 
 @pytest.mark.parametrize(("begin", "end"), [(0.0, 4.0), (1.3, 2.2), (3.9, 9.0)])

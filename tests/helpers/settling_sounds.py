@@ -7,6 +7,8 @@ import numpy as np
 from scipy.fft import dct, idct
 from scipy.signal import butter, sosfilt
 
+from sonify.hearing.settling.detector import SettlingRun, settling_runs
+
 RATE = 48000
 
 
@@ -288,3 +290,37 @@ IMITATIONS = {
     "modulated noise": modulated_noise,
 }
 """Sounds without a disk, by name; each is a function of a seed."""
+
+
+@dataclass(frozen=True)
+class Samples:
+    """An audio source of samples (n, channels) in memory."""
+
+    channels: np.ndarray
+    sample_rate: int = RATE
+
+    @property
+    def frames(self):
+        return len(self.channels)
+
+    def blocks(self, start=0):
+        for first in range(start, self.frames, 65536):
+            yield self.channels[first : first + 65536]
+
+
+def heard(samples, rate=RATE) -> list[SettlingRun]:
+    """Return the settling runs found in samples (n,)."""
+    return settling_runs(Samples(np.asarray(samples, dtype=np.float32)[:, None], rate))
+
+
+def degraded(samples, rate):
+    """Return samples (n,) of the end of a sound, and four degraded copies, by name."""
+    noise = np.random.default_rng(0).standard_normal(len(samples)) * samples.std()
+    low = butter(8, 3000, fs=rate, output="sos")
+    return {
+        "clean": samples,
+        "clipped": np.clip(samples, *np.array([-0.3, 0.3]) * np.abs(samples).max()),
+        "low-passed": sosfilt(low, samples),
+        "noise at 20 dB": samples + 0.1 * noise,
+        "noise at 10 dB": samples + 10**-0.5 * noise,
+    }
