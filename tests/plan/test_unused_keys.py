@@ -33,7 +33,7 @@ FLAT = "release.inclination_deg=1.0", "release.omega=[0.0, 0.84, 4.93]"
 BRIEF = (
     "numerics.accuracy=draft",
     "numerics.time_limit=0.03",
-    "audio.sample_rate=20000",
+    "audio.sample_rate=12000",
     "air.film=auto",
 )
 SOLID = "young=7e10, poisson=0.22, density=2500.0"
@@ -157,7 +157,7 @@ VALUES = {
     "air.density": "1.1",
     "air.pressure": "9e4",
     "air.temperature": "150.0",
-    "audio.sample_rate": "21000",
+    "audio.sample_rate": "13000",
     "audio.distance": "0.6",
     "audio.elevation_deg": "30.0",
     "audio.listeners": "[{distance=0.7}]",
