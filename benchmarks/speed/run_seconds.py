@@ -123,9 +123,13 @@ def megabytes(folder: Path) -> float:
     )
 
 
-def measured(sources: dict[str, Path], scenes: tuple[str, ...], runs: int) -> dict:
-    """Return the medians of each version by row of the table."""
+def measured(
+    sources: dict[str, Path], scenes: tuple[str, ...], runs: int
+) -> tuple[dict, float]:
+    """Return the medians of each version by row of the table, and that of the calibration loops,
+    which run in turns with them."""
     rows: dict[str, dict[str, dict[str, float]]] = {}
+    loops = []
 
     def add(row, version, found):
         row = rows.setdefault(row, {}).setdefault(version, {})
@@ -140,6 +144,7 @@ def measured(sources: dict[str, Path], scenes: tuple[str, ...], runs: int) -> di
                 found["listen, 5 s"] = listening(source, folder)
             if turn == 0:
                 continue
+            loops.append(calibration_seconds())
             with TemporaryDirectory() as folder:
                 found["published, empty caches"] = run_from_empty_caches(source, folder)
             for row, (cpu, wall, _) in found.items():
@@ -153,13 +158,14 @@ def measured(sources: dict[str, Path], scenes: tuple[str, ...], runs: int) -> di
             )
             for stage, cpu in stages.items():
                 add(f"published: {stage}", version, {"cpu": cpu})
-    return {
+    medians = {
         row: {
             version: {name: round(median(values), 3) for name, values in found.items()}
             for version, found in versions.items()
         }
         for row, versions in rows.items()
     }
+    return medians, median(loops)
 
 
 def commit_of(source: Path) -> str:
@@ -229,8 +235,7 @@ def main() -> int:
         return 0 if check(options.runs) else 1
     before = {"before": options.before.resolve()} if options.before else {}
     sources = before | {"now": ROOT}
-    calibration = median(calibration_seconds() for _ in range(options.runs))
-    rows = measured(sources, tuple(options.scenes), options.runs)
+    rows, calibration = measured(sources, tuple(options.scenes), options.runs)
     load = f"{psutil.getloadavg()[0]:.1f}"
     write_record(
         {
