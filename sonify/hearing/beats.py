@@ -18,7 +18,6 @@ from sonify.hearing.settling.onset_strength import (
     FRAME_RATE,
     Frames,
     OnsetStrength,
-    frames_of,
     onset_strength,
 )
 from sonify.hearing.settling.prediction_score import (
@@ -151,7 +150,7 @@ def find_bursts(sound: AudioSource, end: float) -> Beats | None:
     rate = sound.sample_rate
     begin = max(end - searched, 0.0)
     samples = loudest_channel(read_samples(sound, int(begin * rate), int(end * rate)))
-    frames = frames_of(samples, rate)
+    frames = Frames(samples, rate)
     onsets = onset_strength(frames)
     candidates = settling_candidates(frames, onsets, (end - begin - last_end, np.inf))
     heard = [one for one in candidates if is_heard(one) and not is_bouncing(one)]
@@ -215,7 +214,7 @@ def beats_in_window(
     samples = loudest_channel(read_samples(sound, first, first + int(length * rate)))
     if not np.any(samples):
         return {}
-    frames = frames_of(samples / np.abs(samples).max(), rate)
+    frames = Frames(samples / np.abs(samples).max(), rate)
     power = a_weighted_power(frames)
     time = begin + (np.arange(len(power) + 1)) / FRAME_RATE
     turned = turns(time)

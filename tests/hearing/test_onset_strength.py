@@ -7,7 +7,7 @@ bandwidth of a Hann window, 1.5 bins, because the power is the sum over bins.
 import numpy as np
 import pytest
 
-from sonify.hearing.settling.onset_strength import frames_of
+from sonify.hearing.settling.onset_strength import Frames
 
 RATE = 48_000
 T = np.arange(RATE) / RATE
@@ -15,7 +15,7 @@ T = np.arange(RATE) / RATE
 
 @pytest.mark.parametrize("frequency", [1200.0, 3300.0, 9000.0])
 def test_the_power_of_a_sine_is_in_its_band(frequency):
-    frames = frames_of(0.4 * np.sin(2 * np.pi * frequency * T), RATE)
+    frames = Frames(0.4 * np.sin(2 * np.pi * frequency * T), RATE)
     inner = frames.power[50:-50].mean(axis=0)
     band = np.searchsorted(frames.edges, frequency) - 1
     assert len(frames.power) == 1000
@@ -25,7 +25,7 @@ def test_the_power_of_a_sine_is_in_its_band(frequency):
 
 def test_a_burst_is_in_its_frames_alone():
     burst = (T > 0.5) & (T < 0.51)
-    frames = frames_of(np.sin(2 * np.pi * 5000 * T) * burst, RATE)
+    frames = Frames(np.sin(2 * np.pi * 5000 * T) * burst, RATE)
     total = frames.power.sum(axis=1)
     assert total[500:510].mean() == pytest.approx(1.5 * 0.5, rel=0.1)
     assert total[:495].max() < 1e-6

@@ -24,7 +24,6 @@ from sonify.hearing.settling.onset_strength import (
     FRAME_RATE,
     Frames,
     OnsetStrength,
-    frames_of,
     onset_strength,
     tone_strength,
     waveform_of,
@@ -282,7 +281,7 @@ def repetitions(
 ) -> list[SettlingRun]:
     """Return the runs of the kind "repetition" in samples (n,) that end within a time
     span [s]."""
-    frames = frames_of(samples, rate)
+    frames = Frames(samples, rate)
     onsets = onset_strength(frames)
     candidates = settling_candidates(frames, onsets, span)
     bouncing = [candidate for candidate in candidates if is_bouncing(candidate)]

@@ -1,6 +1,7 @@
 """Onset strength of a sound, the suddenness with which the power of bands rises."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -17,20 +18,48 @@ NARROW_SCALE_MS = 6
 """Duration of bursts that are also sought in narrow bands."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Frames:
-    """Power (frames, bands) and waveform (frames,) of a sound, with one frame per
-    millisecond.
+    """Samples (n,) at `rate` [Hz] as one frame per millisecond; each part is computed when
+    it is first read."""
 
-    `edges` (bands + 1,) are the limits of the bands [Hz]. `narrow_power` (frames, narrow
-    bands) is the power in longer windows and narrower bands with `narrow_edges` [Hz].
-    """
+    samples: np.ndarray
+    rate: float
 
-    power: np.ndarray
-    waveform: np.ndarray
-    edges: np.ndarray
-    narrow_power: np.ndarray
-    narrow_edges: np.ndarray
+    @property
+    def edges(self) -> np.ndarray:
+        """Limits (bands + 1,) of the bands [Hz]."""
+        limits = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]
+        edges = np.array(limits, dtype=float)
+        return edges[edges <= self._highest]
+
+    @property
+    def narrow_edges(self) -> np.ndarray:
+        """Limits (narrow bands + 1,) of the narrow bands [Hz]."""
+        low, high = 4000.0, 16000.0  # Hz
+        width = 250.0  # Hz, about the resolution of the window
+        return np.arange(low, max(min(high, self._highest), low) + 1, width)
+
+    @cached_property
+    def power(self) -> np.ndarray:
+        """Power (frames, bands)."""
+        length = max(2 * round(self.rate * 4 / 3000), 8)
+        return _band_power(self.samples, self.rate, length, self.edges)
+
+    @cached_property
+    def narrow_power(self) -> np.ndarray:
+        """Power (frames, narrow bands) in longer windows and narrow bands."""
+        length = 2 * round(self.rate * NARROW_SCALE_MS / 2000)
+        return _band_power(self.samples, self.rate, length, self.narrow_edges)
+
+    @cached_property
+    def waveform(self) -> np.ndarray:
+        """Waveform (frames,) in its band, without steady tones."""
+        return waveform_of(self.samples, self.rate)
+
+    @property
+    def _highest(self) -> float:
+        return SETTLING.max_frequency_per_rate * self.rate
 
 
 @dataclass(frozen=True)
@@ -49,28 +78,6 @@ class OnsetStrength:
         is_single = np.array([len(channel) == 1 for channel in self.values])
         kinds = [np.flatnonzero(is_single), np.flatnonzero(~is_single)]
         return [kind for kind in kinds if len(kind)]
-
-
-def frames_of(samples: np.ndarray, rate: float) -> Frames:
-    """Return the power and the waveform of samples (n,) at `rate` [Hz]."""
-    limits = [700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11200, 16000, 21000]  # Hz
-    narrow_range = (4000.0, 16000.0)  # Hz
-    narrow_width = 250.0  # Hz, about the resolution of the window
-    highest = SETTLING.max_frequency_per_rate * rate
-    edges = np.array(limits, dtype=float)
-    edges = edges[edges <= highest]
-    narrow_limit = max(min(narrow_range[1], highest), narrow_range[0])
-    narrow_edges = np.arange(narrow_range[0], narrow_limit + 1, narrow_width)
-    length = max(2 * round(rate * 4 / 3000), 8)
-    narrow_length = 2 * round(rate * NARROW_SCALE_MS / 2000)
-    power = _band_power(samples, rate, length, edges)
-    return Frames(
-        power=power,
-        waveform=waveform_of(samples, rate)[: len(power)],
-        edges=edges,
-        narrow_power=_band_power(samples, rate, narrow_length, narrow_edges),
-        narrow_edges=narrow_edges,
-    )
 
 
 def _band_power(
