@@ -61,8 +61,9 @@ OTHERS = {
     "hinged at a small patch": (0.28, 0.34, Support(half_angle_deg=2, held=TWO)),
     "hinged at a wide patch": (0.28, 0.34, Support(half_angle_deg=30, held=TWO)),
 }
-WIDE = {"narrow": 0.5, "45 degrees": 45, "60 degrees": 60, "130 degrees": 130}
-MORE = {"2 degrees": 2, "10 degrees": 10, "25 degrees": 25, "90 degrees": 90}
+ANGLES = {"narrow": 0.5} | {
+    f"{angle} degrees": angle for angle in (2, 10, 25, 45, 60, 90, 130)
+}
 EXTREMES = (
     "published",
     "narrow",
@@ -74,8 +75,7 @@ EXTREMES = (
     "hinged",
 )
 CASES = OTHERS | {
-    name: (0.28, 0.34, Support(half_angle_deg=angle))
-    for name, angle in (WIDE | MORE).items()
+    name: (0.28, 0.34, Support(half_angle_deg=angle)) for name, angle in ANGLES.items()
 }
 
 
