@@ -71,7 +71,6 @@ def test_a_tone_at_the_threshold_of_hearing_is_just_audible():
         ("published", ("air.film=acts",)),
         ("granite", ()),
         ("coin", ()),
-        ("glass-plate", ()),
     ],
 )
 def test_the_last_second_has_the_level_of_the_rendered_sound(name, sets):

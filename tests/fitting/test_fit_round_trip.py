@@ -16,16 +16,10 @@ from sonify.fitting.result import fit
 from sonify.sound.wav import write_sound
 
 pytestmark = pytest.mark.slow
-CONTOUR = (
-    "thorne",
-    "toy",
-    "dissipation",
-    "granite",
-    "glass",
-)
-STEADY = ("thorne", "dissipation", "glass", "power", "viscous")
+CONTOUR = ("thorne", "dissipation", "granite")
+STEADY = ("thorne", "dissipation", "power", "viscous")
 """Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
-KNOWN = ("thorne", "granite", "glass")
+KNOWN = ("thorne", "granite")
 """Scenes dominated by contact friction on an identifiable motion; the fit is accurate to 5 %."""
 OTHER = (
     "published",

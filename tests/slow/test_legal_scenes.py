@@ -33,7 +33,7 @@ from sonify.sound.fluid_loaded_modes import (
 )
 
 KNOWN = json.loads((REFERENCES / "legal_scenes.json").read_text())
-DRAWN_SCENE_COUNT = int(os.environ.get("SONIFY_DRAWN_SCENES", "16"))
+DRAWN_SCENE_COUNT = int(os.environ.get("SONIFY_DRAWN_SCENES", "12"))
 """Number of scenes that are drawn."""
 MAX_SECONDS = 2400.0
 MOST_REFUSED = 0.6

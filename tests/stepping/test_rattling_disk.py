@@ -518,7 +518,7 @@ def loss_on_waves(restitution, order, limit):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("order", [3, 5, 8, 16])
+@pytest.mark.parametrize("order", [3, 16])
 def test_waves_first_open_the_contact_in_a_valley(order):
     """R beta/(n^2 a) = 1.04, where beta is the inclination at that instant.
 
@@ -533,7 +533,7 @@ def test_waves_first_open_the_contact_in_a_valley(order):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("order", [3, 5, 8])
+@pytest.mark.parametrize("order", [3, 8])
 def test_a_bouncy_contact_opens_earlier_on_waves(order):
     """R beta/((n^2 - 1) a) for a restitution of 0.97."""
     for limit in (0.01, 0.02):
@@ -610,7 +610,7 @@ def fall_rate(t, inclination):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("restitution", "k"), [(0.1, 0.83), (0.37, 0.785), (0.523, 0.68), (0.793, 0.44)]
+    ("restitution", "k"), [(0.1, 0.83), (0.523, 0.68), (0.793, 0.44)]
 )
 def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
     """d beta/dt = -k sqrt(g s)/R for H = 0, from 0.18 to 0.006 rad; k is the mean of seeds, in three
