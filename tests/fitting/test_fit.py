@@ -563,14 +563,14 @@ def test_the_command_writes_what_it_found(decay, scene, tmp_path, monkeypatch):
 
 @pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_say(decay):
-    """Over 30 degraded telephone-like recordings, 95 % intervals contain the truth in 90 to 99 %.
+    """Over 20 degraded telephone-like recordings, 95 % intervals contain the truth in 90 to 99 %.
 
     The upper bound is compared with the interval of the counts. The fit never names a mechanism that was absent.
     """
     random = np.random.default_rng(11)
     inside = []
     named = []
-    for seed in range(30):
+    for seed in range(20):
         shares = [[1e-4, 0, 0], [0, 1.0, 0], [6e-5, 1.0, 0]][seed % 3]
         shares = (np.array(shares) * random.uniform(0.6, 1.6)).tolist()
         how = {
