@@ -25,7 +25,7 @@ from sonify.claims.checks import (
     pushing_contact,
 )
 
-SCENES, MOST_SECONDS = 150, 60.0
+SCENES, MOST_SECONDS = 150, 200.0
 TURNS, UNITS = 200.0, 30.0
 """Limits on the duration: turns of the contact at the initial inclination, and units chi."""
 
