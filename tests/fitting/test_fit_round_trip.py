@@ -16,12 +16,12 @@ from sonify.fitting.result import fit
 from sonify.sound.wav import write_sound
 
 pytestmark = pytest.mark.slow
-CONTOUR = ("thorne", "dissipation", "granite")
-STEADY = ("thorne", "dissipation", "power", "viscous")
+CONTOUR_FRICTION_SCENES = ("thorne", "dissipation", "granite")
+STEADY_SCENES = ("thorne", "dissipation", "power", "viscous")
 """Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
-KNOWN = ("thorne", "granite")
+PRECISE_SCENES = ("thorne", "granite")
 """Scenes dominated by contact friction on an identifiable motion; the fit is accurate to 5 %."""
-OTHER = (
+OTHER_LAW_SCENES = (
     "published",
     "power",
     "boundary_layer",
@@ -54,28 +54,28 @@ def tells(fits, value, truth):
     return fits.files[0].judged.explained and value.high - value.low < truth / 2
 
 
-@pytest.mark.parametrize("name", CONTOUR)
+@pytest.mark.parametrize("name", CONTOUR_FRICTION_SCENES)
 def test_contour_friction_and_film_are_given_back(name, tmp_path):
     scene, fits = fitted(name, tmp_path)
     rolling = scene.dissipation.contour_moment / (scene.disk.weight * scene.disk.radius)
     values = fits.values()
     assert held(values["rolling"], rolling)
-    assert tells(fits, values["rolling"], rolling) or name not in STEADY
+    assert tells(fits, values["rolling"], rolling) or name not in STEADY_SCENES
     assert (
         values["rolling"].high - values["rolling"].low < 0.1 * rolling
-        or name not in KNOWN
+        or name not in PRECISE_SCENES
     )
     assert held(values["air"], 1.0) if has_film(scene) else "air" not in values
     assert fits.verdict in {"rolling", "both"}
 
 
-@pytest.mark.parametrize("name", OTHER)
+@pytest.mark.parametrize("name", OTHER_LAW_SCENES)
 def test_another_law_is_given_back_and_contour_friction_does_not_fit(name, tmp_path):
     _, fits = fitted(name, tmp_path)
     law = fits.values()["law"]
     # the slips of `published` depend on the processor; with those of one, its law is 0.80 +- 0.01
     assert held(law, 1.0) or (name == "published" and abs(law.value - 1) < 0.25)
-    assert tells(fits, law, 1.0) or name not in STEADY
+    assert tells(fits, law, 1.0) or name not in STEADY_SCENES
     assert not fits.files[0].judged.contour_fits
     assert fits.verdict == "cannot tell"
 

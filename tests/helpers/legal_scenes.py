@@ -7,7 +7,7 @@ from math import exp, isnan, log, radians, sin, sqrt
 from sonify import SceneError, solve
 from sonify.scene import from_document
 
-MOST_SECONDS = 400.0
+MAX_SECONDS_PER_SCENE = 400.0
 """Processor time [s] after which a scene hangs, also on a slow machine.
 
 The mean is 4 s; several listeners or hundreds of modes take up to 85 s, or 121 s on a machine that
@@ -310,7 +310,7 @@ def faults_of(document) -> tuple[str, list[str]]:
 
     A scene ends in a named outcome or in one line of a SceneError. Faults are any other exception,
     a warning, a failed self-check, a finding with a non-finite value, and a run of more than
-    MOST_SECONDS of processor time.
+    MAX_SECONDS_PER_SCENE of processor time.
     """
     began = time.process_time()
     result = None
@@ -340,7 +340,7 @@ def faults_of(document) -> tuple[str, list[str]]:
         ]
     elif not ending.startswith("SceneError") or "\n" in ending:
         faults.append(ending)
-    if took > MOST_SECONDS:
+    if took > MAX_SECONDS_PER_SCENE:
         faults.append(f"took {took:.0f} s")
     return ending, faults
 

@@ -1,5 +1,5 @@
 """Synthetic sounds of known law for the tests of the detector: settling disks and sounds that only
-resemble them."""
+resemble them; degraded copies of a sound, and what the detector hears in samples."""
 
 from dataclasses import dataclass
 

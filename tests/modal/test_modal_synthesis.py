@@ -61,10 +61,10 @@ OTHERS = {
     "hinged at a small patch": (0.28, 0.34, Support(half_angle_deg=2, held=TWO)),
     "hinged at a wide patch": (0.28, 0.34, Support(half_angle_deg=30, held=TWO)),
 }
-ANGLES = {"narrow": 0.5} | {
+HALF_ANGLE_BY_NAME = {"narrow": 0.5} | {
     f"{angle} degrees": angle for angle in (2, 10, 25, 45, 60, 90, 130)
 }
-EXTREMES = (
+EXTREME_CASES = (
     "published",
     "narrow",
     "130 degrees",
@@ -75,7 +75,8 @@ EXTREMES = (
     "hinged",
 )
 CASES = OTHERS | {
-    name: (0.28, 0.34, Support(half_angle_deg=angle)) for name, angle in ANGLES.items()
+    name: (0.28, 0.34, Support(half_angle_deg=angle))
+    for name, angle in HALF_ANGLE_BY_NAME.items()
 }
 
 
@@ -128,7 +129,7 @@ def test_a_narrow_patch_does_not_ask_for_more_tractions_than_a_wide_one(free_dis
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", EXTREMES)
+@pytest.mark.parametrize("name", EXTREME_CASES)
 def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
     """Oracle: synthesis with a basis twice as rich, where it differs by more than its own estimate.
 

@@ -84,7 +84,7 @@ def disagreements(scene):
     return wrong
 
 
-LIKE_OTHERS = ("coin-polished", "glass", "polished", "wood-table")
+SCENES_LIKE_OTHERS = ("coin-polished", "glass", "polished", "wood-table")
 """Scenes with the models of `granite`, whose contact is rough and whose air film acts, and another
 disk, table or height of the roughness; and one with the disk and the support of `light-plate`."""
 
@@ -98,7 +98,7 @@ def test_the_published_run_is_as_wrong_as_predicted(scene, support):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
-    sorted(set(shipped_scenes()) - {"published", *CHAOTIC_SCENES, *LIKE_OTHERS}),
+    sorted(set(shipped_scenes()) - {"published", *CHAOTIC_SCENES, *SCENES_LIKE_OTHERS}),
 )
 def test_every_shipped_scene_is_as_wrong_as_predicted(name):
     assert disagreements(load_scene(name)) == []

@@ -202,12 +202,12 @@ def test_on_wood_the_table_is_louder_than_the_coin_below_6_kHz(record):
 
 @pytest.mark.parametrize("name", ["granite", "glass", "coin-polished", "published"])
 def test_the_detector_hears_the_last_five_seconds(name, record):
-    """`granite` also clipped, low-passed or in noise. The paper's law of friction gives n = 1."""
+    """Also clipped, low-passed or in noise; the paper's law of friction, n = 1, as it is."""
     _, found, folder = record(name)
     samples, rate = soundfile.read(folder / "pressure.wav")
     stop = int((found["motion"]["end"] + 0.6) * rate)
     for kind, made in degraded(samples[:stop][-5 * rate :], rate).items():
-        if name == "granite" or kind == "clean":
+        if name != "published" or kind == "clean":
             (run,) = heard(0.5 * made / np.abs(made).max(), rate)
             if name == "published":
                 assert run.exponent.value == pytest.approx(1.0, abs=0.06)

@@ -708,7 +708,7 @@ def test_the_shipped_coin_turns_like_a_recorded_one():
 
     The take has 25.5, 33.4 and 56 bursts per second, which are two per turn: with one, the air film
     alone would end the motion in a third of the time that is left. The detector hears the simulated
-    coin too, with one or two bursts per turn. A seed scatters by 6 to 10 %, and the means are 10, 10
+    coin too, with one or two bursts per turn. A seed scatters by 3 to 12 %, and the means are 9, 12
     and 4 % above the take.
     """
     motions = [solved_coin(seed).motion for seed in range(4)]
